@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stagecraft::tableaux {
+
+/// The families with rational nodal polynomial. Radau I is collocation on the left Radau nodes (c_1 = 0),
+/// Radau II the method with D(s) on the right ones (c_s = 1): Butcher's two of 1964, neither A-stable.
+/// The others as in Hairer-Wanner II, section IV.5.
+enum class family { gauss, radau_i, radau_ia, radau_ii, radau_iia, lobatto_iiia, lobatto_iiib, lobatto_iiic };
+
+/// Every family, in the order in which it is listed.
+inline constexpr std::array<family, 8> all_families{
+    family::gauss,     family::radau_i,      family::radau_ia,     family::radau_ii,
+    family::radau_iia, family::lobatto_iiia, family::lobatto_iiib, family::lobatto_iiic};
+
+/// The name used on the command line, in files and in the names of functions: "radau_iia".
+constexpr std::string_view name(family f) {
+    switch (f) {
+        case family::gauss:
+            return "gauss";
+        case family::radau_i:
+            return "radau_i";
+        case family::radau_ia:
+            return "radau_ia";
+        case family::radau_ii:
+            return "radau_ii";
+        case family::radau_iia:
+            return "radau_iia";
+        case family::lobatto_iiia:
+            return "lobatto_iiia";
+        case family::lobatto_iiib:
+            return "lobatto_iiib";
+        case family::lobatto_iiic:
+            return "lobatto_iiic";
+    }
+    throw std::invalid_argument("family: not an enumerator");
+}
+
+/// "gauss, radau_i, ...": for messages that say what is allowed.
+inline std::string family_names() {
+    std::string all;
+    for (const family f : all_families) (all += all.empty() ? "" : ", ") += name(f);
+    return all;
+}
+
+/// The family of that name. Throws std::invalid_argument, listing the names, for any other text.
+inline family family_from_name(std::string_view text) {
+    for (const family f : all_families)
+        if (name(f) == text) return f;
+    throw std::invalid_argument("family: unknown name '" + std::string(text) +
+                                "', allowed: " + family_names());
+}
+
+/// Least number of stages: 2 for Lobatto, which has both ends as nodes, 1 for the others.
+constexpr int least_stages(family f) {
+    return f == family::lobatto_iiia || f == family::lobatto_iiib || f == family::lobatto_iiic ? 2 : 1;
+}
+
+/// Throws std::invalid_argument, naming the least number, where the family has no member with s stages.
+inline void require_stages(family f, int s) {
+    if (s < least_stages(f))
+        throw std::invalid_argument("stages: " + std::string(name(f)) + " needs at least " +
+                                    std::to_string(least_stages(f)) + ", got " + std::to_string(s));
+}
+
+}  // namespace stagecraft::tableaux

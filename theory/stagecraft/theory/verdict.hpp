@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace stagecraft::theory {
+
+/// What is known of a statement. Only exact arithmetic proves or refutes an equality; an enclosure refutes
+/// equalities and decides inequalities; whatever is left is consistent, never "true up to a tolerance".
+enum class standing { proved, refuted, consistent };
+
+constexpr std::string_view name(standing s) {
+    return s == standing::proved ? "proved" : s == standing::refuted ? "refuted" : "consistent";
+}
+
+/// The outcome for one statement: proved | refuted with a witness | consistent with residual, bound, reason.
+class verdict {
+  public:
+    /// Decided true. `argument` names the theorem or computation that decides it.
+    static verdict proved(std::string argument = {}) {
+        return {theory::standing::proved, std::move(argument)};
+    }
+
+    /// Decided false. `witness` is what anyone can check: a tree and its residual, a y with |R(iy)| > 1, a
+    /// pole, a negative pivot.
+    static verdict refuted(std::string witness) { return {theory::standing::refuted, std::move(witness)}; }
+
+    /// Undecided: the computed `residual` does not exceed `bound`, the most that `reason` (rounded data,
+    /// say) can cause.
+    static verdict consistent(std::string residual, std::string bound, std::string reason) {
+        verdict v{theory::standing::consistent, std::move(reason)};
+        v.residual_ = std::move(residual);
+        v.bound_ = std::move(bound);
+        return v;
+    }
+
+    theory::standing standing() const { return standing_; }
+    bool is_proved() const { return standing_ == theory::standing::proved; }
+    bool is_refuted() const { return standing_ == theory::standing::refuted; }
+    bool is_consistent() const { return standing_ == theory::standing::consistent; }
+
+    /// The argument of a proof, the witness of a refutation, the reason of an open case.
+    const std::string& reason() const { return reason_; }
+    const std::string& residual() const { return residual_; }  ///< empty unless consistent
+    const std::string& bound() const { return bound_; }        ///< empty unless consistent
+
+    /// "proved: ...", "refuted: ...", "consistent: residual r, bound b: ...".
+    std::string text() const {
+        std::string out(name(standing_));
+        if (is_consistent()) out += ": residual " + residual_ + ", bound " + bound_;
+        if (!reason_.empty()) out += ": " + reason_;
+        return out;
+    }
+
+    friend bool operator==(const verdict&, const verdict&) = default;
+
+  private:
+    verdict(theory::standing s, std::string reason) : standing_(s), reason_(std::move(reason)) {}
+
+    theory::standing standing_;
+    std::string reason_;
+    std::string residual_;
+    std::string bound_;
+};
+
+}  // namespace stagecraft::theory
