@@ -6,6 +6,7 @@
 #include <compare>
 #include <concepts>
 #include <functional>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -72,8 +73,9 @@ class rational {
     std::string str() const {
         return denominator() == 1 ? numerator().str() : numerator().str() + "/" + denominator().str();
     }
-    template <class Stream>
-    friend Stream& operator<<(Stream& out, const rational& r) {
+    template <class Traits>
+    friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
+                                                        const rational& r) {
         out << r.str();
         return out;
     }
