@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "stagecraft/tableaux/polynomial.hpp"
+
+namespace stagecraft::tableaux {
+
+/// Sign of an element of an ordered field: -1, 0, 1.
+template <class K>
+constexpr int sign_of(const K& a) {
+    return a < K(0) ? -1 : K(0) < a ? 1 : 0;
+}
+
+/// Sign of p just before +infinity (side = 1) or -infinity (side = -1).
+template <class K>
+constexpr int sign_at_infinity(const polynomial<K>& p, int side) {
+    if (p.is_zero()) return 0;
+    return p.degree() % 2 != 0 ? side * sign_of(p.leading()) : sign_of(p.leading());
+}
+
+/// The signed remainder sequence f, g, -(f mod g), ..., every member scaled by a positive number: the
+/// Cauchy index of g/f over (a, b) is variations(a) - variations(b).
+template <class K>
+class remainder_chain {
+  public:
+    constexpr remainder_chain(polynomial<K> f, polynomial<K> g) {
+        while (!f.is_zero()) {
+            polynomial<K> r;
+            if (!g.is_zero()) r = -(f % g);
+            chain_.push_back(scaled(f));
+            f = std::move(g);
+            g = std::move(r);
+        }
+    }
+
+    /// Sign variations of the chain at x, zeros dropped.
+    constexpr int variations(const K& x) const {
+        return count([&](const polynomial<K>& p) { return sign_of(p(x)); });
+    }
+    /// Sign variations at +infinity (side = 1) or -infinity (side = -1).
+    constexpr int variations_at_infinity(int side) const {
+        return count([&](const polynomial<K>& p) { return sign_at_infinity(p, side); });
+    }
+    /// Cauchy index of g/f over the real line.
+    constexpr int index() const { return variations_at_infinity(-1) - variations_at_infinity(1); }
+
+    constexpr const std::vector<polynomial<K>>& members() const { return chain_; }
+
+  private:
+    static constexpr polynomial<K> scaled(const polynomial<K>& p) {
+        const K size = sign_of(p.leading()) < 0 ? K(0) - p.leading() : p.leading();
+        return p * polynomial<K>(K(1) / size);
+    }
+    template <class Sign>
+    constexpr int count(Sign sign) const {
+        int variations = 0;
+        int last = 0;
+        for (const auto& p : chain_) {
+            const int s = sign(p);
+            if (s != 0 && last != 0 && s != last) ++variations;
+            if (s != 0) last = s;
+        }
+        return variations;
+    }
+    std::vector<polynomial<K>> chain_;
+};
+
+/// Counts distinct real roots of a non-zero polynomial exactly (Sturm's theorem on the squarefree part).
+/// Throws std::domain_error for p = 0.
+template <class K>
+class sturm_chain {
+  public:
+    constexpr explicit sturm_chain(const polynomial<K>& p)
+        : squarefree_(squarefree(p)), chain_(squarefree_, derivative(squarefree_)) {
+        if (p.is_zero()) throw std::domain_error("sturm_chain: the zero polynomial");
+    }
+
+    /// Distinct roots on the real line.
+    constexpr int count() const { return chain_.index(); }
+    /// Distinct roots in (a, b].
+    constexpr int count(const K& a, const K& b) const { return chain_.variations(a) - chain_.variations(b); }
+    /// Distinct roots in (a, infinity).
+    constexpr int count_above(const K& a) const {
+        return chain_.variations(a) - chain_.variations_at_infinity(1);
+    }
+    /// Distinct roots in (-infinity, a].
+    constexpr int count_up_to(const K& a) const {
+        return chain_.variations_at_infinity(-1) - chain_.variations(a);
+    }
+    /// The monic polynomial with the same roots, each simple.
+    constexpr const polynomial<K>& squarefree_part() const { return squarefree_; }
+
+  private:
+    polynomial<K> squarefree_;
+    remainder_chain<K> chain_;
+};
+
+/// A power of two that exceeds the modulus of every complex root (Cauchy's bound).
+template <class K>
+constexpr K root_bound(const polynomial<K>& p) {
+    K bound(1);
+    for (int k = 0; k < p.degree(); ++k) {
+        const K q = p[k] / p.leading();
+        const K size = sign_of(q) < 0 ? K(0) - q : q;
+        while (bound < size + K(1)) bound = bound + bound;
+    }
+    return bound;
+}
+
+/// One real root of a polynomial: it is the only one in (low, high), or low = high is the root itself.
+template <class K>
+struct isolated_root {
+    K low;
+    K high;
+    int multiplicity = 1;
+    constexpr bool exact() const { return low == high; }
+};
+
+/// Halves the interval of a simple root of p until high - low <= width (or the root is met exactly).
+/// Needs only the sign at the upper end, so that `low` may be a neighbouring root.
+template <class K>
+constexpr isolated_root<K> refine(const polynomial<K>& p, isolated_root<K> root, const K& width) {
+    if (root.exact()) return root;
+    if (sign_of(p(root.high)) == 0) throw std::invalid_argument("refine: a root at the end of the interval");
+    const int above = sign_of(p(root.high));
+    while (width < root.high - root.low) {
+        const K middle = (root.low + root.high) / K(2);
+        const int s = sign_of(p(middle));
+        if (s == 0) return {middle, middle, root.multiplicity};
+        (s == above ? root.high : root.low) = middle;
+    }
+    return root;
+}
+
+/// All real roots of p, increasing, in intervals that are disjoint up to end points. Cost: one Sturm chain
+/// and its evaluation at O(roots * log(root_bound / distance)) points. Throws std::domain_error for p = 0.
+template <class K>
+constexpr std::vector<isolated_root<K>> isolate_real_roots(const polynomial<K>& p) {
+    const sturm_chain<K> chain(p);
+    const auto& q = chain.squarefree_part();
+    const K bound = root_bound(q);
+    std::vector<isolated_root<K>> found;
+    std::vector<isolated_root<K>> open;  // (low, high] with `multiplicity` roots in it, rightmost first
+    if (const int n = chain.count(); n > 0) open.push_back({K(0) - bound, bound, n});
+    while (!open.empty()) {
+        const auto [low, high, n] = open.back();
+        open.pop_back();
+        if (n == 1) {
+            found.push_back(sign_of(q(high)) == 0 ? isolated_root<K>{high, high, 1}
+                                                  : isolated_root<K>{low, high, 1});
+            continue;
+        }
+        const K middle = (low + high) / K(2);
+        const int below = chain.count(low, middle);
+        if (n > below) open.push_back({middle, high, n - below});
+        if (below > 0) open.push_back({low, middle, below});
+    }
+    for (const auto& [factor, multiplicity] : squarefree_split(p)) {
+        if (multiplicity == 1) continue;
+        const sturm_chain<K> repeated(factor);
+        for (auto& root : found) {
+            const bool here =
+                root.exact() ? sign_of(factor(root.low)) == 0 : repeated.count(root.low, root.high) == 1;
+            if (here) root.multiplicity = multiplicity;
+        }
+    }
+    return found;
+}
+
+/// A point x with p(x) < 0, or nothing if p >= 0 on the whole real line: an exact decision. p may touch zero;
+/// one point of every gap between neighbouring roots is looked at.
+template <class K>
+constexpr std::optional<K> negative_point(const polynomial<K>& p) {
+    if (p.is_zero()) return {};
+    const auto negative = [&](const K& x) { return sign_of(p(x)) < 0; };
+    const K bound = root_bound(p);
+    if (negative(K(0) - bound)) return K(0) - bound;
+    if (negative(bound)) return bound;
+    const auto roots = isolate_real_roots(p);
+    const auto q = squarefree(p);
+    for (std::size_t k = 0; k + 1 < roots.size(); ++k) {
+        auto a = roots[k];
+        auto b = roots[k + 1];
+        while (!(a.high < b.low)) {
+            a = refine(q, a, (a.high - a.low) / K(4));
+            b = refine(q, b, (b.high - b.low) / K(4));
+        }
+        const K middle = (a.high + b.low) / K(2);
+        if (negative(middle)) return middle;
+    }
+    return {};
+}
+
+/// The same on the half-line x >= from, by the substitution x = from + t^2.
+template <class K>
+constexpr std::optional<K> negative_point_from(const polynomial<K>& p, const K& from) {
+    const auto t = negative_point(compose(p, polynomial<K>{from, K(0), K(1)}));
+    if (!t) return {};
+    return from + *t * *t;
+}
+
+}  // namespace stagecraft::tableaux
