@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace stagecraft::tableaux {
+
+__extension__ using int128 = __int128;
+
+/// An exact rational over 128-bit integers for proofs at compile time. Every operation is checked: what does
+/// not fit is a compile error in a constant expression and std::overflow_error at run time, never a wrapped
+/// number. Always in lowest terms, denominator positive. No floating-point number converts to it.
+class fixed_rational {
+  public:
+    constexpr fixed_rational()
+        : numerator_(0), denominator_(1) {}  // not trivial: clang 14's constexpr vector
+    template <std::integral I>
+    constexpr fixed_rational(I n) : numerator_(n), denominator_(1) {}  // NOLINT: integers are rationals
+    explicit constexpr fixed_rational(int128 n) : numerator_(n), denominator_(1) {}
+    /// n/d. Throws std::domain_error for d = 0.
+    constexpr fixed_rational(int128 n, int128 d) : numerator_(n), denominator_(d) {
+        if (d == 0) throw std::domain_error("fixed_rational: zero denominator");
+        if (d < 0) {
+            numerator_ = negated(n);
+            denominator_ = negated(d);
+        }
+        const int128 g = gcd(numerator_, denominator_);
+        numerator_ /= g;
+        denominator_ /= g;
+    }
+    template <std::floating_point F>
+    fixed_rational(F) = delete;
+
+    constexpr int128 numerator() const { return numerator_; }
+    constexpr int128 denominator() const { return denominator_; }
+
+    constexpr fixed_rational operator-() const { return lowest(negated(numerator_), denominator_); }
+    constexpr fixed_rational& operator+=(const fixed_rational& o) {
+        if (o.numerator_ == 0) return *this;
+        const int128 g = gcd(denominator_, o.denominator_);
+        const int128 n = added(multiplied(numerator_, o.denominator_ / g),  //
+                               multiplied(o.numerator_, denominator_ / g));
+        const int128 h = gcd(n, g);  // all that n can share with the common denominator
+        return *this = lowest(n / h, multiplied(denominator_ / g, o.denominator_ / h));
+    }
+    constexpr fixed_rational& operator-=(const fixed_rational& o) { return *this += -o; }
+    constexpr fixed_rational& operator*=(const fixed_rational& o) {
+        const int128 g = gcd(numerator_, o.denominator_);
+        const int128 h = gcd(o.numerator_, denominator_);
+        return *this = lowest(multiplied(numerator_ / g, o.numerator_ / h),
+                              multiplied(denominator_ / h, o.denominator_ / g));
+    }
+    /// Throws std::domain_error for o = 0.
+    constexpr fixed_rational& operator/=(const fixed_rational& o) {
+        if (o.numerator_ == 0) throw std::domain_error("fixed_rational: division by zero");
+        return *this *= o.numerator_ < 0 ? lowest(negated(o.denominator_), negated(o.numerator_))
+                                         : lowest(o.denominator_, o.numerator_);
+    }
+    friend constexpr fixed_rational operator+(fixed_rational a, const fixed_rational& b) { return a += b; }
+    friend constexpr fixed_rational operator-(fixed_rational a, const fixed_rational& b) { return a -= b; }
+    friend constexpr fixed_rational operator*(fixed_rational a, const fixed_rational& b) { return a *= b; }
+    friend constexpr fixed_rational operator/(fixed_rational a, const fixed_rational& b) { return a /= b; }
+    friend constexpr bool operator==(const fixed_rational&, const fixed_rational&) = default;
+    friend constexpr std::strong_ordering operator<=>(const fixed_rational& a, const fixed_rational& b) {
+        const int128 g = gcd(a.denominator_, b.denominator_);
+        const int128 left = multiplied(a.numerator_, b.denominator_ / g);
+        const int128 right = multiplied(b.numerator_, a.denominator_ / g);
+        return left < right   ? std::strong_ordering::less
+               : left > right ? std::strong_ordering::greater
+                              : std::strong_ordering::equal;
+    }
+
+    /// "p/q", or "p" where q = 1.
+    std::string str() const {
+        return denominator_ == 1 ? decimal(numerator_) : decimal(numerator_) + "/" + decimal(denominator_);
+    }
+    template <class Stream>
+    friend Stream& operator<<(Stream& out, const fixed_rational& r) {
+        out << r.str();
+        return out;
+    }
+
+  private:
+    static constexpr fixed_rational lowest(int128 n, int128 d) {  // n, d known to be in lowest terms, d > 0
+        fixed_rational r;
+        r.numerator_ = n;
+        r.denominator_ = d;
+        return r;
+    }
+    static constexpr int128 gcd(int128 a, int128 b) {  // b > 0 in every use, so the result is positive
+        if (b == 1) return 1;
+        while (b != 0) a = std::exchange(b, a % b);
+        return a < 0 ? negated(a) : a;
+    }
+    static constexpr int128 negated(int128 a) {
+        int128 r = 0;
+        if (__builtin_sub_overflow(int128{0}, a, &r)) overflow();
+        return r;
+    }
+    static constexpr int128 added(int128 a, int128 b) {
+        int128 r = 0;
+        if (__builtin_add_overflow(a, b, &r)) overflow();
+        return r;
+    }
+    static constexpr int128 multiplied(int128 a, int128 b) {
+        int128 r = 0;
+        if (__builtin_mul_overflow(a, b, &r)) overflow();
+        return r;
+    }
+    [[noreturn]] static void overflow() { throw std::overflow_error("fixed_rational: more than 127 bits"); }
+    static std::string decimal(int128 n) {
+        std::string digits;
+        const bool negative = n < 0;
+        do {
+            const int digit = static_cast<int>(n % 10);
+            digits.insert(digits.begin(), static_cast<char>('0' + (digit < 0 ? -digit : digit)));
+        } while ((n /= 10) != 0);
+        return negative ? "-" + digits : digits;
+    }
+
+    int128 numerator_;
+    int128 denominator_;
+};
+
+constexpr int sign(const fixed_rational& r) { return r.numerator() < 0 ? -1 : r.numerator() > 0 ? 1 : 0; }
+constexpr fixed_rational abs(const fixed_rational& r) { return sign(r) < 0 ? -r : r; }
+
+namespace literals {
+/// 1/15_q is the rational 1/15: the literal is an exact integer, and so is whatever is made from it.
+consteval fixed_rational operator""_q(unsigned long long n) { return fixed_rational(n); }
+}  // namespace literals
+
+}  // namespace stagecraft::tableaux
