@@ -56,6 +56,34 @@ inline family family_from_name(std::string_view text) {
                                 "', allowed: " + family_names());
 }
 
+/// How nodes determine A, once b is the interpolatory quadrature on them (Hairer-Wanner II.IV.5):
+/// collocation by C(s); adjoint by D(s), which is collocation's adjoint for <u, v> = b^T(u v); lobatto_iiic
+/// by C(s-1) and first column b_1 (1, ..., 1)^T, which needs the node 0.
+enum class construction { collocation, adjoint, lobatto_iiic };
+
+constexpr std::string_view name(construction rule) {
+    return rule == construction::collocation ? "collocation"
+           : rule == construction::adjoint   ? "adjoint"
+                                             : "lobatto_iiic";
+}
+
+constexpr construction construction_of(family f) {
+    switch (f) {
+        case family::gauss:
+        case family::radau_i:
+        case family::radau_iia:
+        case family::lobatto_iiia:
+            return construction::collocation;
+        case family::radau_ia:
+        case family::radau_ii:
+        case family::lobatto_iiib:
+            return construction::adjoint;
+        case family::lobatto_iiic:
+            return construction::lobatto_iiic;
+    }
+    throw std::invalid_argument("family: not an enumerator");
+}
+
 /// Least number of stages: 2 for Lobatto, which has both ends as nodes, 1 for the others.
 constexpr int least_stages(family f) {
     return f == family::lobatto_iiia || f == family::lobatto_iiib || f == family::lobatto_iiic ? 2 : 1;

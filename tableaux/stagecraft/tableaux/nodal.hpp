@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stagecraft/tableaux/family.hpp"
+#include "stagecraft/tableaux/legendre.hpp"
+#include "stagecraft/tableaux/polynomial.hpp"
+#include "stagecraft/tableaux/rational.hpp"
+#include "stagecraft/tableaux/sturm.hpp"
+
+namespace stagecraft::tableaux {
+
+/// Shifted Legendre coordinates w_0, ..., w_s of a family's nodal polynomial, w_s = 1 (Hairer-Wanner
+/// II.IV.5): P_s (Gauss), P_s + P_{s-1} (Radau with c_1 = 0), P_s - P_{s-1} (Radau with c_s = 1),
+/// P_s - P_{s-2} (Lobatto). Throws std::invalid_argument where the family has no member with s stages.
+template <class K>
+constexpr std::vector<K> nodal_legendre(family f, int s) {
+    if (s < least_stages(f)) require_stages(f, s);
+    std::vector<K> w(static_cast<std::size_t>(s) + 1, K(0));
+    w[static_cast<std::size_t>(s)] = K(1);
+    switch (f) {
+        case family::gauss:
+            break;
+        case family::radau_i:
+        case family::radau_ia:
+            w[static_cast<std::size_t>(s) - 1] = K(1);
+            break;
+        case family::radau_ii:
+        case family::radau_iia:
+            w[static_cast<std::size_t>(s) - 1] = K(-1);
+            break;
+        case family::lobatto_iiia:
+        case family::lobatto_iiib:
+        case family::lobatto_iiic:
+            w[static_cast<std::size_t>(s) - 2] = K(-1);
+            break;
+    }
+    return w;
+}
+
+/// The polynomial w over the rationals whose roots are the nodes c_1 < ... < c_s: real, distinct, in [0, 1].
+/// Immutable. Scaled so that its leading shifted Legendre coordinate is 1.
+class nodal_polynomial {
+  public:
+    /// A family's. Its roots need no proof here: they are those of classical orthogonal polynomials, times
+    /// the end points. Throws std::invalid_argument where the family has no member with s stages.
+    nodal_polynomial(tableaux::family f, int s)
+        : legendre_(nodal_legendre<rational>(f, s)),
+          monomial_(from_legendre(legendre_)),
+          family_(f),
+          name_(tableaux::name(f)) {}
+
+    /// A user's own, from the coefficients of 1, x, x^2, ... (any scaling). Throws std::invalid_argument
+    /// unless Sturm's theorem proves all roots real, distinct and in [0, 1].
+    static nodal_polynomial from_coefficients(std::vector<rational> ascending, std::string name = "nodal") {
+        polynomial<rational> p(std::move(ascending));
+        if (p.degree() < 1)
+            throw std::invalid_argument("coefficients: a nodal polynomial has degree at least 1");
+        const sturm_chain<rational> chain(p);
+        const int roots = chain.count(0, 1) + (p[0] == 0 ? 1 : 0);
+        if (roots != p.degree())
+            throw std::invalid_argument("coefficients: " + std::to_string(p.degree()) +
+                                        " distinct real roots in [0, 1] needed, this polynomial has " +
+                                        std::to_string(roots));
+        return {p, std::move(name)};
+    }
+
+    /// A user's own, from distinct rational nodes in [0, 1], in any order. Throws std::invalid_argument.
+    static nodal_polynomial from_nodes(const std::vector<rational>& nodes, std::string name = "nodal") {
+        if (nodes.empty()) throw std::invalid_argument("nodes: at least one node needed");
+        polynomial<rational> p(1);
+        for (const rational& c : nodes) {
+            if (c < 0 || c > 1)
+                throw std::invalid_argument("nodes: must lie in [0, 1], one of them is " + c.str());
+            if (p(c) == 0)
+                throw std::invalid_argument("nodes: must be distinct, " + c.str() + " is repeated");
+            p *= polynomial<rational>{-c, 1};
+        }
+        return {p, std::move(name)};
+    }
+
+    /// Number of nodes s.
+    int degree() const { return monomial_.degree(); }
+    /// Coordinates in P_0, ..., P_s; the last one is 1.
+    const std::vector<rational>& legendre() const { return legendre_; }
+    /// The same polynomial in powers of x; its leading coefficient is binom(2s, s).
+    const polynomial<rational>& monomial() const { return monomial_; }
+    /// The family, empty for a user's own.
+    std::optional<tableaux::family> family() const { return family_; }
+    const std::string& name() const { return name_; }
+
+  private:
+    nodal_polynomial(const polynomial<rational>& p, std::string name)
+        : legendre_(to_legendre(p)), name_(std::move(name)) {
+        const rational leading = legendre_.back();
+        for (rational& u : legendre_) u /= leading;
+        monomial_ = p * polynomial<rational>(1 / leading);
+    }
+
+    std::vector<rational> legendre_;
+    polynomial<rational> monomial_;
+    std::optional<tableaux::family> family_;
+    std::string name_;
+};
+
+}  // namespace stagecraft::tableaux
