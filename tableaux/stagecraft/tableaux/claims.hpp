@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace stagecraft::tableaux {
+
+/// What a tableau file says of its method. Only what is stated is judged; `order` = p claims every order
+/// condition up to p, not that p + 1 fails. `stage_order` = q claims B(q) and C(q); a file that gives c
+/// claims c = A*1 with it, unless it states stage_order 0.
+struct claims {
+    std::optional<int> order;
+    std::optional<int> embedded_order;
+    std::optional<int> stage_order;
+    std::optional<bool> a_stable;
+    std::optional<bool> l_stable;
+    std::optional<bool> algebraically_stable;
+    std::optional<bool> symplectic;
+    std::optional<bool> symmetric;
+    std::optional<bool> stiffly_accurate;
+
+    friend bool operator==(const claims&, const claims&) = default;
+};
+
+struct counted_claim {
+    std::string_view name;  ///< key in the file
+    std::optional<int> claims::*value;
+};
+
+struct yes_no_claim {
+    std::string_view name;
+    std::optional<bool> claims::*value;
+};
+
+inline constexpr std::array<counted_claim, 3> counted_claims{{{"order", &claims::order},
+                                                              {"embedded_order", &claims::embedded_order},
+                                                              {"stage_order", &claims::stage_order}}};
+
+inline constexpr std::array<yes_no_claim, 6> yes_no_claims{
+    {{"A_stable", &claims::a_stable},
+     {"L_stable", &claims::l_stable},
+     {"algebraically_stable", &claims::algebraically_stable},
+     {"symplectic", &claims::symplectic},
+     {"symmetric", &claims::symmetric},
+     {"stiffly_accurate", &claims::stiffly_accurate}}};
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stagecraft/tableau.hpp>
+#include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/tableaux/entry.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// Thrown for a file that cannot be used. what() is one line that names the line and the entry.
+struct unusable_input : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
+
+/// Where the numbers of a tableau live, which decides what can be proved of it.
+enum class number_kind {
+    rational,   ///< everything is decided
+    quadratic,  ///< likewise, in Q(sqrt d)
+    enclosed,   ///< exact, but in no single quadratic field: equalities can be refuted, not proved
+    rounded     ///< decimals or doubles
+};
+
+constexpr std::string_view name(number_kind k) {
+    return k == number_kind::rational    ? "exact, rational"
+           : k == number_kind::quadratic ? "exact, one quadratic surd"
+           : k == number_kind::enclosed  ? "exact, enclosed"
+                                         : "rounded";
+}
+
+/// A tableau as a file gives it.
+struct tableau_file {
+    std::string name;
+    std::string source;
+    std::vector<std::vector<entry>> A;
+    std::vector<entry> b;
+    std::vector<entry> c;           ///< empty where the file leaves it to the row sums
+    std::vector<entry> b_embedded;  ///< empty where there is none
+    tableaux::claims claims;
+
+    int stages() const { return static_cast<int>(b.size()); }
+
+    template <class Visitor>
+    void for_each_entry(Visitor visit) const {
+        for (const auto& row : A)
+            for (const auto& e : row) visit(e);
+        for (const auto* v : {&b, &c, &b_embedded})
+            for (const auto& e : *v) visit(e);
+    }
+
+    number_kind kind() const {
+        bool rounded = false, enclosed = false;
+        std::uint64_t d = 0;
+        for_each_entry([&](const entry& e) {
+            rounded |= e.rounded;
+            enclosed |= !e.exact || (d != 0 && !e.exact->is_rational() && e.exact->radicand() != d);
+            if (e.exact && !e.exact->is_rational()) d = e.exact->radicand();
+        });
+        return rounded    ? number_kind::rounded
+               : enclosed ? number_kind::enclosed
+               : d != 0   ? number_kind::quadratic
+                          : number_kind::rational;
+    }
+};
+
+/// Most stages a file may have.
+inline constexpr int most_stages = 64;
+/// Largest order a file may claim: there are 53,272 conditions up to 14.
+inline constexpr int largest_order = 14;
+
+/// The tableau over Scalar, each entry sent through `convert`; a missing c becomes the row sums.
+template <class Scalar, class Convert>
+tableau<Scalar> to_tableau(const tableau_file& file, Convert convert) {
+    const int s = file.stages();
+    tableau<Scalar> t;
+    t.A.resize(s, s);
+    t.b.resize(s);
+    t.c.resize(s);
+    t.b_embedded.resize(static_cast<int>(file.b_embedded.size()));
+    for (int i = 0; i < s; ++i) {
+        Scalar sum = convert(file.A[i][0]);
+        for (int j = 0; j < s; ++j) {
+            t.A(i, j) = convert(file.A[i][j]);
+            if (j > 0) sum = sum + t.A(i, j);
+        }
+        t.b(i) = convert(file.b[i]);
+        t.c(i) = file.c.empty() ? sum : convert(file.c[i]);
+        if (!file.b_embedded.empty()) t.b_embedded(i) = convert(file.b_embedded[i]);
+    }
+    return t;
+}
+
+/// The exact tableau over Q. Throws std::invalid_argument unless kind() is rational.
+inline tableau<rational> to_rational(const tableau_file& file) {
+    if (file.kind() != number_kind::rational)
+        throw std::invalid_argument("file: the entries are not rational");
+    return to_tableau<rational>(file, [](const entry& e) { return e.exact->rational_part(); });
+}
+
+/// The exact tableau over Q(sqrt d). Throws std::invalid_argument unless the entries lie in one such field.
+inline tableau<quadratic> to_quadratic(const tableau_file& file) {
+    if (file.kind() > number_kind::quadratic)
+        throw std::invalid_argument("file: the entries do not lie in one quadratic field");
+    return to_tableau<quadratic>(file, [](const entry& e) { return *e.exact; });
+}
+
+namespace json_reader {
+
+using nlohmann::json;
+
+/// Printable and short: what a message may quote of a hostile file.
+inline std::string in_quotes(std::string_view text) {
+    std::string shown;
+    for (const char ch : text.substr(0, 60)) shown += ch >= ' ' && ch < 127 ? ch : '?';
+    return "'" + shown + (text.size() > 60 ? "..." : "") + "'";
+}
+
+/// Input iterator that counts the line ends before the character last read.
+struct line_counting_iterator {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    const char* at = nullptr;
+    int* line = nullptr;
+
+    reference operator*() const { return *at; }
+    line_counting_iterator& operator++() {
+        if (line && *at == '\n') ++*line;
+        ++at;
+        return *this;
+    }
+    line_counting_iterator operator++(int) {
+        auto old = *this;
+        ++*this;
+        return old;
+    }
+    friend bool operator==(const line_counting_iterator& x, const line_counting_iterator& y) {
+        return x.at == y.at;
+    }
+    friend bool operator!=(const line_counting_iterator& x, const line_counting_iterator& y) {
+        return x.at != y.at;
+    }
+};
+
+/// SAX handler that stops at the value with a given path, to find its line; also finds repeated keys.
+class path_finder {
+  public:
+    path_finder(std::string wanted, const int& line) : wanted_(std::move(wanted)), line_(line) {}
+
+    int line() const { return found_; }
+    const std::string& repeated_key() const { return repeated_; }
+
+    bool null() { return value(); }
+    bool boolean(bool) { return value(); }
+    bool number_integer(json::number_integer_t) { return value(); }
+    bool number_unsigned(json::number_unsigned_t) { return value(); }
+    bool number_float(json::number_float_t, const std::string&) { return value(); }
+    bool string(std::string&) { return value(); }
+    bool binary(json::binary_t&) { return value(); }
+    bool start_object(std::size_t) { return open(); }
+    bool end_object() { return close(); }
+    bool start_array(std::size_t) { return open(); }
+    bool end_array() { return close(); }
+    bool key(std::string& k) {
+        if (!levels_.back().keys.insert(k).second) {
+            repeated_ = k;
+            found_ = line_;
+            return false;
+        }
+        levels_.back().current = k;
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) { return false; }
+
+  private:
+    struct level {
+        std::size_t index = 0;
+        std::string current;
+        std::set<std::string> keys;
+    };
+
+    /// False where the walk has arrived.
+    bool match() {
+        std::string here;
+        if (levels_.size() <= 3)  // no wanted path is deeper
+            for (const level& l : levels_)
+                here += "/" + (l.keys.empty() ? std::to_string(l.index) : l.current);
+        if (here != wanted_) return true;
+        found_ = line_;
+        return false;
+    }
+    bool advance() {
+        if (!levels_.empty()) ++levels_.back().index;
+        return true;
+    }
+    bool value() { return match() && advance(); }
+    bool open() {
+        if (!match()) return false;
+        levels_.emplace_back();
+        return true;
+    }
+    bool close() {
+        levels_.pop_back();
+        return advance();
+    }
+
+    std::string wanted_;
+    const int& line_;
+    int found_ = 0;
+    std::string repeated_;
+    std::vector<level> levels_;
+};
+
+inline path_finder find_path(std::string_view text, const std::string& path, int& line) {
+    line = 1;
+    path_finder finder(path, line);
+    json::sax_parse(line_counting_iterator{text.data(), &line},
+                    line_counting_iterator{text.data() + text.size(), nullptr}, &finder);
+    return finder;
+}
+
+/// Raises unusable_input for the entry at a JSON path.
+[[noreturn]] inline void reject(std::string_view text, const std::string& path, const std::string& entry_name,
+                                const std::string& what) {
+    int line = 1;
+    const int found = find_path(text, path, line).line();
+    throw unusable_input("line " + std::to_string(std::max(found, 1)) + ", " + entry_name + ": " + what);
+}
+
+struct document {
+    std::string_view text;
+    json root;
+};
+
+inline document parse(std::string_view text) {
+    int line = 1;
+    const path_finder finder = find_path(text, "never", line);
+    if (!finder.repeated_key().empty())
+        throw unusable_input("line " + std::to_string(finder.line()) + ": key " +
+                             in_quotes(finder.repeated_key()) + " appears twice");
+    try {
+        return {text, json::parse(text)};
+    } catch (const json::parse_error& e) {
+        const auto upto = text.substr(0, std::min(e.byte, text.size()));
+        const auto breaks = std::count(upto.begin(), upto.end(), '\n');
+        const bool end = e.byte > text.size();
+        throw unusable_input(
+            "line " + std::to_string(breaks + 1) + ": not JSON: " +
+            (end ? "the text ends too early"
+                 : "unexpected " + in_quotes(text.substr(e.byte == 0 ? 0 : e.byte - 1, 12))));
+    } catch (const json::exception&) {
+        throw unusable_input("line " + std::to_string(line) + ": non-finite number");
+    }
+}
+
+inline entry number(const document& d, const json& value, const std::string& path,
+                    const std::string& entry_name) {
+    try {
+        if (value.is_string()) return read_entry(value.get_ref<const std::string&>());
+        entry e;
+        if (value.is_number_unsigned())
+            e = expression_grammar::from_exact(rational(value.get<std::uint64_t>()));
+        else if (value.is_number_integer())
+            e = expression_grammar::from_exact(rational(value.get<std::int64_t>()));
+        else if (value.is_number_float())
+            e = entry_from_double(value.get<double>());
+        else
+            throw std::invalid_argument("must be a number written as a string");
+        e.text = value.dump();
+        return e;
+    } catch (const std::invalid_argument& error) {
+        const std::string shown =
+            value.is_string() ? in_quotes(value.get_ref<const std::string&>()) + " " : "";
+        reject(d.text, path, entry_name, shown + error.what());
+    }
+}
+
+inline std::vector<entry> numbers(const document& d, const json& value, const std::string& path,
+                                  const std::string& vector_name, std::size_t expected) {
+    if (!value.is_array()) reject(d.text, path, vector_name, "must be a list of numbers");
+    if (expected != 0 && value.size() != expected)
+        reject(d.text, path, vector_name,
+               "has " + std::to_string(value.size()) + " entries, b has " + std::to_string(expected));
+    std::vector<entry> all;
+    for (std::size_t i = 0; i < value.size(); ++i)
+        all.push_back(number(d, value[i], path + "/" + std::to_string(i),
+                             vector_name + "[" + std::to_string(i + 1) + "]"));
+    return all;
+}
+
+inline std::string text_field(const document& d, const char* key) {
+    if (!d.root.contains(key)) return {};
+    if (!d.root[key].is_string()) reject(d.text, std::string("/") + key, key, "must be a text");
+    return d.root[key].get<std::string>();
+}
+
+inline tableaux::claims read_claims(const document& d) {
+    tableaux::claims claims;
+    if (!d.root.contains("claims")) return claims;
+    const json& stated = d.root["claims"];
+    if (!stated.is_object()) reject(d.text, "/claims", "claims", "must be an object");
+    for (const auto& [key, value] : stated.items()) {
+        const auto refuse = [&, &key = key](const std::string& what) {
+            reject(d.text, "/claims/" + key, "claims." + in_quotes(key), what);
+        };
+        const auto counted = std::find_if(counted_claims.begin(), counted_claims.end(),
+                                          [&key = key](const auto& c) { return c.name == key; });
+        const auto yes_no = std::find_if(yes_no_claims.begin(), yes_no_claims.end(),
+                                         [&key = key](const auto& c) { return c.name == key; });
+        if (counted != counted_claims.end()) {
+            if (!value.is_number_integer() || value < 0 || value > largest_order)
+                refuse("must be an integer from 0 to " + std::to_string(largest_order));
+            claims.*(counted->value) = value.get<int>();
+        } else if (yes_no != yes_no_claims.end()) {
+            if (!value.is_boolean()) refuse("must be true or false");
+            claims.*(yes_no->value) = value.get<bool>();
+        } else {
+            refuse("unknown claim");
+        }
+    }
+    return claims;
+}
+
+}  // namespace json_reader
+
+/// Reads a tableau from JSON text (this header needs nlohmann-json):
+/// {"name","source","note","c":[...],"A":[[...]],"b":[...],"b_embedded":[...],"claims":{...}}, with A and b
+/// required. Entries are strings as in read_entry, or JSON numbers: integers are exact, others are doubles.
+/// Throws unusable_input, one line naming line and entry: bad JSON, a missing, repeated or unknown key, wrong
+/// sizes, and whatever read_entry refuses.
+inline tableau_file read_tableau(std::string_view text) {
+    using json_reader::reject;
+    const auto d = json_reader::parse(text);
+    if (!d.root.is_object()) throw unusable_input("line 1: a tableau must be a JSON object");
+    static const std::set<std::string> known{"name", "source", "note", "A", "b", "c", "b_embedded", "claims"};
+    for (const auto& [key, value] : d.root.items())
+        if (!known.contains(key)) reject(text, "/" + key, json_reader::in_quotes(key), "unknown key");
+    for (const char* required : {"A", "b"})
+        if (!d.root.contains(required))
+            throw unusable_input(std::string("line 1: ") + required + " is missing");
+
+    tableau_file file;
+    file.name = json_reader::text_field(d, "name");
+    file.source = json_reader::text_field(d, "source");
+    file.b = json_reader::numbers(d, d.root["b"], "/b", "b", 0);
+    const std::size_t s = file.b.size();
+    if (s == 0) reject(text, "/b", "b", "is empty");
+    if (s > most_stages) reject(text, "/b", "b", "has more than " + std::to_string(most_stages) + " entries");
+    const auto& A = d.root["A"];
+    if (!A.is_array() || A.size() != s)
+        reject(text, "/A", "A", "must be a list of " + std::to_string(s) + " rows, as many as b has entries");
+    for (std::size_t i = 0; i < s; ++i)
+        file.A.push_back(
+            json_reader::numbers(d, A[i], "/A/" + std::to_string(i), "A[" + std::to_string(i + 1) + "]", s));
+    if (d.root.contains("c")) file.c = json_reader::numbers(d, d.root["c"], "/c", "c", s);
+    if (d.root.contains("b_embedded"))
+        file.b_embedded = json_reader::numbers(d, d.root["b_embedded"], "/b_embedded", "b_embedded", s);
+    file.claims = json_reader::read_claims(d);
+    if (file.claims.embedded_order && file.b_embedded.empty())
+        reject(text, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
+    return file;
+}
+
+/// Reads the file at `path`. Throws unusable_input, also where it cannot be opened.
+inline tableau_file read_tableau_file(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw unusable_input("cannot open " + path);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) throw unusable_input("cannot read " + path);
+    return read_tableau(text.str());
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE read
+#include <boost/test/unit_test.hpp>
+#include <stagecraft/tableaux/read.hpp>
+
+using namespace stagecraft::tableaux;
+
+namespace {
+std::string complaint(std::string_view text) {
+    try {
+        read_tableau(text);
+    } catch (const unusable_input& e) {
+        BOOST_TEST(std::string_view(e.what()).find('\n') == std::string_view::npos);
+        return e.what();
+    }
+    return "none";
+}
+
+std::string begins(const std::string& message, std::size_t length) { return message.substr(0, length); }
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_file_becomes_an_exact_tableau) {
+    const auto file = read_tableau(R"({"name": "Gauss 2", "source": "Kuntzmann",
+        "A": [["1/4", "1/4-sqrt(3)/6"], ["1/4+sqrt(3)/6", "1/4"]], "b": ["1/2", "1/2"],
+        "claims": {"order": 4, "A_stable": true}})");
+    BOOST_TEST(file.name == "Gauss 2");
+    BOOST_TEST((file.kind() == number_kind::quadratic));
+    BOOST_TEST(file.claims.order.value() == 4);
+    BOOST_TEST(file.claims.a_stable.value());
+    BOOST_TEST(!file.claims.l_stable.has_value());
+    const auto t = to_quadratic(file);
+    BOOST_TEST(t.c(0).str() == "1/2-1/6*sqrt(3)");  // row sums stand in for c
+    BOOST_CHECK_THROW(to_rational(file), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(the_kind_is_that_of_the_least_exact_entry) {
+    const auto kind = [](const std::string& a, const std::string& b) {
+        return read_tableau(R"({"A":[[")" + a + R"("]],"b":[)" + b + "]}").kind();
+    };
+    BOOST_TEST((kind("1/2", "1") == number_kind::rational));
+    BOOST_TEST((kind("sqrt(2)", "\"sqrt(8)\"") == number_kind::quadratic));
+    BOOST_TEST((kind("sqrt(2)", "\"sqrt(3)\"") == number_kind::enclosed));
+    BOOST_TEST((kind("sqrt(2)", "0.5") == number_kind::rounded));
+    BOOST_TEST((kind("sqrt(2)+sqrt(3)", "\"1.0\"") == number_kind::rounded));
+}
+
+BOOST_AUTO_TEST_CASE(json_numbers_are_integers_or_doubles) {
+    const auto file = read_tableau(R"({"A":[[0.5]],"b":[1],"c":[-0.5]})");
+    BOOST_TEST(file.A[0][0].rounded);
+    BOOST_TEST(file.b[0].exact.value() == 1);
+    BOOST_TEST(file.c[0].enclosure.middle() == rational(-1, 2));
+}
+
+BOOST_AUTO_TEST_CASE(unusable_input_names_line_and_entry) {
+    const std::string head =
+        "{\n \"A\": [\n  [\"0\", \"0\"],\n  [\"1/2\", \"x\"]\n ],\n \"b\": [\"0\",\n  \"1\"]}";
+    BOOST_TEST(complaint(head) == "line 4, A[2][2]: 'x' unknown symbol 'x'");
+    const auto with = [](const std::string& a, const std::string& rest) {
+        return complaint("{\"A\":[[" + a + "]],\n\"b\":[\"1\"]" + rest + "}");
+    };
+    BOOST_TEST(with("\"1/0\"", "") == "line 1, A[1][1]: '1/0' division by zero");
+    BOOST_TEST(with("\"sqrt(-1)\"", "") == "line 1, A[1][1]: 'sqrt(-1)' square root of a negative number");
+    BOOST_TEST(with("\"1\"", ",\n\"c\":[\"1\",\"2\"]") == "line 3, c: has 2 entries, b has 1");
+    BOOST_TEST(with("\"1\"", ",\n\n\"c\":[\"nan\"]") == "line 4, c[1]: 'nan' unknown symbol 'nan'");
+    BOOST_TEST(with("\"1\",\"2\"", "") == "line 1, A[1]: has 2 entries, b has 1");
+    BOOST_TEST(with("true", "") == "line 1, A[1][1]: must be a number written as a string");
+    BOOST_TEST(with("1e999", "") == "line 1: non-finite number");
+    BOOST_TEST(with("1", ",\"claims\":{\"ordre\":1}") == "line 2, claims.'ordre': unknown claim");
+    BOOST_TEST(with("1", ",\n\"claims\":{\"order\":1000}") ==
+               "line 3, claims.'order': must be an integer from 0 to 14");
+    BOOST_TEST(with("1", ",\"claims\":{\"order\":\"2\"}") ==
+               "line 2, claims.'order': must be an integer from 0 to 14");
+    BOOST_TEST(with("1", ",\"claims\":{\"A_stable\":1}") ==
+               "line 2, claims.'A_stable': must be true or false");
+    BOOST_TEST(with("1", ",\"claims\":{\"embedded_order\":1}") ==
+               "line 2, claims.embedded_order: there is no b_embedded");
+    BOOST_TEST(with("1", ",\"b\":[\"2\"]") == "line 2: key 'b' appears twice");
+    BOOST_TEST(with("1", ",\"b_embeded\":[\"2\"]") == "line 2, 'b_embeded': unknown key");
+    BOOST_TEST(complaint("{\"b\":[\"1\"]}") == "line 1: A is missing");
+    BOOST_TEST(complaint("{\"A\":[],\n\"b\":[]}") == "line 2, b: is empty");
+    BOOST_TEST(complaint("[1]") == "line 1: a tableau must be a JSON object");
+    BOOST_TEST(begins(complaint("{\n\n\"A\": oops}"), 16) == "line 3: not JSON");
+    BOOST_TEST(complaint("{\n\"A\": [") == "line 2: not JSON: the text ends too early");
+    BOOST_TEST(begins(complaint(""), 16) == "line 1: not JSON");
+    BOOST_TEST(begins(complaint("{\"A\":\"\xff\"}"), 16) == "line 1: not JSON");
+    BOOST_TEST(begins(complaint(std::string(1000000, '[')), 16) == "line 1: not JSON");
+    BOOST_CHECK_THROW(read_tableau_file("/no/such/file.json"), unusable_input);
+}
