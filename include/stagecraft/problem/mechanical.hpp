@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <unsupported/Eigen/AutoDiff>
+
+#include <stagecraft/linear/small_ldlt.hpp>
+
+namespace stagecraft {
+
+/// A constrained mechanical system M(q) q'' = F(q, q') - G(q)^T lambda, 0 = G(q) q' (velocity constraints,
+/// rolling without slip for instance), as a type `Model` with
+///
+///     static constexpr int coordinates = n, constraints = m;   // m < n
+///     template <class S> Eigen::Matrix<S, n, n> M(const Eigen::Matrix<S, n, 1>& q) const;
+///     template <class S> Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, const Eigen::Matrix<S, n,
+///     1>& v) const; template <class S> Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, n, 1>& q) const;
+///
+/// F may take the time as a third argument. All three are templates on the scalar: derivatives are taken by
+/// automatic differentiation and the same model runs at any precision. M is symmetric positive definite and G
+/// has full rank wherever the motion goes. Optional members:
+///
+///     solve_mass(q, r)    // M(q)^-1 r in closed form, in place of a factorisation of M(q)
+///     G_rate(q, v)        // dG/dt along q' = v, in place of automatic differentiation
+///     potential(q)        // the potential energy
+///     singularity(q), singular_position   // a function that vanishes where M(q) is singular, and those
+///                                         // positions in words
+///
+/// Everything below is derived from the model without further input.
+template <class Model>
+concept mechanical_model = Model::coordinates >
+0 && Model::constraints > 0 &&
+    Model::constraints <
+        Model::coordinates&& requires(const Model& model,
+                                      const Eigen::Matrix<double, Model::coordinates, 1>& q) {
+    { model.M(q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, Model::coordinates>>;
+    { model.G(q) } -> std::convertible_to<Eigen::Matrix<double, Model::constraints, Model::coordinates>>;
+}
+&&(
+    requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
+        { model.F(q, q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
+    } ||
+    requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q, double t) {
+        { model.F(q, q, t) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
+    });
+
+/// q, q', q'' and forces of a model; its multipliers; its state (q, q') and (q, q', lambda).
+template <class S, class Model>
+using coordinate_vector = Eigen::Matrix<S, Model::coordinates, 1>;
+template <class S, class Model>
+using multiplier_vector = Eigen::Matrix<S, Model::constraints, 1>;
+template <class S, class Model>
+using multiplier_matrix = Eigen::Matrix<S, Model::constraints, Model::constraints>;
+
+template <class Model>
+concept has_mass_solver = requires(const Model& m, const coordinate_vector<double, Model>& q) {
+    m.solve_mass(q, q);
+};
+template <class Model>
+concept has_constraint_rate = requires(const Model& m, const coordinate_vector<double, Model>& q) {
+    m.G_rate(q, q);
+};
+template <class Model>
+concept has_potential = requires(const Model& m, const coordinate_vector<double, Model>& q) {
+    m.potential(q);
+};
+template <class Model>
+concept names_singular_positions = requires(const Model& m, const coordinate_vector<double, Model>& q) {
+    m.singularity(q);
+    { Model::singular_position } -> std::convertible_to<std::string>;
+};
+
+/// F(q, v) or F(q, v, t), whichever the model has.
+template <class S, class Model, class Time>
+coordinate_vector<S, Model> force(const Model& model, const coordinate_vector<S, Model>& q,
+                                  const coordinate_vector<S, Model>& v, const Time& t) {
+    if constexpr (requires { model.F(q, v, S(t)); })
+        return model.F(q, v, S(t));
+    else
+        return model.F(q, v);
+}
+
+/// M(q)^-1 for one q: the model's closed form, or one factorisation at construction.
+template <class S, class Model>
+class mass_inverse {
+  public:
+    mass_inverse(const Model& model, const coordinate_vector<S, Model>& q)
+        : model_(model), q_(q), factors_(model, q) {}
+
+    coordinate_vector<S, Model> operator()(const coordinate_vector<S, Model>& r) const {
+        if constexpr (has_mass_solver<Model>)
+            return model_.solve_mass(q_, r);
+        else
+            return factors_.solve(r);
+    }
+
+  private:
+    struct closed_form {
+        closed_form(const Model&, const coordinate_vector<S, Model>&) {}
+    };
+    struct factored : small_ldlt<S, Model::coordinates> {
+        factored(const Model& model, const coordinate_vector<S, Model>& q)
+            : small_ldlt<S, Model::coordinates>(model.M(q)) {}
+    };
+    const Model& model_;
+    coordinate_vector<S, Model> q_;
+    [[no_unique_address]] std::conditional_t<has_mass_solver<Model>, closed_form, factored> factors_;
+};
+
+/// (dG/dt) v along q' = v: the part of d/dt (G v) that does not come from v'.
+template <class S, class Model>
+multiplier_vector<S, Model> constraint_curvature(const Model& model, const coordinate_vector<S, Model>& q,
+                                                 const coordinate_vector<S, Model>& v) {
+    if constexpr (has_constraint_rate<Model>) {
+        return model.G_rate(q, v) * v;
+    } else {
+        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, 1, 1>>;
+        coordinate_vector<dual, Model> moving;
+        for (int i = 0; i < Model::coordinates; ++i) {
+            moving[i].value() = q[i];
+            moving[i].derivatives()[0] = v[i];
+        }
+        const Eigen::Matrix<dual, Model::constraints, Model::coordinates> G = model.G(moving);
+        multiplier_vector<S, Model> result = multiplier_vector<S, Model>::Constant(S(0));
+        for (int i = 0; i < Model::constraints; ++i)
+            for (int j = 0; j < Model::coordinates; ++j) result[i] += G(i, j).derivatives()[0] * v[j];
+        return result;
+    }
+}
+
+/// G M^-1 G^T, which is -g_y f_lambda of the index-2 system and must be regular (thesis, model assumption 3).
+template <class S, class Model>
+multiplier_matrix<S, Model> constraint_inertia(const Model& model, const coordinate_vector<S, Model>& q) {
+    const mass_inverse<S, Model> solve(model, q);
+    const Eigen::Matrix<S, Model::constraints, Model::coordinates> G = model.G(q);
+    multiplier_matrix<S, Model> result;
+    for (int j = 0; j < Model::constraints; ++j)
+        result.col(j) = G * solve(coordinate_vector<S, Model>(G.row(j).transpose()));
+    return result;
+}
+
+/// The positions where M(q) is singular, in the model's words, if q is one of them to working precision, else
+/// an empty string. `singularity(q)` is to be scaled so that M is numerically singular below sqrt(eps).
+template <class Model>
+std::string singular_position(const Model& model, const coordinate_vector<double, Model>& q) {
+    if constexpr (names_singular_positions<Model>) {
+        const double s = model.singularity(q);
+        if (!(s * s > Eigen::NumTraits<double>::epsilon())) return Model::singular_position;
+    }
+    return {};
+}
+
+/// The multiplier consistent with (q, v) at time t: lambda of G M^-1 G^T lambda = G M^-1 F + (dG/dt) v, the
+/// once differentiated constraint (thesis (3.17); the factor c belongs to G v only, and G v = 0 here). Throws
+/// std::domain_error that names the position if M(q) is singular there.
+template <class S, class Model>
+multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coordinate_vector<S, Model>& q,
+                                                  const coordinate_vector<S, Model>& v, const S& t = S(0)) {
+    if constexpr (names_singular_positions<Model> && std::is_same_v<S, double>) {
+        if (const std::string where = singular_position(model, q); !where.empty())
+            throw std::domain_error("mechanical: M(q) is singular: " + where);
+    }
+    const mass_inverse<S, Model> solve(model, q);
+    const multiplier_vector<S, Model> rhs =
+        model.G(q) * solve(force<S>(model, q, v, t)) + constraint_curvature(model, q, v);
+    return small_ldlt<S, Model::constraints>(constraint_inertia(model, q)).solve(rhs);
+}
+
+/// Kinetic energy v^T M(q) v / 2.
+template <class S, class Model>
+S kinetic_energy(const Model& model, const coordinate_vector<S, Model>& q,
+                 const coordinate_vector<S, Model>& v) {
+    return v.dot(model.M(q) * v) / S(2);
+}
+
+/// Kinetic plus potential energy; constant along the motion of a conservative model.
+template <class S, has_potential Model>
+S total_energy(const Model& model, const coordinate_vector<S, Model>& q,
+               const coordinate_vector<S, Model>& v) {
+    return kinetic_energy(model, q, v) + model.potential(q);
+}
+
+/// max_i |(G(q) v)_i|.
+template <class S, class Model>
+S constraint_violation(const Model& model, const coordinate_vector<S, Model>& q,
+                       const coordinate_vector<S, Model>& v) {
+    return (model.G(q) * v).cwiseAbs().maxCoeff();
+}
+
+}  // namespace stagecraft
