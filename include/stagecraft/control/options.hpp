@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace stagecraft {
+
+/// Everything a run may be told; the defaults suit a first try. Steps are magnitudes (the direction of time
+/// is that of t1 - t0), zero meaning "not given". The weight of component i is 1/(atol_i + rtol |y_i|), times
+/// |h| for an index-2 and h^2 for an index-3 component (HLR89 section 7).
+template <class Scalar>
+struct options {
+    Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, > 0
+    Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, > 0
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> atol_components{};  ///< instead of atol: one per component
+    Scalar fixed_step{0};       ///< > 0: equal steps of at most this size, no error estimate at all
+    Scalar initial_step{0};     ///< 0: chosen from f(t0, y0) and the tolerances
+    Scalar min_step{0};         ///< below it the run ends in status::step_underflow
+    Scalar max_step{0};         ///< 0: no bound
+    long max_steps = 1000000;   ///< attempts, accepted or not
+    int newton_iterations = 0;  ///< at most this many per step; 0: 7 + (5 s - 15)/2 as the stages grow
+    Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50
+};
+
+/// Throws std::invalid_argument that names the first option out of range; n is the size of the state.
+template <class Scalar>
+void validate(const options<Scalar>& o, Eigen::Index n) {
+    const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };
+    const auto demand = [](bool good, const char* what) {
+        if (!good) throw std::invalid_argument(std::string("integrate: ") + what);
+    };
+    demand(finite(o.rtol) && o.rtol > Scalar(0), "rtol must be positive and finite");
+    if (o.atol_components.size() == 0) {
+        demand(finite(o.atol) && o.atol > Scalar(0), "atol must be positive and finite");
+    } else {
+        demand(o.atol_components.size() == n, "atol_components must have the size of y0");
+        for (Eigen::Index i = 0; i < n; ++i)
+            demand(finite(o.atol_components[i]) && o.atol_components[i] > Scalar(0),
+                   "atol_components must be positive and finite");
+    }
+    demand(finite(o.fixed_step) && o.fixed_step >= Scalar(0), "fixed_step must not be negative");
+    demand(finite(o.initial_step) && o.initial_step >= Scalar(0), "initial_step must not be negative");
+    demand(finite(o.min_step) && o.min_step >= Scalar(0), "min_step must not be negative");
+    demand(o.max_step >= Scalar(0), "max_step must not be negative");
+    demand(o.max_step == Scalar(0) || o.max_step >= o.min_step, "max_step must not be below min_step");
+    demand(o.max_steps > 0, "max_steps must be positive");
+    demand(o.newton_iterations >= 0, "newton_iterations must not be negative");
+    demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0), "newton_factor must not be negative");
+}
+
+}  // namespace stagecraft

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include <stagecraft/linear/split_lu.hpp>
+
+namespace stagecraft {
+
+/// The nodes of a stage polynomial besides theta = 0, in the order of the columns that hold its values, with
+/// omega_j = 1 / (c_j prod_{m != j} (c_j - c_m)), so that the Lagrange basis on {0, c_1, ...} is
+/// l_j(x) = omega_j x prod_{m != j} (x - c_m): no division, and exact at the nodes.
+template <class Scalar, int MaxStages>
+struct interpolation_nodes {
+    workspace<Scalar, MaxStages> c, omega;
+    int size = 0;
+    int first_column = 0;  ///< columns before it do not enter (the first stage of Lobatto IIIC)
+
+    explicit interpolation_nodes(int stages)
+        : c(make_workspace<Scalar, MaxStages>(stages)), omega(make_workspace<Scalar, MaxStages>(stages)) {}
+
+    void finish() {
+        for (int j = 0; j < size; ++j) {
+            Scalar product = c[j];
+            for (int m = 0; m < size; ++m)
+                if (m != j) product *= c[j] - c[m];
+            omega[j] = Scalar(1) / product;
+        }
+    }
+
+    /// l_1(x), ..., l_size(x).
+    void basis(const Scalar& x, Scalar* l) const {
+        Scalar prefix = x;
+        for (int j = 0; j < size; ++j) {
+            l[j] = prefix * omega[j];
+            prefix *= x - c[j];
+        }
+        Scalar suffix = Scalar(1);
+        for (int j = size - 1; j >= 0; --j) {
+            l[j] *= suffix;
+            suffix *= x - c[j];
+        }
+    }
+
+    /// l_1'(x), ..., by the product rule, O(size^2) with no division.
+    void basis_derivative(const Scalar& x, Scalar* l) const {
+        for (int j = 0; j < size; ++j) {
+            Scalar value = omega[j], slope = Scalar(0);
+            slope = slope * x + value;
+            value *= x;
+            for (int m = 0; m < size; ++m)
+                if (m != j) {
+                    slope = slope * (x - c[m]) + value;
+                    value *= x - c[m];
+                }
+            l[j] = slope;
+        }
+    }
+};
+
+/// The collocation polynomial u of one step, u(t0 + theta h) = y0 + sum_j l_j(theta) z_j (Hairer-Wanner
+/// II.IV.8): continuous over the steps; of order s for the methods with C(s), of order s - 1 (degree s - 1)
+/// for Lobatto IIIC. Evaluated only where it is asked, and valid until the next step; copy it to keep it.
+template <class Vector, int MaxStages>
+class dense_output {
+  public:
+    using scalar = typename Vector::Scalar;
+    using stage_matrix = Eigen::Matrix<scalar, Vector::RowsAtCompileTime, MaxStages>;
+
+    scalar t0() const { return t0_; }
+    scalar t1() const { return t0_ + h_; }
+    scalar step() const { return h_; }
+
+    /// u(t); meant for t within the step (extrapolation is allowed and as good as extrapolation is).
+    Vector operator()(const scalar& t) const {
+        Vector result = y0_;
+        auto l = make_workspace<scalar, MaxStages>(nodes_->size);
+        nodes_->basis((t - t0_) / h_, l.data());
+        for (int j = 0; j < nodes_->size; ++j) result += l[j] * z_.col(nodes_->first_column + j);
+        return result;
+    }
+
+    /// u'(t), one order less than u.
+    Vector derivative(const scalar& t) const {
+        Vector result = Vector::Zero(y0_.size());
+        auto l = make_workspace<scalar, MaxStages>(nodes_->size);
+        nodes_->basis_derivative((t - t0_) / h_, l.data());
+        for (int j = 0; j < nodes_->size; ++j) result += (l[j] / h_) * z_.col(nodes_->first_column + j);
+        return result;
+    }
+
+    // What a stepper fills in; z holds z_i = Y_i - y0 in its columns.
+    dense_output(int n, int stages) : y0_(n), z_(n, stages) {}
+    const interpolation_nodes<scalar, MaxStages>* nodes_ = nullptr;
+    scalar t0_{0}, h_{0};
+    Vector y0_;
+    stage_matrix z_;
+};
+
+}  // namespace stagecraft

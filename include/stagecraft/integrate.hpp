@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <exception>
+#include <type_traits>
+
+#include <stagecraft/step/integrator.hpp>
+
+namespace stagecraft {
+
+/// What a run returns: the last accepted state, always finite, and why it ended. Only status::success means t
+/// = t1.
+template <class Vector>
+struct result {
+    typename Vector::Scalar t;
+    Vector y;
+    stagecraft::status status;
+    stagecraft::report<typename Vector::Scalar> report;
+    std::exception_ptr exception;  ///< what a callable threw (status::function_threw), else null
+
+    bool ok() const { return status == status::success; }
+};
+
+/// The default observer: watches nothing and costs nothing.
+struct no_observer {};
+
+namespace detail {
+
+/// Calls observer(t, y, h, output), observer(t, y, h) or observer(t, y), whichever exists; true means go on.
+template <class Observer, class Scalar, class Vector, class Output>
+bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
+    const auto call = [&](auto&&... arguments) {
+        using returned = std::invoke_result_t<Observer&, decltype(arguments)...>;
+        if constexpr (std::is_convertible_v<returned, bool>) {
+            return static_cast<bool>(observer(arguments...));
+        } else {
+            observer(arguments...);
+            return true;
+        }
+    };
+    if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&, const Output&>)
+        return call(t, y, h, output);
+    else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&>)
+        return call(t, y, h);
+    else
+        return call(t, y);
+}
+
+}  // namespace detail
+
+/// Integrates M y' = f(t, y), y(t0) = y0 to t1, in either direction of time.
+///
+/// method   a transformed_tableau (regular A: Radau IA/IIA, Gauss, Lobatto IIIC), e.g. radau_iia<3>() from
+///          coefficients/radau_iia.hpp, with stages known at compile time or at run time, or a variable_order
+///          set.
+/// problem  anything with problem(t, y, f). Detected members: jacobian(t, y, J), mass(), index(),
+///          constant_jacobian() (problem/capabilities.hpp); a generic right-hand side without jacobian() is
+///          differentiated automatically, any other by finite differences. problem/with.hpp equips lambdas.
+/// y0       an Eigen column vector, fixed or dynamic size, of the same scalar type as the method.
+/// options  tolerances, steps and limits (control/options.hpp); options.fixed_step > 0 runs equal steps
+/// without
+///          error estimate.
+/// observer called after every accepted step as observer(t, y, h, output), (t, y, h) or (t, y);
+/// `output(time)` and
+///          `output.derivative(time)` evaluate the collocation polynomial anywhere in that step, at no cost
+///          if not called. An observer that returns false stops the run (status::stopped). It may be a lambda
+///          that captures by reference, and is taken by reference if it is an lvalue.
+///
+/// Never returns success with a non-finite state. Bad arguments: std::invalid_argument naming the argument.
+/// What the problem or the observer throws ends the run with status::function_threw; result.exception holds
+/// it. t1 == t0 returns y0 with success and no step. No allocation per step for fixed-size and dense dynamic
+/// states.
+template <class Method, class Problem, class Derived, class Observer = no_observer>
+requires right_hand_side < std::remove_reference_t<Problem>,
+typename Derived::PlainObject >
+    auto integrate(const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
+                   std::type_identity_t<typename Derived::Scalar> t0,
+                   std::type_identity_t<typename Derived::Scalar> t1,
+                   const options<typename Derived::Scalar>& o = {}, Observer&& observer = {}) {
+    using vector = typename Derived::PlainObject;
+    const vector start = y0;
+    integrator<Method, std::remove_reference_t<Problem>, vector> run(method, problem, start, t0, t1, o);
+    std::exception_ptr thrown;
+    status ended = status::success;
+    try {
+        while (run.step()) {
+            if constexpr (!std::is_same_v<std::decay_t<Observer>, no_observer>)
+                if (!detail::observe(observer, run.t(), run.y(), run.output().step(), run.output()))
+                    run.stop();
+        }
+        ended = run.status();
+    } catch (const size_change&) {
+        ended = status::size_changed;
+    } catch (...) {
+        ended = status::function_threw;
+        thrown = std::current_exception();
+    }
+    return result<vector>{run.t(), run.y(), ended, run.counts(), thrown};
+}
+
+}  // namespace stagecraft

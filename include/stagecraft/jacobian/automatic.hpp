@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace stagecraft {
+
+/// Number of directions carried at once: all of them for a small fixed size, else chunks of eight, so that no
+/// dual number allocates.
+template <int N>
+inline constexpr int dual_width = (N > 0 && N <= 16) ? N : 8;
+
+/// The dual numbers in which a generic right-hand side is differentiated.
+template <class Scalar, int N>
+using dual = Eigen::AutoDiffScalar<Eigen::Matrix<Scalar, dual_width<N>, 1>>;
+
+template <class Scalar, int N>
+using dual_vector = Eigen::Matrix<dual<Scalar, N>, N, 1>;
+
+/// True if f(t, y, f) accepts dual vectors with t dual as well, or with t left as it is. A lambda with a
+/// deduced return type is compiled by this very question: if its body does not compile with
+/// Eigen::AutoDiffScalar, give its parameters concrete types or bring a Jacobian.
+template <class Problem, class Scalar, int N>
+concept differentiable_with_dual_time = requires(Problem& p, const dual<Scalar, N>& t,
+                                                 const dual_vector<Scalar, N>& y, dual_vector<Scalar, N>& f) {
+    p(t, y, f);
+};
+template <class Problem, class Scalar, int N>
+concept differentiable_with_plain_time = requires(Problem& p, const Scalar& t,
+                                                  const dual_vector<Scalar, N>& y,
+                                                  dual_vector<Scalar, N>& f) {
+    p(t, y, f);
+};
+template <class Problem, class Scalar, int N>
+concept automatically_differentiable =
+    differentiable_with_dual_time<Problem, Scalar, N> || differentiable_with_plain_time<Problem, Scalar, N>;
+
+/// df/dy by forward-mode automatic differentiation (Eigen's AutoDiffScalar), exact to rounding: ceil(n /
+/// width) evaluations of f in dual numbers.
+template <class Scalar, int N>
+class automatic_jacobian {
+  public:
+    explicit automatic_jacobian(Eigen::Index n) : y_(n), f_(n) {}
+
+    /// Writes J; returns the number of (dual) evaluations.
+    template <class Problem, class Vector, class Matrix>
+    int operator()(Problem& problem, const Scalar& t, const Vector& y, const Vector&, Matrix& J) {
+        constexpr int width = dual_width<N>;
+        const int n = static_cast<int>(y.size());
+        int evaluations = 0;
+        for (int first = 0; first < n; first += width, ++evaluations) {
+            for (int i = 0; i < n; ++i) {
+                y_[i].value() = y[i];
+                y_[i].derivatives().setZero();
+                if (i >= first && i < first + width) y_[i].derivatives()[i - first] = Scalar(1);
+            }
+            if constexpr (differentiable_with_dual_time<Problem, Scalar, N>) {
+                dual<Scalar, N> time(t);
+                time.derivatives().setZero();
+                problem(time, y_, f_);
+            } else {
+                problem(t, y_, f_);
+            }
+            for (int j = first; j < n && j < first + width; ++j)
+                for (int i = 0; i < n; ++i) J(i, j) = f_[i].derivatives()[j - first];
+        }
+        return evaluations;
+    }
+
+  private:
+    dual_vector<Scalar, N> y_, f_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <type_traits>
+
+#include <stagecraft/linear/dense_lu.hpp>
+#include <stagecraft/linear/small_inverse.hpp>
+#include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/problem/mass.hpp>
+
+namespace stagecraft {
+
+/// The linear solvers for shift * M - J with dense J, chosen by size and scalar: explicit inverse to n = 4,
+/// own LU with compile-time loops to n = 16 and for wide scalars, Eigen's blocked LU else. A solver set is
+/// anything with these two member types; a real block has entries(), factor(), solve(x), a complex one
+/// real_entries(), imaginary_entries(), factor(), solve(re, im).
+template <class Scalar, int N>
+struct dense_blocks {
+    static constexpr bool built_in = std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>;
+    using real = std::conditional_t<
+        (N >= 1 && N <= 4), small_inverse<Scalar, (N >= 1 ? N : 1)>,
+        std::conditional_t<(N >= 0 && N <= 16) || !built_in, split_lu<Scalar, N>, dense_lu<Scalar>>>;
+    using complex =
+        std::conditional_t<(N >= 1 && N <= 4), small_complex_inverse<Scalar, (N >= 1 ? N : 1)>,
+                           std::conditional_t<(N >= 0 && N <= 16) || !built_in, split_complex_lu<Scalar, N>,
+                                              dense_complex_lu<Scalar>>>;
+};
+
+/// Factors shift M - J; false if singular or not finite.
+template <class Block, class Mass, class Matrix, class Scalar>
+bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scalar& shift) {
+    const int n = static_cast<int>(J.rows());
+    Scalar* a = block.entries();
+    const Scalar* j = J.data();
+    for (int i = 0; i < n * n; ++i) a[i] = -j[i];
+    add_mass(mass, shift, a, n);
+    return block.factor();
+}
+
+/// Factors (re + i im) M - J.
+template <class Block, class Mass, class Matrix, class Scalar>
+bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scalar& re, const Scalar& im) {
+    const int n = static_cast<int>(J.rows());
+    Scalar *a = block.real_entries(), *b = block.imaginary_entries();
+    const Scalar* j = J.data();
+    for (int i = 0; i < n * n; ++i) a[i] = -j[i], b[i] = Scalar(0);
+    add_mass(mass, re, a, n);
+    add_mass(mass, im, b, n);
+    return block.factor();
+}
+
+}  // namespace stagecraft

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <vector>
+
+#include <stagecraft/problem/capabilities.hpp>
+
+namespace stagecraft {
+
+/// The mass matrix of y' = f: nothing is stored and nothing is multiplied.
+struct identity_mass {
+    static constexpr bool identity = true;
+};
+
+/// A constant mass matrix kept as the list of its nonzero entries, which is what both uses need: M x, and
+/// adding a multiple of M to a matrix. Mass matrices of practice are diagonal, banded or block sparse.
+template <class Scalar>
+class entry_mass {
+  public:
+    static constexpr bool identity = false;
+    struct entry {
+        int row, column;
+        Scalar value;
+    };
+
+    template <class Matrix>
+    explicit entry_mass(const Matrix& m) {
+        for (int j = 0; j < m.cols(); ++j)
+            for (int i = 0; i < m.rows(); ++i)
+                if (!(m(i, j) == Scalar(0))) entries_.push_back({i, j, m(i, j)});
+    }
+
+    const std::vector<entry>& entries() const { return entries_; }
+
+  private:
+    std::vector<entry> entries_;
+};
+
+/// Adds `factor` M x to r, both pointers to n contiguous numbers.
+template <class Scalar>
+void add_mass_times(const identity_mass&, const Scalar& factor, const Scalar* x, Scalar* r, int n) {
+    for (int i = 0; i < n; ++i) r[i] += factor * x[i];
+}
+template <class Scalar>
+void add_mass_times(const entry_mass<Scalar>& m, const Scalar& factor, const Scalar* x, Scalar* r, int) {
+    for (const auto& e : m.entries()) r[e.row] += factor * e.value * x[e.column];
+}
+
+/// Adds `factor` M to the dense matrix given by its column-major entries with leading dimension n.
+template <class Scalar>
+void add_mass(const identity_mass&, const Scalar& factor, Scalar* a, int n) {
+    for (int i = 0; i < n; ++i) a[i + i * n] += factor;
+}
+template <class Scalar>
+void add_mass(const entry_mass<Scalar>& m, const Scalar& factor, Scalar* a, int n) {
+    for (const auto& e : m.entries()) a[e.row + e.column * n] += factor * e.value;
+}
+
+/// The mass matrix of a problem of size n in the form that costs least; throws std::invalid_argument if its
+/// size is not n x n or an entry is not finite.
+template <class Scalar, class Problem>
+auto make_mass(Problem& problem, Eigen::Index n) {
+    if constexpr (has_mass<Problem>) {
+        const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> m = problem.mass();
+        if (m.rows() != n || m.cols() != n)
+            throw std::invalid_argument("integrate: problem.mass() must be n x n with n the size of y0");
+        entry_mass<Scalar> result(m);
+        for (const auto& e : result.entries())
+            if (!(e.value - e.value == Scalar(0)))
+                throw std::invalid_argument("integrate: problem.mass() must be finite");
+        return result;
+    } else {
+        return identity_mass{};
+    }
+}
+
+}  // namespace stagecraft

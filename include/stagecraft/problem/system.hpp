@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <vector>
+
+#include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/jacobian/finite_difference.hpp>
+#include <stagecraft/problem/capabilities.hpp>
+#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/report.hpp>
+
+namespace stagecraft {
+
+/// Thrown inside a run when a callable resized its output; integrate() turns it into status::size_changed.
+struct size_change {};
+
+/// A problem as the steppers see it: counted evaluations, the best Jacobian it can give (its own member, else
+/// automatic differentiation, else finite differences), the mass matrix, the index flags.
+template <class Problem, class Vector>
+class system {
+  public:
+    using scalar = typename Vector::Scalar;
+    static constexpr int size_at_compile_time = Vector::RowsAtCompileTime;
+    using matrix = Eigen::Matrix<scalar, size_at_compile_time, size_at_compile_time>;
+    using mass_type = decltype(make_mass<scalar>(std::declval<Problem&>(), 0));
+    static constexpr bool analytic = has_jacobian<Problem, Vector, matrix>;
+    static constexpr bool automatic =
+        !analytic && automatically_differentiable<Problem, scalar, size_at_compile_time>;
+    static constexpr bool finite_difference = !analytic && !automatic;
+
+    system(Problem& problem, const Vector& y0, report<scalar>& r)
+        : problem_(problem),
+          report_(r),
+          n_(static_cast<int>(y0.size())),
+          mass_(make_mass<scalar>(problem, n_)),
+          engine_(n_),
+          J_(matrix::Zero(n_, n_)) {
+        if constexpr (has_index<Problem>) {
+            const auto& flags = problem.index();
+            if (static_cast<int>(flags.size()) != n_)
+                throw std::invalid_argument("integrate: problem.index() must have the size of y0");
+            for (int i = 0; i < n_; ++i) {
+                if (flags[i] < 0 || flags[i] > 3)
+                    throw std::invalid_argument("integrate: problem.index() must hold 1, 2 or 3");
+                if (flags[i] > 1) raised_.push_back({i, flags[i] - 1});
+            }
+        }
+    }
+
+    int size() const { return n_; }
+    const mass_type& mass() const { return mass_; }
+    const matrix& jacobian() const { return J_; }
+
+    /// f(t, y), counted.
+    void operator()(const scalar& t, const Vector& y, Vector& f) {
+        ++report_.f;
+        problem_(t, y, f);
+        if constexpr (size_at_compile_time == Eigen::Dynamic)
+            if (f.size() != n_) throw size_change{};
+    }
+
+    /// Evaluates the Jacobian at (t, y); f0 = f(t, y) and `negligible` serve finite differences only.
+    void evaluate_jacobian(const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible) {
+        ++report_.jacobians;
+        if constexpr (analytic) {
+            problem_.jacobian(t, y, J_);
+            if constexpr (size_at_compile_time == Eigen::Dynamic)
+                if (J_.rows() != n_ || J_.cols() != n_) throw size_change{};
+        } else if constexpr (automatic) {
+            report_.f_jacobian += engine_(problem_, t, y, f0, J_);
+        } else {
+            report_.f_jacobian += engine_(problem_, t, y, f0, negligible, J_);
+        }
+    }
+
+    /// Multiplies the weights of index-2 components by |h| and of index-3 components by h^2.
+    void weigh_by_index(Vector& weights, const scalar& h) const {
+        if constexpr (has_index<Problem>) {
+            using std::abs;
+            const scalar size = abs(h);
+            for (const auto& r : raised_) weights[r.component] *= r.power == 1 ? size : scalar(size * size);
+        }
+    }
+
+    /// True if the norms depend on the step (some component has index 2 or 3).
+    bool has_raised_index() const { return has_index<Problem> && !raised_.empty(); }
+
+    bool constant_jacobian() {
+        if constexpr (has_constant_jacobian<Problem>)
+            return problem_.constant_jacobian();
+        else
+            return false;
+    }
+
+  private:
+    struct no_engine {
+        explicit no_engine(int) {}
+    };
+    struct raised {
+        int component, power;
+    };
+    using engine =
+        std::conditional_t<analytic, no_engine,
+                           std::conditional_t<automatic, automatic_jacobian<scalar, size_at_compile_time>,
+                                              finite_difference_jacobian<scalar, size_at_compile_time>>>;
+
+    Problem& problem_;
+    report<scalar>& report_;
+    int n_;
+    mass_type mass_;
+    [[no_unique_address]] engine engine_;
+    matrix J_;
+    std::vector<raised> raised_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+namespace stagecraft {
+
+namespace detail {
+
+template <class Rhs, class Mass>
+struct rhs_with_mass : Rhs {
+    Mass m;
+    rhs_with_mass(Rhs r, Mass mass) : Rhs(std::move(r)), m(std::move(mass)) {}
+    using Rhs::operator();
+    const Mass& mass() const { return m; }
+};
+
+template <class Rhs, class Jacobian>
+struct rhs_with_jacobian : Rhs {
+    Jacobian j;
+    rhs_with_jacobian(Rhs r, Jacobian jacobian) : Rhs(std::move(r)), j(std::move(jacobian)) {}
+    using Rhs::operator();
+    template <class T, class Y, class J>
+    void jacobian(const T& t, const Y& y, J& out) const {
+        j(t, y, out);
+    }
+};
+
+template <class Rhs, class Index>
+struct rhs_with_index : Rhs {
+    Index flags;
+    rhs_with_index(Rhs r, Index index) : Rhs(std::move(r)), flags(std::move(index)) {}
+    using Rhs::operator();
+    const Index& index() const { return flags; }
+};
+
+}  // namespace detail
+
+/// A right-hand side (a lambda, say) together with a constant mass matrix: M y' = f(t, y). Nests with the
+/// others.
+template <class Rhs, class Mass>
+auto with_mass(Rhs rhs, Mass mass) {
+    return detail::rhs_with_mass<Rhs, Mass>(std::move(rhs), std::move(mass));
+}
+
+/// A right-hand side together with its Jacobian, a callable j(t, y, J).
+template <class Rhs, class Jacobian>
+auto with_jacobian(Rhs rhs, Jacobian jacobian) {
+    return detail::rhs_with_jacobian<Rhs, Jacobian>(std::move(rhs), std::move(jacobian));
+}
+
+/// A right-hand side together with the index (1, 2 or 3) of every component, e.g. a std::array<int, n>.
+template <class Rhs, class Index>
+auto with_index(Rhs rhs, Index index) {
+    return detail::rhs_with_index<Rhs, Index>(std::move(rhs), std::move(index));
+}
+
+}  // namespace stagecraft

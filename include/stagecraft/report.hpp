@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+namespace stagecraft {
+
+/// What a run cost: plain counts, filled by every integrator.
+/// `steps` counts accepted steps; an attempt that is repeated counts once in `rejected_error` (error test) or
+/// `rejected_newton` (stage equations not solved, singular matrix or non-finite values).
+/// `f` counts evaluations of the right-hand side outside of the Jacobian, `f_jacobian` those that finite
+/// differences or automatic differentiation spent on it. A factorisation is one set of real and complex
+/// blocks; `solves` counts such sets as well (one per Newton iteration), `error_solves` those of the error
+/// estimate.
+template <class Scalar>
+struct report {
+    long steps = 0;
+    long rejected_error = 0;
+    long rejected_newton = 0;
+    long f = 0;
+    long f_jacobian = 0;
+    long jacobians = 0;
+    long factorisations = 0;
+    long solves = 0;
+    long error_solves = 0;
+    Scalar smallest_step = Scalar(0);  ///< in absolute value, over accepted steps
+    Scalar largest_step = Scalar(0);
+    int largest_stages = 0;  ///< largest and smallest number of stages used by an accepted step
+    int smallest_stages = 0;
+
+    long rejected() const { return rejected_error + rejected_newton; }
+};
+
+}  // namespace stagecraft

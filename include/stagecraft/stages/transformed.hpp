@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <stagecraft/dense_output.hpp>
+#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/tableau.hpp>
+
+namespace stagecraft {
+
+/// How an attempt to solve the stage equations ended.
+enum class newton_end { converged, diverged, non_finite };
+
+template <class Scalar>
+struct newton_outcome {
+    newton_end end = newton_end::diverged;
+    int iterations = 0;
+    Scalar theta{0};  ///< observed contraction; 0 if one iteration was enough to know
+};
+
+/// What the iteration is told: it stops when the error left in Z is below `factor` in the weighted norm, in
+/// which the tolerance is 1. `floor` is the size of an increment that is only rounding;
+/// below `noise` an iteration that no longer contracts has met rounding too. The contraction is
+/// measured in every step, so at least two iterations are made: trusting that of the step before saves one of
+/// them and was seen to cost Robertson's problem three digits, as the error left over is a drift of one sign.
+template <class Scalar>
+struct newton_limits {
+    Scalar factor, floor, noise;
+    int iterations;
+    bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
+};
+
+/// The stage equations sum_j (A^-1)_ij M z_j = h f(t + c_i h, y + z_i) of a method with regular A, solved by
+/// simplified Newton in the variables W = (T^-1 (x) I) Z, where they fall into one real system per real
+/// eigenvalue of A^-1 and one complex system per pair (Hairer-Wanner II.IV.8). Each block is factored once
+/// per (J, h). All storage is taken in the constructor.
+template <class Scalar, int N, int Stages, class Blocks = dense_blocks<Scalar, N>>
+class transformed_stages {
+  public:
+    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using tableau_type = transformed_tableau<Scalar, Stages>;
+
+    transformed_stages(const tableau_type& method, int n)
+        : method_(method),
+          n_(n),
+          W_(n, method.stages()),
+          D_(n, method.stages()),
+          F_(n, method.stages()),
+          yi_(n),
+          fi_(n) {
+        for (Eigen::Index k = 0; k < method.gamma.size(); ++k) real_.emplace_back(n);
+        for (Eigen::Index k = 0; k < method.alpha.size(); ++k) complex_.emplace_back(n);
+    }
+
+    const tableau_type& method() const { return method_; }
+    int stages() const {
+        if constexpr (Stages > 0)
+            return Stages;
+        else
+            return method_.stages();
+    }
+    bool has_real_block() const { return method_.gamma.size() > 0; }
+
+    /// Factors gamma_k/h M - J and (alpha_k - i beta_k)/h M - J; false if one of them is singular or not
+    /// finite.
+    template <class System>
+    bool factor(const System& system, const Scalar& h) {
+        for (std::size_t k = 0; k < real_.size(); ++k)
+            if (!factor_shifted(real_[k], system.mass(), system.jacobian(), Scalar(method_.gamma[k] / h)))
+                return false;
+        for (std::size_t k = 0; k < complex_.size(); ++k)
+            if (!factor_shifted(complex_[k], system.mass(), system.jacobian(), Scalar(method_.alpha[k] / h),
+                                Scalar(-method_.beta[k] / h)))
+                return false;
+        return true;
+    }
+
+    /// Solves for Z (in: first guess) with the current factors.
+    template <class System, class StageMatrix>
+    newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
+                                 const vector& weights, const newton_limits<Scalar>& limits, StageMatrix& Z,
+                                 long& solves) {
+        using std::sqrt;
+        const int s = stages();
+        newton_outcome<Scalar> outcome;
+        mix(method_.T_inverse, Z.data(), W_.data());
+        Scalar last = Scalar(0);
+        for (int k = 0; k < limits.iterations; ++k) {
+            for (int i = 0; i < s; ++i) {
+                yi_ = y + Z.col(i);
+                system(t + method_.c[i] * h, yi_, fi_);
+                D_.col(i) = fi_;
+            }
+            residual(system.mass(), h);
+            solve_blocks();
+            ++solves;
+            ++outcome.iterations;
+            W_ += F_;
+            mix(method_.T, F_.data(), D_.data());
+            const Scalar size = norm(D_, weights);
+            if (!(size - size == Scalar(0))) {
+                outcome.end = newton_end::non_finite;
+                return outcome;
+            }
+            for (int i = 0; i < s; ++i) Z.col(i) += D_.col(i);
+            if (size <= limits.floor || limits.affine) {
+                outcome.end = newton_end::converged;
+                return outcome;
+            }
+            if (k > 0) {
+                const Scalar rate = size / last;
+                outcome.theta = k == 1 ? rate : Scalar(sqrt(rate * outcome.theta));
+                if (size <= limits.noise && rate > Scalar(1) / 4) {
+                    outcome.end = newton_end::converged;
+                    return outcome;
+                }
+                if (!(outcome.theta < Scalar(99) / 100)) return outcome;
+                const Scalar left = size * outcome.theta / (Scalar(1) - outcome.theta);
+                if (left <= limits.factor) {
+                    outcome.end = newton_end::converged;
+                    return outcome;
+                }
+                // Give up at once if the iterations that remain cannot reach the goal at the observed rate.
+                if (left * power(outcome.theta, limits.iterations - 1 - k) > limits.factor) return outcome;
+            }
+            last = size;
+        }
+        return outcome;
+    }
+
+    /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
+    void filter(vector& x, vector& scratch) {
+        if (!real_.empty()) {
+            real_.front().solve(x.data());
+        } else {
+            using std::sqrt;
+            scratch.setZero();
+            complex_.front().solve(x.data(), scratch.data());
+            for (int i = 0; i < n_; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
+        }
+    }
+
+  private:
+    using matrix = Eigen::Matrix<Scalar, N, Stages>;
+
+    int size() const {
+        if constexpr (N >= 0)
+            return N;
+        else
+            return n_;
+    }
+
+    static Scalar power(Scalar x, int k) {
+        Scalar result = Scalar(1);
+        for (; k > 0; --k) result *= x;
+        return result;
+    }
+
+    /// Column k of out := sum_j C(k, j) column j of in.
+    template <class Coefficients>
+    void mix(const Coefficients& C, const Scalar* in, Scalar* out) const {
+        const int n = size(), s = stages();
+        for (int k = 0; k < s; ++k) {
+            Scalar* o = out + k * n;
+            const Scalar first = C(k, 0);
+            for (int i = 0; i < n; ++i) o[i] = first * in[i];
+            for (int j = 1; j < s; ++j) {
+                const Scalar c = C(k, j);
+                for (int i = 0; i < n; ++i) o[i] += c * in[i + j * n];
+            }
+        }
+    }
+
+    /// F := T^-1 f(Y) - (Lambda/h) M W, with f(Y) in D.
+    template <class Mass>
+    void residual(const Mass& mass, const Scalar& h) {
+        const int n = size();
+        mix(method_.T_inverse, D_.data(), F_.data());
+        int k = 0;
+        for (std::size_t r = 0; r < real_.size(); ++r, ++k)
+            add_mass_times(mass, Scalar(-method_.gamma[r] / h), W_.data() + k * n, F_.data() + k * n, n);
+        for (std::size_t p = 0; p < complex_.size(); ++p, k += 2) {
+            const Scalar a = -method_.alpha[p] / h, b = -method_.beta[p] / h;
+            const Scalar *w = W_.data() + k * n, *v = w + n;
+            Scalar *f = F_.data() + k * n, *g = f + n;
+            add_mass_times(mass, a, w, f, n);
+            add_mass_times(mass, b, v, f, n);
+            add_mass_times(mass, Scalar(-b), w, g, n);
+            add_mass_times(mass, a, v, g, n);
+        }
+    }
+
+    void solve_blocks() {
+        const int n = size();
+        int k = 0;
+        for (auto& block : real_) block.solve(F_.data() + n * k++);
+        for (auto& block : complex_) {
+            block.solve(F_.data() + n * k, F_.data() + n * (k + 1));
+            k += 2;
+        }
+    }
+
+    Scalar norm(const matrix& x, const vector& weights) const {
+        using std::sqrt;
+        const int n = size(), s = stages();
+        Scalar sum = Scalar(0);
+        for (int j = 0; j < s; ++j)
+            for (int i = 0; i < n; ++i) {
+                const Scalar v = x(i, j) * weights[i];
+                sum += v * v;
+            }
+        return n == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n * s)));
+    }
+
+    tableau_type method_;
+    int n_;
+    std::vector<typename Blocks::real> real_;
+    std::vector<typename Blocks::complex> complex_;
+    matrix W_, D_, F_;
+    vector yi_, fi_;
+};
+
+}  // namespace stagecraft

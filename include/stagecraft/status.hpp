@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+namespace stagecraft {
+
+/// Why a run ended. Everything but `success` leaves the result at the last accepted state.
+enum class status {
+    success,          ///< t1 was reached with every step accepted
+    stopped,          ///< an observer asked to stop
+    too_many_steps,   ///< options.max_steps attempts were made before t1
+    step_underflow,   ///< the error test wants a step below the resolution of t or below options.min_step
+    newton_failed,    ///< the stage equations could not be solved with any admissible step
+    singular_matrix,  ///< gamma/h M - J stayed singular for every admissible step
+    non_finite,       ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
+    size_changed,     ///< the right-hand side or the Jacobian resized its output
+    function_threw    ///< a callable of the problem threw; result.exception holds what it threw
+};
+
+/// The status as a word, e.g. "step_underflow".
+constexpr const char* name(status s) {
+    switch (s) {
+        case status::success:
+            return "success";
+        case status::stopped:
+            return "stopped";
+        case status::too_many_steps:
+            return "too_many_steps";
+        case status::step_underflow:
+            return "step_underflow";
+        case status::newton_failed:
+            return "newton_failed";
+        case status::singular_matrix:
+            return "singular_matrix";
+        case status::non_finite:
+            return "non_finite";
+        case status::size_changed:
+            return "size_changed";
+        case status::function_threw:
+            return "function_threw";
+    }
+    return "unknown";
+}
+
+}  // namespace stagecraft

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <stagecraft/dense_output.hpp>
+#include <stagecraft/stages/transformed.hpp>
+
+namespace stagecraft {
+
+/// Order of the quadrature (b, c), which is the classical order of Gauss, Radau IA/IIA and Lobatto IIIC; used
+/// where a tableau carries no facts. Decided at sqrt(eps), far from both rounding and the first failing
+/// condition.
+template <class Scalar, int Stages>
+int quadrature_order(const tableau<Scalar, Stages>& m) {
+    using std::abs;
+    using std::sqrt;
+    const int s = m.stages();
+    Eigen::Matrix<Scalar, Stages, 1> power = Eigen::Matrix<Scalar, Stages, 1>::Ones(s);
+    for (int k = 1; k <= 2 * s; ++k) {
+        Scalar sum = Scalar(-1) / Scalar(k);
+        for (int i = 0; i < s; ++i) sum += m.b[i] * power[i];
+        if (abs(sum) > sqrt(std::numeric_limits<Scalar>::epsilon())) return k - 1;
+        for (int i = 0; i < s; ++i) power[i] *= m.c[i];
+    }
+    return 2 * s;
+}
+
+/// One step of a method with regular A and distinct nodes: first guess, stage equations, update, error
+/// estimate.
+///
+/// Error estimate. For c_1 > 0 (Radau IIA, Gauss) it is the defect of the collocation polynomial u at the
+/// left end,
+///     err = (gamma/h M - J)^-1 (f(t, y) - M u'(t)),
+/// which equals the embedded formula of order s with weight h/gamma on f(t, y) (Hairer-Wanner II.IV.8,
+/// (8.19)): f(t, y) - u'(t) is the error of interpolating u' at c, extrapolated to 0. gamma is the real
+/// eigenvalue of A^-1; where there is none (even s) the modulus of the complex block of smallest beta takes
+/// its place, which costs no factorisation and vanishes for no J. For c_1 = 0 (Lobatto IIIC, Radau IA) it is
+/// the jump z_1 = Y_1 - y of the stage polynomial, O(h^s), damped at infinity by the method itself.
+template <class Scalar, int N, int Stages, int MaxStages>
+class collocation_step {
+  public:
+    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using method_type = transformed_tableau<Scalar, Stages>;
+    using output = dense_output<vector, MaxStages>;
+
+    collocation_step(const method_type& method, int n)
+        : stages_(method, n),
+          nodes_(method.stages()),
+          update_(method.stages()),
+          defect_(method.stages()),
+          scratch_(n) {
+        const int s = method.stages();
+        if (s < 1 || method.A_inverse.rows() != s || method.c.size() != s)
+            throw std::invalid_argument("integrate: method must have at least one stage and a regular A");
+        if (static_cast<int>(method.gamma.size() + 2 * method.alpha.size()) != s)
+            throw std::invalid_argument("integrate: method must have s eigenvalues of A^-1");
+        for (int j = 0; j < s; ++j) {
+            update_[j] = Scalar(0);
+            for (int i = 0; i < s; ++i) update_[j] += method.b[i] * method.A_inverse(i, j);
+        }
+        stiffly_accurate_ = true;
+        for (int j = 0; j < s; ++j)
+            stiffly_accurate_ = stiffly_accurate_ && method.A(s - 1, j) == method.b[j];
+        jump_ = method.c[0] == Scalar(0);
+        order_ = method.facts.order > 0 ? method.facts.order : quadrature_order(method);
+        // Node list of the continuous polynomial: 0 carries y, a first stage at 0 gives way to the end point
+        // (Radau IA) or drops out where the end point is a node already (Lobatto IIIC).
+        nodes_.first_column = jump_ && stiffly_accurate_ && s > 1 ? 1 : 0;
+        nodes_.size = s - nodes_.first_column;
+        for (int j = 0; j < nodes_.size; ++j) nodes_.c[j] = method.c[j + nodes_.first_column];
+        if (jump_ && nodes_.first_column == 0) nodes_.c[0] = Scalar(1);
+        nodes_.finish();
+        if (!jump_) {  // u'(0) = sum_j l_j'(0) z_j / h, and l_j'(0) = omega_j prod_{m != j} (-c_m)
+            for (int j = 0; j < s; ++j) {
+                defect_[j] = nodes_.omega[j];
+                for (int m = 0; m < s; ++m)
+                    if (m != j) defect_[j] *= -nodes_.c[m];
+            }
+        }
+    }
+
+    transformed_stages<Scalar, N, Stages>& stages() { return stages_; }
+    int count() const { return stages_.stages(); }
+    int order() const { return order_; }
+    /// The estimate is O(h^q) with this q.
+    int estimate_power() const { return jump_ ? count() : count() + 1; }
+    /// True if the estimate uses f at the left end of the step.
+    bool needs_left_value() const { return !jump_; }
+
+    /// First guess: the polynomial of the step before, extrapolated; zero if there is none.
+    void guess(const output* before, const vector& y, const Scalar& h, output& now) const {
+        const int s = count();
+        auto& Z = now.z_;
+        if (before == nullptr) {
+            Z.setZero();
+            return;
+        }
+        const Scalar ratio = h / before->h_;
+        const auto& old = *before->nodes_;
+        auto l = make_workspace<Scalar, MaxStages>(old.size);
+        for (int i = 0; i < s; ++i) {
+            old.basis(Scalar(1) + stages_.method().c[i] * ratio, l.data());
+            Z.col(i) = before->y0_ - y;
+            for (int j = 0; j < old.size; ++j) Z.col(i) += l[j] * before->z_.col(old.first_column + j);
+        }
+    }
+
+    /// y1 := the new state.
+    void advance(const vector& y, const output& now, vector& y1) const {
+        const int s = count();
+        y1 = y;
+        if (stiffly_accurate_) {
+            y1 += now.z_.col(s - 1);
+        } else {
+            for (int j = 0; j < s; ++j) y1 += update_[j] * now.z_.col(j);
+        }
+    }
+
+    /// Makes `now` the continuous polynomial of the accepted step from (t, y) to y1.
+    void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) const {
+        now.nodes_ = &nodes_;
+        now.t0_ = t;
+        now.h_ = h;
+        now.y0_ = y;
+        if (jump_ && nodes_.first_column == 0) now.z_.col(0) = y1 - y;
+    }
+
+    /// error := the estimate; f0 = f(t, y) where needs_left_value().
+    template <class System>
+    void estimate(const System& system, const Scalar& h, const vector& f0, const output& now, vector& error) {
+        if (jump_) {
+            error = now.z_.col(0);
+            return;
+        }
+        defect(system, h, f0, now, error);
+        stages_.filter(error, scratch_);
+    }
+
+    /// The same once more filtered: f(t, y + error) in place of f(t, y), which damps what stiff components
+    /// that have not decayed yet leave in the estimate (Hairer-Wanner II.IV.8, (8.20)).
+    template <class System>
+    void estimate_again(System& system, const Scalar& t, const vector& y, const Scalar& h, const output& now,
+                        vector& f, vector& error) {
+        if (jump_) return;
+        error += y;
+        system(t, error, f);
+        defect(system, h, f, now, error);
+        stages_.filter(error, scratch_);
+    }
+
+  private:
+    template <class System>
+    void defect(const System& system, const Scalar& h, const vector& f, const output& now, vector& error) {
+        scratch_ = (defect_[0] / h) * now.z_.col(0);
+        for (int j = 1; j < count(); ++j) scratch_ += (defect_[j] / h) * now.z_.col(j);
+        error = f;
+        add_mass_times(system.mass(), Scalar(-1), scratch_.data(), error.data(), system.size());
+    }
+
+    transformed_stages<Scalar, N, Stages> stages_;
+    interpolation_nodes<Scalar, MaxStages> nodes_;
+    Eigen::Matrix<Scalar, Stages, 1> update_, defect_;
+    vector scratch_;
+    bool stiffly_accurate_ = false, jump_ = false;
+    int order_ = 0;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <stagecraft/control/options.hpp>
+#include <stagecraft/control/order.hpp>
+#include <stagecraft/control/predictive.hpp>
+#include <stagecraft/problem/system.hpp>
+#include <stagecraft/report.hpp>
+#include <stagecraft/status.hpp>
+#include <stagecraft/step/method_set.hpp>
+
+namespace stagecraft {
+
+/// A run that is advanced step by step: while (run.step()) use run.t(), run.y(), run.output().
+/// Construction checks every argument (std::invalid_argument names the bad one) and takes all storage; a step
+/// allocates nothing. What a callable throws passes through step(), with t() and y() at the last accepted
+/// state.
+template <class Method, class Problem, class Vector>
+class integrator {
+  public:
+    using scalar = typename Vector::Scalar;
+    using steps = detail::steps_of<std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>,
+                                   Vector::RowsAtCompileTime>;
+    using output_type = dense_output<Vector, steps::max_stages>;
+    static_assert(std::is_same_v<scalar, typename steps::scalar>,
+                  "method and state must have the same scalar type");
+
+    integrator(const Method& method, Problem& problem, const Vector& y0, const scalar& t0, const scalar& t1,
+               const options<scalar>& o)
+        : options_(o),
+          n_(static_cast<int>(y0.size())),
+          system_(problem, y0, report_),
+          steps_(steps::make(detail::as_tuple(method), n_)),
+          t_(t0),
+          t1_(t1),
+          direction_(t1 < t0 ? -1 : 1),
+          y_(y0),
+          y1_(n_),
+          f0_(n_),
+          error_(n_),
+          scale_(n_),
+          weights_(n_),
+          negligible_(n_),
+          outputs_{output_type(n_, largest_count()), output_type(n_, largest_count())} {
+        validate(o, n_);
+        const auto finite = [](const scalar& x) { return x - x == scalar(0); };
+        if (!finite(t0)) throw std::invalid_argument("integrate: t0 must be finite");
+        if (!finite(t1) || !finite(t1 - t0)) throw std::invalid_argument("integrate: t1 must be finite");
+        for (int i = 0; i < n_; ++i)
+            if (!finite(y0[i])) throw std::invalid_argument("integrate: y0 must be finite");
+        f0_.setZero();
+        set_scale();
+        for (int k = 0; k < method_count<Method>; ++k) set_tolerances(k);
+        if (o.fixed_step > scalar(0)) plan_equal_steps();
+    }
+    integrator(const integrator&) = delete;
+    integrator& operator=(const integrator&) = delete;
+
+    const scalar& t() const { return t_; }
+    const Vector& y() const { return y_; }
+    /// The continuous solution over the last accepted step.
+    const output_type& output() const { return outputs_[current_]; }
+    const report<scalar>& counts() const { return report_; }
+    stagecraft::status status() const { return status_; }
+    bool finished() const { return t_ == t1_ || status_ != status::success; }
+    void stop() { status_ = status::stopped; }
+
+    /// Takes one accepted step; false if there is none to take (t1 reached) or none could be taken
+    /// (status()).
+    bool step() {
+        if (finished()) return false;
+        if (report_.steps == 0 && !started_ && !start()) return false;
+        return visit_current([this](auto& method) { return attempt(method); });
+    }
+
+  private:
+    static constexpr bool variable = method_count<Method> > 1;
+
+    template <class F>
+    decltype(auto) visit_current(F&& f) {
+        return detail::visit_at(steps_, order_.current(), std::forward<F>(f));
+    }
+    int largest_count() {
+        int most = 0;
+        std::apply([&](auto&... m) { ((most = m.count() > most ? m.count() : most), ...); }, steps_);
+        return most;
+    }
+    bool fixed() const { return equal_steps_ > 0; }
+    bool end(stagecraft::status s) {
+        status_ = s;
+        return false;
+    }
+
+    void plan_equal_steps() {
+        using std::abs;
+        using std::ceil;
+        const scalar count = ceil(abs(t1_ - t_) / options_.fixed_step * (scalar(1) - scalar(1) / 1000000000));
+        if (!(count < scalar(1) / std::numeric_limits<scalar>::epsilon()))
+            throw std::invalid_argument("integrate: fixed_step is too small for t1 - t0");
+        equal_steps_ = static_cast<long>(count) > 0 ? static_cast<long>(count) : 1;
+        t0_ = t_;
+        h_ = (t1_ - t_) / scalar(equal_steps_);
+    }
+
+    /// The estimate is O(h^q), the error O(h^{p+1}): an estimate of 0.1 rtol^{q/(p+1)} stands for an error of
+    /// about rtol (Hairer-Wanner 1999, "Stiff differential equations solved by Radau methods").
+    void set_tolerances(int k) {
+        using std::pow;
+        detail::visit_at(steps_, k, [&](auto& m) {
+            const scalar e = scalar(m.estimate_power()) / scalar(m.order() + 1);
+            ratio_[k] = e < scalar(1) ? scalar(10 * pow(options_.rtol, scalar(1) - e)) : scalar(10);
+        });
+    }
+
+    scalar absolute_tolerance(int i) const {
+        return options_.atol_components.size() > 0 ? options_.atol_components[i] : options_.atol;
+    }
+    void set_scale() {
+        using std::abs;
+        if (options_.atol_components.size() > 0) {
+            for (int i = 0; i < n_; ++i)
+                scale_[i] = scalar(1) / (options_.atol_components[i] + options_.rtol * abs(y_[i]));
+        } else {
+            for (int i = 0; i < n_; ++i) scale_[i] = scalar(1) / (options_.atol + options_.rtol * abs(y_[i]));
+        }
+    }
+    scalar norm(const Vector& x, const Vector& w) const {
+        using std::sqrt;
+        scalar sum = scalar(0);
+        for (int i = 0; i < n_; ++i) {
+            const scalar v = x[i] * w[i];
+            sum += v * v;
+        }
+        return n_ == 0 ? scalar(0) : scalar(sqrt(sum / scalar(n_)));
+    }
+
+    /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
+    bool start() {
+        using std::abs;
+        started_ = true;
+        bool left = false;
+        visit_current([&](auto& m) { left = m.needs_left_value(); });
+        need_left_ =
+            (!fixed() && (left || options_.initial_step == scalar(0))) || system_type::finite_difference;
+        if (need_left_) {
+            system_(t_, y_, f0_);
+            const scalar size = norm(f0_, scale_);
+            if (!(size - size == scalar(0))) return end(status::non_finite);
+        }
+        if (fixed()) return true;
+        const scalar span = abs(t1_ - t_);
+        if (options_.initial_step > scalar(0)) {
+            h_ = options_.initial_step;
+        } else {
+            // A step that changes the solution by about one per cent; rows of M scale f to a derivative.
+            error_ = f0_;
+            if constexpr (!system_type::mass_type::identity) {
+                Vector row = Vector::Zero(n_);
+                for (const auto& e : system_.mass().entries())
+                    if (abs(e.value) > row[e.row]) row[e.row] = abs(e.value);
+                for (int i = 0; i < n_; ++i)
+                    error_[i] = row[i] > scalar(0) ? scalar(f0_[i] / row[i]) : scalar(0);
+            }
+            scalar size = norm(y_, scale_);
+            const scalar slope = norm(error_, scale_);
+            if (size < scalar(1)) size = scalar(1);
+            h_ =
+                slope * span * scalar(1000) > size ? scalar(size / slope / scalar(100)) : scalar(span / 1000);
+        }
+        if (h_ > span) h_ = span;
+        if (options_.max_step > scalar(0) && h_ > options_.max_step) h_ = options_.max_step;
+        if (h_ < options_.min_step) h_ = options_.min_step;
+        h_ *= scalar(direction_);
+        return true;
+    }
+
+    template <class Step>
+    bool attempt(Step& method);
+    template <class Step>
+    bool accept(Step& method, const scalar& h, const scalar& t_next, output_type& now);
+    template <class Step>
+    void propose(Step& method, const scalar& h, const scalar& err);
+
+    /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
+    newton_limits<scalar> newton_limits_for(int s) {
+        const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
+        const int most = options_.newton_iterations > 0 ? options_.newton_iterations
+                         : fixed()                      ? 50
+                                                        : usual_iterations(s);
+        return {options_.newton_factor > scalar(0) ? options_.newton_factor : scalar(1) / 50, 4 * rounding,
+                100 * rounding, most, system_.constant_jacobian()};
+    }
+    static int usual_iterations(int s) { return 7 + (s > 3 ? (5 * (s - 3)) / 2 : 0); }
+
+    void refresh_jacobian(const scalar& h) {
+        using std::abs;
+        if constexpr (system_type::finite_difference) {
+            for (int i = 0; i < n_; ++i) {
+                const scalar moved = abs(h * f0_[i]), small = absolute_tolerance(i) / options_.rtol / 1000;
+                negligible_[i] = moved > small ? moved : small;
+            }
+        }
+        system_.evaluate_jacobian(t_, y_, f0_, negligible_);
+        fresh_jacobian_ = true;
+        want_jacobian_ = false;
+        factored_ = false;
+    }
+
+    using system_type = stagecraft::system<Problem, Vector>;
+
+    options<scalar> options_;
+    int n_;
+    report<scalar> report_{};
+    system_type system_;
+    typename steps::type steps_;
+    scalar t_, t1_, t0_{0};
+    int direction_;
+    Vector y_, y1_, f0_, error_, scale_, weights_, negligible_;
+    std::array<output_type, 2> outputs_;
+    int current_ = 0;
+    std::array<scalar, static_cast<std::size_t>(method_count<Method>)> ratio_{};
+    predictive_controller<scalar> controller_{};
+    order_controller<scalar, method_count<Method>> order_{};
+    scalar h_{0}, factored_h_{0}, theta_{0};
+    int factored_order_ = 0, iterations_ = 0, failures_ = 0;
+    long equal_steps_ = 0, attempts_ = 0;
+    bool started_ = false, need_left_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
+         fresh_jacobian_ = false, last_was_rejected_ = false;
+    stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
+};
+
+/// Attempts until a step is accepted or none can be.
+template <class Method, class Problem, class Vector>
+template <class Step>
+bool integrator<Method, Problem, Vector>::attempt(Step& method) {
+    using std::abs;
+    using std::pow;
+    const scalar eps = std::numeric_limits<scalar>::epsilon();
+    const int s = method.count();
+    failures_ = 0;
+    obstacle_ = status::step_underflow;
+    bool stagnated = false;
+    for (;;) {
+        if (attempts_++ >= options_.max_steps) return end(status::too_many_steps);
+        scalar h = h_, t_next = t_;
+        if (fixed()) {
+            t_next = report_.steps + 1 == equal_steps_ ? t1_ : scalar(t0_ + h_ * scalar(report_.steps + 1));
+        } else {
+            const scalar rest = t1_ - t_;
+            if (abs(h) * (scalar(1) + scalar(1) / 100000) >= abs(rest)) {
+                h = rest;
+                t_next = t1_;
+            } else {
+                if (abs(h) * 2 > abs(rest)) h = rest / 2;
+                t_next = t_ + h;
+            }
+            if (failures_ > 60 || abs(h) <= scalar(10) * eps * abs(t_) || t_next == t_ ||
+                abs(h_) < options_.min_step)
+                return end(obstacle_);
+        }
+        output_type& now = outputs_[1 - current_];
+        weights_ = scale_;
+        system_.weigh_by_index(weights_, h);
+
+        if (want_jacobian_) refresh_jacobian(h);
+        if (!factored_ || factored_h_ != h || factored_order_ != order_.current()) {
+            ++report_.factorisations;
+            factored_ = method.stages().factor(system_, h);
+            factored_h_ = h;
+            factored_order_ = order_.current();
+        }
+        newton_outcome<scalar> newton;
+        if (factored_) {
+            method.guess(has_output_ && !stagnated ? &outputs_[current_] : nullptr, y_, h, now);
+            newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
+                                           report_.solves);
+        }
+        if (!factored_ || newton.end != newton_end::converged) {
+            obstacle_ = !factored_                             ? status::singular_matrix
+                        : newton.end == newton_end::non_finite ? status::non_finite
+                                                               : status::newton_failed;
+            ++report_.rejected_newton;
+            ++failures_;
+            stagnated = failures_ > 1;
+            last_was_rejected_ = true;
+            if (!fresh_jacobian_ && !system_.constant_jacobian()) {
+                want_jacobian_ = true;
+                continue;
+            }
+            if (fixed()) return end(obstacle_);
+            h_ = h / 2;
+            factored_ = false;
+            continue;
+        }
+        iterations_ = newton.iterations;
+        if (newton.theta > scalar(0)) theta_ = newton.theta;
+
+        method.advance(y_, now, y1_);
+        if (fixed()) return accept(method, h, t_next, now);
+
+        method.estimate(system_, h, f0_, now, error_);
+        scalar err = norm(error_, weights_) * ratio_[order_.current()];
+        if (err >= scalar(1) && (report_.steps == 0 || last_was_rejected_)) {
+            ++report_.error_solves;
+            method.estimate_again(system_, t_, y_, h, now, y1_, error_);
+            method.advance(y_, now, y1_);
+            err = norm(error_, weights_) * ratio_[order_.current()];
+        }
+        ++report_.error_solves;
+        if (err < scalar(1)) {
+            propose(method, h, err);
+            return accept(method, h, t_next, now);
+        }
+        ++failures_;
+        last_was_rejected_ = true;
+        if (!(err - err == scalar(0))) {
+            obstacle_ = status::non_finite;
+            ++report_.rejected_newton;
+            h_ = h / 8;
+        } else {
+            obstacle_ = status::step_underflow;
+            ++report_.rejected_error;
+            h_ = report_.steps == 0 ? scalar(h / 10)
+                                    : scalar(h * controller_.after_rejected(err, method.estimate_power(),
+                                                                            scalar(9) / scalar(10)));
+        }
+        if (!fresh_jacobian_ && theta_ > scalar(1) / 1000) want_jacobian_ = !system_.constant_jacobian();
+    }
+}
+
+/// Moves to the end of the step and decides whether the Jacobian still serves.
+template <class Method, class Problem, class Vector>
+template <class Step>
+bool integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, const scalar& t_next,
+                                                 output_type& now) {
+    using std::abs;
+    for (int i = 0; i < n_; ++i)
+        if (!(y1_[i] - y1_[i] == scalar(0))) return end(status::non_finite);
+    method.finish(t_, y_, h, y1_, now);
+    current_ = 1 - current_;
+    has_output_ = true;
+    t_ = t_next;
+    y_ = y1_;
+    const scalar size = abs(h);
+    if (report_.steps == 0 || size < report_.smallest_step) report_.smallest_step = size;
+    if (size > report_.largest_step) report_.largest_step = size;
+    const int s = method.count();
+    if (report_.steps == 0 || s < report_.smallest_stages) report_.smallest_stages = s;
+    if (s > report_.largest_stages) report_.largest_stages = s;
+    ++report_.steps;
+    last_was_rejected_ = false;
+    fresh_jacobian_ = false;
+    set_scale();
+    if (t_ == t1_) return true;
+    want_jacobian_ = theta_ > scalar(1) / 1000 && !system_.constant_jacobian();
+    if (need_left_ && (!fixed() || want_jacobian_)) system_(t_, y_, f0_);
+    return true;
+}
+
+/// The size (and the order) of the next step after one with error err < 1.
+template <class Method, class Problem, class Vector>
+template <class Step>
+void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h, const scalar& err) {
+    using std::abs;
+    const int most = usual_iterations(method.count());
+    const scalar safety = scalar(9) / scalar(10) * scalar(2 * most + 1) / scalar(2 * most + iterations_);
+    scalar factor = controller_.after_accepted(h, err, method.estimate_power(), safety);
+    if (last_was_rejected_ && factor > scalar(1)) factor = scalar(1);
+    // Keep the factors while the gain from a new step size is small.
+    if (theta_ <= scalar(1) / 1000 && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
+    h_ = h * factor;
+    if (options_.max_step > scalar(0) && abs(h_) > options_.max_step)
+        h_ = options_.max_step * scalar(direction_);
+}
+
+}  // namespace stagecraft
