@@ -133,9 +133,27 @@ BOOST_AUTO_TEST_CASE(nonnegativity_is_decided_where_a_polynomial_touches_zero) {
     BOOST_TEST_REQUIRE(witness.has_value());
     BOOST_TEST((touching - poly(tiny))(*witness) < 0);
     BOOST_TEST(negative_point(x).has_value());
-    BOOST_TEST(!negative_point_from(x, rational(0)));
-    BOOST_TEST(negative_point_from(x - poly(1), rational(0)).has_value());
-    BOOST_TEST(*negative_point_from(x - poly(1), rational(0)) >= 0);
+    BOOST_TEST(!negative_point_from_zero(x));
+    BOOST_TEST(!negative_point_from_zero(power(x - poly(2), 2) * (x + poly(1))));
+    const poly dips = power(x - poly(1), 2) * (x * x - poly(2)) * (x - poly(rational(3, 2)));
+    const auto dip = negative_point_from_zero(dips);  // between sqrt 2 and 3/2 only up to there, then from 0
+    BOOST_TEST_REQUIRE(dip.has_value() == negative_point_from_zero(-dips).has_value());
+    BOOST_TEST(dips(*dip) < 0);
+    BOOST_TEST(*dip >= 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_sign_loss_is_enclosed_and_touching_zero_is_none) {
+    const rational width(1, 1000000);
+    const auto loss = first_sign_loss(power(x - poly(1), 2) * (poly(2) - x * x), width);
+    BOOST_TEST_REQUIRE(loss.has_value());
+    BOOST_TEST(loss->low * loss->low < 2);
+    BOOST_TEST(loss->high * loss->high > 2);
+    BOOST_TEST(loss->high - loss->low <= width);
+    BOOST_TEST(first_sign_loss(-x, width)->high == 0);
+    BOOST_TEST(!first_sign_loss(power(x - poly(1), 2), width).has_value());
+    // a root left of zero whose isolating interval reaches across zero does not count
+    BOOST_TEST(!first_sign_loss(x + poly(rational(1, 3)), width).has_value());
+    BOOST_TEST(first_sign_loss(poly(rational(1, 3)) - x, width)->low > 0);
 }
 
 BOOST_AUTO_TEST_CASE(half_plane_counts_match_products_of_known_factors) {

@@ -197,12 +197,57 @@ constexpr std::optional<K> negative_point(const polynomial<K>& p) {
     return {};
 }
 
-/// The same on the half-line x >= from, by the substitution x = from + t^2.
+/// The product of the factors of odd multiplicity: p changes its sign at the roots of this polynomial.
 template <class K>
-constexpr std::optional<K> negative_point_from(const polynomial<K>& p, const K& from) {
-    const auto t = negative_point(compose(p, polynomial<K>{from, K(0), K(1)}));
-    if (!t) return {};
-    return from + *t * *t;
+constexpr polynomial<K> odd_part(const polynomial<K>& p) {
+    polynomial<K> odd(K(1));
+    for (const auto& [factor, multiplicity] : squarefree_split(p)) {
+        if (multiplicity % 2 != 0) odd *= factor;
+    }
+    return odd;
+}
+
+/// Where p, non-negative on [0, end], first becomes negative: the largest such end, as an isolated root of p
+/// (refined to `width`), low = high = 0 where p is negative right after 0; nothing where p >= 0 on all of
+/// [0, infinity).
+template <class K>
+constexpr std::optional<isolated_root<K>> first_sign_loss(const polynomial<K>& p, const K& width) {
+    if (p.is_zero()) return {};
+    int lowest = 0;
+    while (p[lowest] == K(0)) ++lowest;
+    if (p[lowest] < K(0)) return isolated_root<K>{K(0), K(0), 1};
+    const auto odd = odd_part(p);
+    if (sturm_chain<K>(odd).count_above(K(0)) == 0) return {};
+    for (auto root : isolate_real_roots(odd)) {
+        if (root.low < K(0) && K(0) < root.high) {  // which side?
+            if (sign_of(odd(K(0))) == 0) continue;
+            (sign_of(odd(K(0))) == sign_of(odd(root.high)) ? root.high : root.low) = K(0);
+        }
+        if (root.exact() ? K(0) < root.low : K(0) < root.high) return refine(odd, root, width);
+    }
+    return {};
+}
+
+/// A point x >= 0 with p(x) < 0, or nothing if p >= 0 there: an exact decision.
+template <class K>
+constexpr std::optional<K> negative_point_from_zero(const polynomial<K>& p) {
+    if (p.is_zero()) return {};
+    const auto negative = [&](const K& x) { return sign_of(p(x)) < 0; };
+    auto loss = first_sign_loss(p, K(1));
+    if (!loss) return {};
+    // A simple sign change: right of it p < 0 up to the next root.
+    K x = loss->high == K(0) ? root_bound(p) : loss->high;
+    if (negative(x)) return x;
+    if (loss->high == K(0)) {
+        while (!negative(x)) x = x / K(2);
+        return x;
+    }
+    const auto odd = odd_part(p);
+    for (K step(1);; step = step / K(2)) {
+        *loss = refine(odd, *loss, step);
+        if (negative(loss->high)) return loss->high;
+        if (loss->exact() && negative(loss->high + step)) return loss->high + step;
+    }
 }
 
 }  // namespace stagecraft::tableaux
