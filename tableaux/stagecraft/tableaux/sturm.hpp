@@ -207,6 +207,20 @@ constexpr polynomial<K> odd_part(const polynomial<K>& p) {
     return odd;
 }
 
+/// p >= 0 on [0, infinity): an exact decision, in most cases by one remainder chain of p and p'.
+template <class K>
+constexpr bool is_nonnegative_from_zero(const polynomial<K>& p) {
+    if (p.is_zero()) return true;
+    int lowest = 0;
+    while (p[lowest] == K(0)) ++lowest;
+    if (sign_of(p[lowest]) < 0 || sign_of(p.leading()) < 0) return false;
+    const auto rest = p / polynomial<K>::monomial(lowest);
+    const remainder_chain<K> chain(rest, derivative(rest));
+    if (chain.variations(K(0)) == chain.variations_at_infinity(1)) return true;  // no root beyond 0
+    if (chain.members().back().degree() == 0) return false;                      // a simple one
+    return sturm_chain<K>(odd_part(rest)).count_above(K(0)) == 0;
+}
+
 /// Where p, non-negative on [0, end], first becomes negative: the largest such end, as an isolated root of p
 /// (refined to `width`), low = high = 0 where p is negative right after 0; nothing where p >= 0 on all of
 /// [0, infinity).
@@ -216,8 +230,8 @@ constexpr std::optional<isolated_root<K>> first_sign_loss(const polynomial<K>& p
     int lowest = 0;
     while (p[lowest] == K(0)) ++lowest;
     if (p[lowest] < K(0)) return isolated_root<K>{K(0), K(0), 1};
+    if (is_nonnegative_from_zero(p)) return {};
     const auto odd = odd_part(p);
-    if (sturm_chain<K>(odd).count_above(K(0)) == 0) return {};
     for (auto root : isolate_real_roots(odd)) {
         if (root.low < K(0) && K(0) < root.high) {  // which side?
             if (sign_of(odd(K(0))) == 0) continue;
