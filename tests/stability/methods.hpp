@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/tableaux/collocation.hpp>
+#include <stagecraft/tableaux/exact_collocation.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <vector>
