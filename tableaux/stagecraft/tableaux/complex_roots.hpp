@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stagecraft/tableaux/complex_ball.hpp>
+#include <stagecraft/tableaux/polynomial.hpp>
+#include <stagecraft/tableaux/rational.hpp>
+#include <stagecraft/tableaux/roots.hpp>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// The roots of a real polynomial: the real ones increasing, and of every complex pair the one above the
+/// real axis, imaginary parts increasing.
+struct root_enclosures {
+    std::vector<ball> real;
+    std::vector<complex_ball> upper;
+};
+
+namespace zeros {
+
+/// Value and derivative by Horner's rule.
+inline std::pair<complex_ball, complex_ball> horner(const std::vector<ball>& a, const complex_ball& z) {
+    complex_ball value{a.back(), 0}, slope{0, 0};
+    for (auto k = a.size() - 1; k-- > 0;) {
+        slope = slope * z + value;
+        value = value * z + complex_ball{a[k], 0};
+    }
+    return {value, slope};
+}
+
+/// Approximations of all roots of a monic polynomial by the Ehrlich-Aberth iteration, from a circle whose
+/// radius is the geometric mean of the moduli. Radii are dropped: the proof comes later.
+inline std::vector<complex_ball> approximate(const std::vector<ball>& a, int bits) {
+    const auto n = a.size() - 1;
+    const double size = std::exp2(std::log2(static_cast<double>(a[0].magnitude())) / static_cast<double>(n));
+    std::vector<complex_ball> z;
+    for (std::size_t k = 0; k < n; ++k) {
+        const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.3) / static_cast<double>(n);
+        z.push_back({exact_ball(size * std::cos(angle), bits), exact_ball(size * std::sin(angle), bits)});
+    }
+    const bound close = std::ldexp(bound(1), -bits / 2);
+    for (int sweep = 0; sweep < 200; ++sweep) {
+        bound largest = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto [value, slope] = horner(a, z[k]);
+            const complex_ball newton = value.midpoint() / slope.midpoint();
+            complex_ball repulsion{0, 0};
+            for (std::size_t j = 0; j < n; ++j)
+                if (j != k)
+                    repulsion = (repulsion + complex_ball{1, 0} / (z[k] - z[j]).midpoint()).midpoint();
+            const complex_ball step =
+                newton.midpoint() / (complex_ball{1, 0} - newton * repulsion).midpoint();
+            z[k] = (z[k] - step).midpoint();
+            largest = std::max(largest, step.upper_magnitude() / z[k].upper_magnitude());
+        }
+        if (largest < close) return z;
+    }
+    throw undecided("roots: the Ehrlich-Aberth iteration did not converge");
+}
+
+}  // namespace zeros
+
+/// Enclosures of all roots of p, which must be simple and non-zero. The proof: by Smith's theorem (1970) the
+/// discs |z - z_i| <= n |p(z_i)| / |prod_{j != i} (z_i - z_j)| of a monic p contain all roots, one each where
+/// they are disjoint; a disc around a real z_i then holds a real root, for the conjugate of a root is one.
+/// O(n^2) operations a sweep. Throws undecided where `bits` is too small (or p has a multiple root).
+inline root_enclosures enclose_roots(const polynomial<rational>& p, int bits) {
+    const std::vector<ball> a = enclosed(monic(p).coefficients(), bits);
+    const int n = p.degree();
+    const int start = std::min(bits, 64 + 6 * n);
+    std::vector<complex_ball> all;  // real ones, and of each pair the upper one followed by its conjugate
+    root_enclosures found;
+    auto rough = zeros::approximate(a, start);
+    const bound flat = std::ldexp(bound(1), -start / 4);
+    for (complex_ball z : rough) {
+        const bool real = z.im.upper_magnitude() < flat * z.upper_magnitude();
+        if (!real && !certainly_positive(z.im)) continue;
+        if (real) z.im = 0;
+        for (int precision = start;; precision = std::min(2 * precision, bits)) {
+            z = z.with_bits(precision).midpoint();
+            const auto [value, slope] = zeros::horner(a, z);
+            z = (z - value.midpoint() / slope.midpoint()).with_bits(precision).midpoint();
+            if (precision == bits) break;
+        }
+        if (real) z.im = 0;
+        all.push_back(z);
+        if (!real) all.push_back(z.conjugate());
+    }
+    if (static_cast<int>(all.size()) != n) throw undecided("roots: real and complex roots not told apart");
+    std::vector<bound> radius;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bound residual = zeros::horner(a, all[i]).first.upper_magnitude();
+        complex_ball product{1, 0};
+        for (std::size_t j = 0; j < all.size(); ++j)
+            if (j != i) product = product * (all[i] - all[j]);
+        const bound distance = product.lower_magnitude();
+        if (!(distance > 0)) throw undecided("roots: two approximations coincide");
+        radius.push_back(upward(static_cast<bound>(n) * residual / distance));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            if (!((all[i] - all[j]).lower_magnitude() > upward(radius[i] + radius[j])))
+                throw undecided("roots: two discs overlap");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].im.exactly_zero()) {
+            found.real.push_back(all[i].re.widened(radius[i]));
+        } else {
+            found.upper.push_back(all[i].widened(radius[i]));
+            ++i;
+        }
+    }
+    const auto by_order = [](const ball& x, const ball& y) {
+        const auto order = compare(x, y);
+        if (order == std::partial_ordering::unordered) throw undecided("roots: their order is undecided");
+        return order < 0;
+    };
+    std::sort(found.real.begin(), found.real.end(), by_order);
+    std::sort(found.upper.begin(), found.upper.end(),
+              [&](const complex_ball& x, const complex_ball& y) { return &x != &y && by_order(x.im, y.im); });
+    for (const auto& z : found.upper)
+        if (!certainly_positive(z.im)) throw undecided("roots: a root too close to the real axis");
+    return found;
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <stagecraft/tableau.hpp>
+#include <stagecraft/tableaux/family.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace stagecraft::tableaux {
+
+/// Whether the members of a family have a regular A, so that A^-1 and T exist.
+constexpr bool has_regular_matrix(family f) {
+    return f == family::gauss || f == family::radau_ia || f == family::radau_iia || f == family::lobatto_iiic;
+}
+
+/// A double as a hexadecimal literal that any compiler reads back to the same bits.
+inline std::string hexadecimal(double x) {
+    if (!std::isfinite(x)) throw std::invalid_argument("hexadecimal: not a finite number");
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::hex).ptr;
+    return (std::signbit(x) ? "-0x" : "0x") + std::string(text, end);
+}
+
+namespace emitting {
+
+/// One constexpr array, row by row.
+template <class Matrix>
+std::string array(const char* name, const Matrix& m) {
+    if (m.size() == 0) return "";
+    std::string out = std::string("    static constexpr double ") + name + "[] = {";
+    const Eigen::Index rows = m.cols() == 1 ? 1 : m.rows();
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        out += "\n        ";
+        const Eigen::Index n = m.cols() == 1 ? m.rows() : m.cols();
+        for (Eigen::Index j = 0; j < n; ++j)
+            out += hexadecimal(m.cols() == 1 ? m(j, 0) : m(i, j)) + (i + 1 == rows && j + 1 == n ? ""
+                                                                     : j + 1 == n                ? ","
+                                                                                                 : ", ");
+    }
+    return out + "};\n";
+}
+
+inline std::string text(bool value) { return value ? "true" : "false"; }
+
+inline std::string facts(const stagecraft::facts& f) {
+    if (!std::isfinite(f.r_infinity)) throw std::invalid_argument("emit: R(infinity) is not finite");
+    return "    static constexpr stagecraft::facts facts{.order = " + std::to_string(f.order) +
+           ",\n                                             .stage_order = " + std::to_string(f.stage_order) +
+           ",\n                                             .stiffly_accurate = " + text(f.stiffly_accurate) +
+           ",\n                                             .a_stable = " + text(f.a_stable) +
+           ",\n                                             .l_stable = " + text(f.l_stable) +
+           ",\n                                             .algebraically_stable = " +
+           text(f.algebraically_stable) +
+           ",\n                                             .symplectic = " + text(f.symplectic) +
+           ",\n                                             .symmetric = " + text(f.symmetric) +
+           ",\n                                             .r_infinity = " + hexadecimal(f.r_infinity) +
+           "};\n";
+}
+
+}  // namespace emitting
+
+/// The header include/stagecraft/coefficients/<family>.hpp: s = least..most stages as constexpr arrays of
+/// doubles, each the nearest to the exact number, with what `facts_of(s)` says has been proved. The first
+/// line is the command that writes it. Throws as `transformed` does.
+inline std::string coefficient_header(family f, int most,
+                                      const std::function<stagecraft::facts(int)>& facts_of) {
+    require_stages(f, most);
+    const std::string id(name(f));
+    const std::string range = std::to_string(least_stages(f)) + " <= S <= " + std::to_string(most);
+    const std::string type =
+        std::string(has_regular_matrix(f) ? "transformed_tableau" : "tableau") + "<double, S>";
+    std::string out = "// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients " + id +
+                      " " + std::to_string(most) +
+                      "\n#pragma once\n\n#include <stagecraft/coefficients/unpack.hpp>\n\n"
+                      "namespace stagecraft {\nnamespace coefficients {\n\n"
+                      "template <int S>\nstruct " +
+                      id + ";\n";
+    for (int s = least_stages(f); s <= most; ++s) {
+        out += "\ntemplate <>\nstruct " + id + "<" + std::to_string(s) + "> {\n";
+        const auto basic = [&](const tableau<double>& t) {
+            out += emitting::facts(t.facts) + emitting::array("c", t.c) + emitting::array("b", t.b) +
+                   emitting::array("A", t.A);
+        };
+        if (has_regular_matrix(f)) {
+            const auto t = transformed<double>(f, s, facts_of(s));
+            basic(t);
+            out += "    static constexpr int pairs = " + std::to_string(t.beta.size()) + ";\n" +
+                   emitting::array("gamma", t.gamma) + emitting::array("alpha", t.alpha) +
+                   emitting::array("beta", t.beta) + emitting::array("A_inverse", t.A_inverse) +
+                   emitting::array("T", t.T) + emitting::array("T_inverse", t.T_inverse);
+        } else {
+            basic(rounded<double>(f, s, facts_of(s)));
+        }
+        out += "};\n";
+    }
+    return out + "\n}  // namespace coefficients\n\n" + "/// The S-stage member of this family, " + range +
+           ": every entry is the double nearest to the exact one.\n"
+           "template <int S>\n" +
+           type + " " + id + "() {\n    static_assert(" + std::to_string(least_stages(f)) +
+           " <= S && S <= " + std::to_string(most) + ", \"" + id + ": generated for " + range +
+           "; see stagecraft/tableaux/rounded.hpp for more\");\n    " + type +
+           " t;\n    coefficients::unpack<coefficients::" + id +
+           "<S>>(t);\n    return t;\n}\n\n}  // namespace stagecraft\n";
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace stagecraft::tableaux {
+
+/// Thrown where enclosures are too wide to decide a question at the working precision: the caller widens
+/// the precision and repeats, or gives up with this error.
+struct undecided : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Bits that hold `digits` decimal digits: more than digits * log2(10).
+constexpr int bits_for_digits(int digits) { return digits * 3322 / 1000 + 2; }
+
+/// Non-negative error bounds. Their exponents reach 2^-16000, far below any precision asked for here, and a
+/// result of a few operations is made an upper bound by one multiplication (`upward`).
+using bound = long double;
+static_assert(std::numeric_limits<bound>::max_exponent >= 16384, "error bounds need the range of x87");
+
+/// An upper bound of what a few (at most 32) roundings and underflows made of a non-negative expression.
+/// Infinity means that nothing is known.
+inline bound upward(bound r) {
+    constexpr bound grow = 1 + 64 * std::numeric_limits<bound>::epsilon();
+    if (!(r <= std::numeric_limits<bound>::max() / 2)) return std::numeric_limits<bound>::infinity();
+    return r * grow + std::numeric_limits<bound>::min();
+}
+
+/// Likewise a lower bound, 0 at least.
+inline bound downward(bound r) {
+    constexpr bound shrink = 1 - 64 * std::numeric_limits<bound>::epsilon();
+    if (r > std::numeric_limits<bound>::max() / 2) return std::numeric_limits<bound>::max() / 4;
+    const bound s = r * shrink - std::numeric_limits<bound>::min();
+    return s > 0 ? s : 0;
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stagecraft/tableaux/ball.hpp>
+#include <stagecraft/tableaux/nodal.hpp>
+#include <stagecraft/tableaux/sturm.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// P_0(x), ..., P_n(x) and, where asked for, their first derivatives. O(n) operations.
+struct legendre_table {
+    std::vector<ball> value;
+    std::vector<ball> slope;
+};
+
+/// The shifted Legendre polynomials at every point of a ball in [0, 1]. The recurrence runs at the midpoint,
+/// where its error bounds grow by at most 1 + sqrt(2) a step (1.3 bits); the width of x enters by the mean
+/// value theorem with |P_k'| <= k (k+1) and |P_k''| <= (k-1) k (k+1) (k+2) / 2 on [0, 1].
+inline legendre_table legendre_values(const ball& x, int n, bool slopes = false) {
+    legendre_table p;
+    const ball m = x.midpoint();
+    const ball t = m + m - ball(1);
+    p.value.reserve(static_cast<std::size_t>(n) + 1);
+    p.value.push_back(ball(1));
+    if (n > 0) p.value.push_back(t);
+    for (int k = 1; k < n; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        p.value.push_back(((t * p.value[at]).times(2 * k + 1) - p.value[at - 1].times(k)).over(k + 1));
+    }
+    if (slopes) {
+        p.slope.push_back(ball(0));
+        if (n > 0) p.slope.push_back(ball(2));
+        for (int k = 1; k < n; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            p.slope.push_back(p.slope[at - 1] + p.value[at].times(4 * k + 2));
+        }
+    }
+    if (x.exact()) return p;
+    for (int k = 1; k <= n; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const bound j = k;
+        p.value[at] = p.value[at].widened(upward(x.radius() * j * (j + 1)));
+        if (slopes)
+            p.slope[at] = p.slope[at].widened(upward(x.radius() * (j - 1) * j * (j + 1) * (j + 2) / 2));
+    }
+    return p;
+}
+
+/// The rationals as balls of `bits` bits.
+inline std::vector<ball> enclosed(const std::vector<rational>& v, int bits) {
+    std::vector<ball> u;
+    u.reserve(v.size());
+    for (const rational& q : v) u.emplace_back(q, bits);
+    return u;
+}
+
+/// The sum over k of u_k P_k, at a table of values or of slopes.
+inline ball legendre_sum(const std::vector<ball>& u, const std::vector<ball>& p) {
+    ball sum = 0;
+    for (std::size_t k = 0; k < u.size(); ++k)
+        if (!u[k].exactly_zero()) sum += u[k] * p[k];
+    return sum;
+}
+
+namespace zeros {
+
+/// Double approximations of the zeros in (0, 1) of a family's w: sign changes between neighbours of a grid
+/// in theta, x = sin(theta / 2)^2, where the zeros of orthogonal polynomials are almost equidistant.
+inline std::vector<double> approximate(const std::vector<double>& w, std::size_t expected) {
+    const auto at = [&](double x) {
+        double before = 0, p = 1, sum = w[0];
+        for (std::size_t k = 0; k + 1 < w.size(); ++k) {
+            const double n = static_cast<double>(k);
+            const double next = ((2 * n + 1) * (2 * x - 1) * p - n * before) / (n + 1);
+            before = p;
+            p = next;
+            sum += w[k + 1] * p;
+        }
+        return sum;
+    };
+    const auto point = [](double theta) { return std::pow(std::sin(theta / 2), 2); };
+    std::vector<double> found;
+    // An odd number of cells, so that 1/2 is no grid point; the ends, where w may vanish, are left out.
+    const std::size_t cells = 16 * w.size() + 1;
+    double low = std::numbers::pi / static_cast<double>(8 * cells);
+    for (std::size_t i = 1; i <= cells; ++i) {
+        double high = std::numbers::pi * (static_cast<double>(i) / static_cast<double>(cells));
+        if (i == cells) high -= std::numbers::pi / static_cast<double>(8 * cells);
+        double a = low, b = high;
+        low = high;
+        if ((at(point(a)) < 0) == (at(point(b)) < 0)) continue;
+        const bool below = at(point(a)) < 0;
+        for (int halving = 0; halving < 46; ++halving) {
+            const double middle = (a + b) / 2;
+            ((at(point(middle)) < 0) == below ? a : b) = middle;
+        }
+        found.push_back(point((a + b) / 2));
+    }
+    if (found.size() != expected) throw undecided("nodes: the search in double missed a zero");
+    return found;
+}
+
+/// The double x as a ball of radius 0.
+inline ball exact_ball(double x, int bits) {
+    int e = 0;
+    const double f = std::frexp(x, &e);
+    return {ball::mantissa(static_cast<std::int64_t>(std::ldexp(f, 53))), e - 53, 0, bits};
+}
+
+/// A ball of radius r = 2 |w| / |w'| around a Newton limit, proved to hold a zero of w by certain and
+/// opposite signs of w at its two ends. Throws undecided where the signs cannot be told.
+inline ball certified(const std::vector<ball>& w, ball x, int bits) {
+    const int s = static_cast<int>(w.size()) - 1;
+    for (int p = 128;; p = std::min(2 * p, bits)) {  // Newton, the precision doubling with the digits
+        for (int repeat = 0; repeat < (p == 128 || p == bits ? 2 : 1); ++repeat) {
+            const auto table = legendre_values(x.with_bits(p + 2 * s).midpoint(), s, true);
+            const ball slope = legendre_sum(w, table.slope).midpoint();
+            if (!certainly_nonzero(slope)) throw undecided("nodes: Newton's method met a zero slope");
+            x = (x - legendre_sum(w, table.value).midpoint() / slope).with_bits(p + 2 * s).midpoint();
+        }
+        if (p == bits) break;
+    }
+    x = x.with_bits(bits).midpoint();
+    const auto table = legendre_values(x, s, true);
+    const bound slope = legendre_sum(w, table.slope).lower_magnitude();
+    if (!(slope > 0)) throw undecided("nodes: the slope at a zero is undecided");
+    bound r = upward(2 * legendre_sum(w, table.value).upper_magnitude() / slope);
+    for (int attempt = 0; attempt < 4; ++attempt, r *= 256) {
+        const auto [m, e] = ball::bound_parts(r);
+        const ball half(m, e, 0, bits);
+        const ball below = legendre_sum(w, legendre_values((x - half).midpoint(), s).value);
+        const ball above = legendre_sum(w, legendre_values((x + half).midpoint(), s).value);
+        const bool crosses = (certainly_negative(below) && certainly_positive(above)) ||
+                             (certainly_positive(below) && certainly_negative(above));
+        // the end points were rounded to `bits` bits: one more unit there covers that
+        if (crosses) return x.widened(upward(r + (x - half).radius() + (x + half).radius()));
+    }
+    throw undecided("nodes: no certain change of sign around a zero");
+}
+
+}  // namespace zeros
+
+/// Enclosures of the nodes c_1 < ... < c_s, the zeros of w, computed with `bits` bits; their radii are about
+/// 2^(1.3 s - bits). Nodes 0, 1/2 and 1 are exact. The proof: s disjoint balls, each holding a sign change of
+/// a polynomial of degree s. Throws undecided where the precision does not suffice for that. Cost O(s^2).
+inline std::vector<ball> enclose_nodes(const nodal_polynomial& w, int bits) {
+    const int s = w.degree();
+    const std::vector<ball> coordinates = enclosed(w.legendre(), bits);
+    const auto vanishes = [&](const rational& x) { return w.monomial()(x) == 0; };
+    const bool left = vanishes(0), right = vanishes(1), middle = vanishes(rational(1, 2));
+    std::vector<ball> nodes;
+    if (left) nodes.push_back(ball(0).with_bits(bits));
+    const auto add = [&](const ball& start) {
+        const bool half =
+            middle && compare(abs(start - ball(rational(1, 2), 64)), ball(rational(1, 1 << 30), 64)) < 0;
+        nodes.push_back(half ? ball(1).scaled(-1).with_bits(bits)
+                             : zeros::certified(coordinates, start, bits));
+    };
+    if (w.family()) {
+        std::vector<double> approximate_w;
+        for (const rational& q : w.legendre()) approximate_w.push_back(q.to<double>());
+        const auto interior = static_cast<std::size_t>(s - (left ? 1 : 0) - (right ? 1 : 0));
+        for (const double x : zeros::approximate(approximate_w, interior)) add(zeros::exact_ball(x, bits));
+    } else {
+        for (const auto& root : isolate_real_roots(w.monomial())) {
+            if (root.high <= 0 || root.low >= 1) continue;
+            const auto fine = refine(w.monomial(), root, rational(integer(1), integer(1) << 80));
+            const rational x = (fine.low + fine.high) / rational(2);
+            if (fine.exact() && (x == 0 || x == 1)) continue;
+            add(ball(x, bits).midpoint());
+        }
+    }
+    if (right) nodes.push_back(ball(1).with_bits(bits));
+    if (static_cast<int>(nodes.size()) != s) throw undecided("nodes: a zero is missing");
+    for (int i = 0; i < s; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (i > 0 && !certainly_less(nodes[at - 1], nodes[at]))
+            throw undecided("nodes: the enclosures of two nodes overlap");
+        if (!left && i == 0 && !certainly_positive(nodes[at])) throw undecided("nodes: c_1 > 0 is undecided");
+        if (!right && i == s - 1 && !certainly_less(nodes[at], ball(1)))
+            throw undecided("nodes: c_s < 1 is undecided");
+    }
+    return nodes;
+}
+
+}  // namespace stagecraft::tableaux

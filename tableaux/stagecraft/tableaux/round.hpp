@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stagecraft/tableaux/ball.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace stagecraft::tableaux {
+
+/// The two ends of a ball as integers times one power of two, exactly.
+struct ball_ends {
+    integer lower;
+    integer upper;
+    long exponent;
+};
+
+/// Ends of a ball with finite radius.
+inline ball_ends ends(const ball& x) {
+    integer m(x.digits());
+    if (x.exact()) return {m, m, x.exponent()};
+    if (x.radius() > std::numeric_limits<bound>::max()) throw undecided("round: nothing is known");
+    const auto [r, e] = ball::bound_parts(x.radius());
+    integer radius(r);
+    const long common = std::min(e, x.exponent());
+    m <<= static_cast<unsigned>(x.exponent() - common);
+    radius <<= static_cast<unsigned>(e - common);
+    return {integer(m - radius), integer(m + radius), common};
+}
+
+/// The number n 2^e rounded to the nearest Real (at most 64 binary digits), ties to even.
+/// Throws std::range_error beyond Real's normal range.
+template <std::floating_point Real>
+Real nearest(const integer& n, long e) {
+    if (n == 0) return 0;
+    constexpr long p = std::numeric_limits<Real>::digits;
+    static_assert(p <= 64, "the significand must fit a 64-bit integer");
+    integer m = abs(n);
+    const long length = static_cast<long>(msb(m)) + 1;
+    if (length + e > std::numeric_limits<Real>::max_exponent ||
+        length + e < std::numeric_limits<Real>::min_exponent)
+        throw std::range_error("round: a number beyond the range of normal floating-point numbers");
+    if (const long drop = length - p; drop > 0) {
+        const bool half = bit_test(m, static_cast<unsigned>(drop - 1));
+        const bool tie = half && static_cast<long>(lsb(m)) == drop - 1;
+        m >>= static_cast<unsigned>(drop);
+        e += drop;
+        if (half && (!tie || bit_test(m, 0))) ++m;
+        if (static_cast<long>(msb(m)) == p) {  // carried into the next power of two
+            m >>= 1;
+            ++e;
+        }
+    }
+    const Real value = std::ldexp(static_cast<Real>(static_cast<std::uint64_t>(m)), static_cast<int>(e));
+    return n < 0 ? -value : value;
+}
+
+/// The Real nearest to every number in the ball, or nothing where its ends round differently or their signs
+/// differ. A zero needs an exact ball: no enclosure of positive width proves it. For a class type (a
+/// multiprecision float) the midpoint, once it is known to four units of its last place.
+template <class Real>
+std::optional<Real> nearest(const ball& x) {
+    if (x.exactly_zero()) return Real(0);
+    if (!certainly_nonzero(x)) return {};
+    if constexpr (std::floating_point<Real>) {
+        const ball_ends e = ends(x);
+        const Real low = nearest<Real>(e.lower, e.exponent);
+        if (low != nearest<Real>(e.upper, e.exponent)) return {};
+        return low;
+    } else {
+        const bound width = std::ldexp(x.magnitude_below(), -std::numeric_limits<Real>::digits * 10 / 3 - 4);
+        if constexpr (std::numeric_limits<Real>::radix == 2) {
+            if (x.radius() > std::ldexp(x.magnitude_below(), -std::numeric_limits<Real>::digits - 2))
+                return {};
+        } else if (x.radius() > width) {
+            return {};
+        }
+        using std::ldexp;
+        return ldexp(static_cast<Real>(integer(x.digits())), static_cast<int>(x.exponent()));
+    }
+}
+
+/// n / d rounded to the nearest integer, ties to even; n >= 0, d > 0.
+inline integer nearest_integer(const integer& n, const integer& d) {
+    integer q, r;
+    divide_qr(n, d, q, r);
+    r *= 2;
+    if (r > d || (r == d && bit_test(q, 0))) ++q;
+    return q;
+}
+
+/// A positive rational n/d as digits times a power of ten: the nearest integer of exactly `digits` digits.
+struct decimal {
+    std::string digits;
+    int exponent = 0;  ///< of the last digit
+    friend bool operator==(const decimal&, const decimal&) = default;
+};
+inline decimal nearest_decimal(const integer& n, const integer& d, int digits) {
+    const double log10 = (static_cast<double>(msb(n)) - static_cast<double>(msb(d))) * 0.30102999566398120;
+    int scale = digits - 1 - static_cast<int>(std::floor(log10));  // digits before the point of x 10^scale
+    for (;; --scale) {
+        const integer ten = pow(integer(10), static_cast<unsigned>(std::abs(scale)));
+        const integer up = scale >= 0 ? integer(n * ten) : n;
+        const integer down = scale >= 0 ? d : integer(d * ten);
+        if (up / down < pow(integer(10), static_cast<unsigned>(digits - 1))) {
+            scale += 2;
+            continue;
+        }
+        std::string text = nearest_integer(up, down).str();
+        if (static_cast<int>(text.size()) == digits) return {text, -scale};
+        if (up / down < pow(integer(10), static_cast<unsigned>(digits)))  // 99...9.7 became 100...0
+            return {text.substr(0, static_cast<std::size_t>(digits)), 1 - scale};
+    }
+}
+
+/// Digits and exponent as text: "0.25000", "-12.345", and from 1e-8 downwards "1.2345e-9".
+inline std::string to_text(const decimal& x, bool negative) {
+    std::string s = x.digits;
+    const int lead = static_cast<int>(s.size()) - 1 + x.exponent;  // exponent of the first digit
+    if (lead < -7 || x.exponent > 0) {
+        if (s.size() > 1) s.insert(1, ".");
+        s += "e" + std::to_string(lead);
+    } else if (lead < 0) {
+        s = "0." + std::string(static_cast<std::size_t>(-lead - 1), '0') + s;
+    } else if (x.exponent < 0) {
+        s.insert(static_cast<std::size_t>(lead) + 1, ".");
+    }
+    return negative ? "-" + s : s;
+}
+
+/// An exact rational, correctly rounded to `digits` significant decimal digits, ties to even. Zero is "0".
+inline std::string decimal_text(const rational& q, int digits) {
+    if (q == 0) return "0";
+    return to_text(nearest_decimal(abs(q).numerator(), q.denominator(), digits), q < 0);
+}
+
+/// Likewise every number of the ball, or nothing where its ends round differently.
+inline std::optional<std::string> decimal_text(const ball& x, int digits) {
+    if (x.exactly_zero()) return "0";
+    if (!certainly_nonzero(x)) return {};
+    const ball_ends e = ends(x);
+    const auto rounded = [&](integer n) {
+        if (n < 0) n = -n;
+        const integer power = integer(1) << static_cast<unsigned>(std::abs(e.exponent));
+        return e.exponent < 0 ? nearest_decimal(n, power, digits)
+                              : nearest_decimal(integer(n * power), integer(1), digits);
+    };
+    const decimal low = rounded(e.lower);
+    if (!(low == rounded(e.upper))) return {};
+    return to_text(low, e.lower < 0);
+}
+
+}  // namespace stagecraft::tableaux
