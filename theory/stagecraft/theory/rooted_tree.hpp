@@ -79,6 +79,18 @@ class rooted_tree {
         return r;
     }
 
+    /// The roots of u and v made one: all children of both at one root. The stage vectors multiply, g(r) =
+    /// g(u) g(v). Throws std::invalid_argument when the result has more than `max_order` vertices.
+    friend constexpr rooted_tree merge_roots(const rooted_tree& u, const rooted_tree& v) {
+        if (u.size_ + v.size_ - 1 > max_order)
+            throw std::invalid_argument("merge_roots: the result has more than 20 vertices");
+        rooted_tree r = u;
+        for (int i = 1; i < v.size_; ++i) r.levels_[u.size_ + i - 1] = v.levels_[i];
+        r.size_ += v.size_ - 1;
+        r.canonicalise(0, r.size_);
+        return r;
+    }
+
     /// The subtree that hangs at vertex i of the preorder, 0 <= i < order.
     constexpr rooted_tree subtree(int i) const {
         rooted_tree r;
