@@ -3,10 +3,8 @@
 
 #include <compare>
 #include <concepts>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace stagecraft::tableaux {
 
@@ -40,26 +38,53 @@ class fixed_rational {
     constexpr int128 denominator() const { return denominator_; }
 
     constexpr fixed_rational operator-() const { return lowest(negated(numerator_), denominator_); }
+    // Compilers spend most of a compile-time proof in these: zeros leave early, nothing is called for
+    // nothing.
     constexpr fixed_rational& operator+=(const fixed_rational& o) {
         if (o.numerator_ == 0) return *this;
+        if (numerator_ == 0) return *this = o;
         const int128 g = gcd(denominator_, o.denominator_);
-        const int128 n = added(multiplied(numerator_, o.denominator_ / g),  //
-                               multiplied(o.numerator_, denominator_ / g));
-        const int128 h = gcd(n, g);  // all that n can share with the common denominator
-        return *this = lowest(n / h, multiplied(denominator_ / g, o.denominator_ / h));
+        int128 left = 0, right = 0, sum = 0;
+        if (__builtin_mul_overflow(numerator_, o.denominator_ / g, &left) ||
+            __builtin_mul_overflow(o.numerator_, denominator_ / g, &right) ||
+            __builtin_add_overflow(left, right, &sum))
+            overflow();
+        const int128 h = gcd(sum, g);  // all that the sum can share with the common denominator
+        int128 d = 0;
+        if (__builtin_mul_overflow(denominator_ / g, o.denominator_ / h, &d)) overflow();
+        numerator_ = sum / h;
+        denominator_ = d;
+        return *this;
     }
-    constexpr fixed_rational& operator-=(const fixed_rational& o) { return *this += -o; }
+    constexpr fixed_rational& operator-=(const fixed_rational& o) {
+        return o.numerator_ == 0 ? *this : *this += -o;
+    }
     constexpr fixed_rational& operator*=(const fixed_rational& o) {
+        if (numerator_ == 0) return *this;
+        if (o.numerator_ == 0) return *this = o;
         const int128 g = gcd(numerator_, o.denominator_);
         const int128 h = gcd(o.numerator_, denominator_);
-        return *this = lowest(multiplied(numerator_ / g, o.numerator_ / h),
-                              multiplied(denominator_ / h, o.denominator_ / g));
+        int128 n = 0, d = 0;
+        if (__builtin_mul_overflow(numerator_ / g, o.numerator_ / h, &n) ||
+            __builtin_mul_overflow(denominator_ / h, o.denominator_ / g, &d))
+            overflow();
+        numerator_ = n;
+        denominator_ = d;
+        return *this;
     }
     /// Throws std::domain_error for o = 0.
     constexpr fixed_rational& operator/=(const fixed_rational& o) {
         if (o.numerator_ == 0) throw std::domain_error("fixed_rational: division by zero");
-        return *this *= o.numerator_ < 0 ? lowest(negated(o.denominator_), negated(o.numerator_))
-                                         : lowest(o.denominator_, o.numerator_);
+        if (numerator_ == 0) return *this;
+        const int128 g = gcd(o.numerator_, numerator_ < 0 ? negated(numerator_) : numerator_);
+        const int128 h = gcd(denominator_, o.denominator_);
+        int128 n = 0, d = 0;
+        if (__builtin_mul_overflow(numerator_ / g, o.denominator_ / h, &n) ||
+            __builtin_mul_overflow(denominator_ / h, o.numerator_ / g, &d))
+            overflow();
+        numerator_ = d < 0 ? negated(n) : n;
+        denominator_ = d < 0 ? negated(d) : d;
+        return *this;
     }
     friend constexpr fixed_rational operator+(fixed_rational a, const fixed_rational& b) { return a += b; }
     friend constexpr fixed_rational operator-(fixed_rational a, const fixed_rational& b) { return a -= b; }
@@ -68,8 +93,10 @@ class fixed_rational {
     friend constexpr bool operator==(const fixed_rational&, const fixed_rational&) = default;
     friend constexpr std::strong_ordering operator<=>(const fixed_rational& a, const fixed_rational& b) {
         const int128 g = gcd(a.denominator_, b.denominator_);
-        const int128 left = multiplied(a.numerator_, b.denominator_ / g);
-        const int128 right = multiplied(b.numerator_, a.denominator_ / g);
+        int128 left = 0, right = 0;
+        if (__builtin_mul_overflow(a.numerator_, b.denominator_ / g, &left) ||
+            __builtin_mul_overflow(b.numerator_, a.denominator_ / g, &right))
+            overflow();
         return left < right   ? std::strong_ordering::less
                : left > right ? std::strong_ordering::greater
                               : std::strong_ordering::equal;
@@ -93,23 +120,16 @@ class fixed_rational {
         return r;
     }
     static constexpr int128 gcd(int128 a, int128 b) {  // b > 0 in every use, so the result is positive
-        if (b == 1) return 1;
-        while (b != 0) a = std::exchange(b, a % b);
-        return a < 0 ? negated(a) : a;
+        while (b > 1) {
+            const int128 r = a % b;
+            a = b;
+            b = r < 0 ? -r : r;
+        }
+        return b == 1 ? 1 : a;
     }
     static constexpr int128 negated(int128 a) {
         int128 r = 0;
         if (__builtin_sub_overflow(int128{0}, a, &r)) overflow();
-        return r;
-    }
-    static constexpr int128 added(int128 a, int128 b) {
-        int128 r = 0;
-        if (__builtin_add_overflow(a, b, &r)) overflow();
-        return r;
-    }
-    static constexpr int128 multiplied(int128 a, int128 b) {
-        int128 r = 0;
-        if (__builtin_mul_overflow(a, b, &r)) overflow();
         return r;
     }
     [[noreturn]] static void overflow() { throw std::overflow_error("fixed_rational: more than 127 bits"); }
