@@ -22,6 +22,10 @@ std::string allowed(const CLI::App& app) {
     return list;
 }
 
+bool has_subcommand(const CLI::App& app, const std::string& name) {
+    return !app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; }).empty();
+}
+
 int complain(std::string what) {
     for (char& c : what)
         if (c == '\n') c = ' ';
@@ -36,7 +40,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     for (const auto declare : stagecraft::tool::declarations()) declare(app);
     try {
-        if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr)
+        if (argc > 1 && argv[1][0] != '-' && !has_subcommand(app, argv[1]))
             return complain("unknown subcommand '" + std::string(argv[1]) + "'; allowed: " + allowed(app));
         app.parse(argc, argv);
         return 0;
