@@ -79,6 +79,15 @@ struct disc {
         return G;
     }
 
+    /// dG/dt along q' = v.
+    template <class S>
+    Eigen::Matrix<S, 2, 5> G_rate(const vector<S>&, const vector<S>& v) const {
+        Eigen::Matrix<S, 2, 5> rate = Eigen::Matrix<S, 2, 5>::Constant(S(0));
+        rate(0, 2) = -v[1];
+        rate(1, 2) = v[0];
+        return rate;
+    }
+
     /// M(q)^-1 r, by elimination with paper and pencil.
     template <class S>
     vector<S> solve_mass(const vector<S>& q, const vector<S>& rhs) const {
