@@ -96,8 +96,7 @@ inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int b
             const bool adjoint = rule == construction::adjoint;
             const auto& u = integrals[static_cast<std::size_t>(adjoint ? j : i)];
             const auto& v = lagrange[static_cast<std::size_t>(adjoint ? i : j)].shape;
-            ball sum = 0;
-            for (std::size_t k = 0; k < u.size(); ++k) sum += u[k] * v[k];
+            const ball sum = dot(u, v);
             t.A(i, j) = t.b(j) * (adjoint ? ball(1) - sum : sum);
         }
     return t;

@@ -29,7 +29,7 @@ auto widening(int bits, Attempt attempt) {
 }
 
 /// Bits to start with, so that `target` correct bits remain after the losses of s stages.
-inline int working_bits(int target, int s) { return target + 64 + 2 * s; }
+inline int working_bits(int target, int s) { return target + 32 + 3 * s / 2; }
 
 namespace rounding {
 
