@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <stagecraft/linear/banded_matrix.hpp>
+#include <stagecraft/linear/complex_number.hpp>
+#include <stagecraft/problem/mass.hpp>
+#include <vector>
+
+namespace stagecraft {
+
+/// LU with row pivoting of a banded matrix over T (a scalar or a complex_number). Row exchanges widen the
+/// upper band by `lower` diagonals; O(n lower (lower + upper)) operations, O(n (2 lower + upper)) storage,
+/// taken once.
+template <class T>
+class banded_lu {
+  public:
+    /// An n x n matrix with this band; entries are set through operator() before factor().
+    void resize(int n, bandwidth band) {
+        if (n == n_ && band.lower == lower_ && band.upper == upper_) return;
+        n_ = n;
+        lower_ = band.lower;
+        upper_ = band.upper;
+        height_ = 2 * lower_ + upper_ + 1;
+        a_.assign(static_cast<std::size_t>(height_) * n, T{});
+        pivot_.assign(n, 0);
+    }
+    void set_zero() { std::fill(a_.begin(), a_.end(), T{}); }
+    T& operator()(int i, int j) { return column(j)[i]; }
+
+    /// False if the matrix is singular or not finite.
+    bool factor() {
+        for (int k = 0; k < n_; ++k) {
+            T* ck = column(k);
+            const int last_row = std::min(k + lower_, n_ - 1);
+            int p = k;
+            auto largest = size_of(ck[k]);
+            for (int i = k + 1; i <= last_row; ++i) {
+                const auto candidate = size_of(ck[i]);
+                if (candidate > largest) largest = candidate, p = i;
+            }
+            if (!usable_pivot(largest)) return false;
+            pivot_[k] = p;
+            std::swap(ck[k], ck[p]);
+            ck[k] = inverse_of(ck[k]);
+            for (int i = k + 1; i <= last_row; ++i) ck[i] = ck[i] * ck[k];
+            const int last_column = std::min(k + lower_ + upper_, n_ - 1);
+            for (int j = k + 1; j <= last_column; ++j) {
+                T* cj = column(j);
+                const T m = cj[p];
+                cj[p] = cj[k];
+                cj[k] = m;
+                for (int i = k + 1; i <= last_row; ++i) cj[i] = cj[i] - ck[i] * m;
+            }
+        }
+        return true;
+    }
+
+    /// x := A^-1 x; x is indexed from 0 to n - 1.
+    template <class X>
+    void solve(X&& x) const {
+        for (int k = 0; k < n_; ++k) {
+            const T* ck = column(k);
+            const int p = pivot_[k], last_row = std::min(k + lower_, n_ - 1);
+            const T m = x[p];
+            if (p != k) x.set(p, x[k]);
+            x.set(k, m);
+            for (int i = k + 1; i <= last_row; ++i) x.set(i, x[i] - ck[i] * m);
+        }
+        for (int k = n_ - 1; k >= 0; --k) {
+            const T* ck = column(k);
+            const T m = x[k] * ck[k];
+            x.set(k, m);
+            for (int i = std::max(0, k - lower_ - upper_); i < k; ++i) x.set(i, x[i] - ck[i] * m);
+        }
+    }
+
+  private:
+    /// Column j such that column(j)[i] is entry (i, j).
+    T* column(int j) { return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j); }
+    const T* column(int j) const {
+        return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j);
+    }
+    int n_ = -1, lower_ = 0, upper_ = 0, height_ = 1;
+    std::vector<T> a_;
+    std::vector<int> pivot_;
+};
+
+/// The linear solvers for shift M - J with J a banded_matrix. The band of M must lie within that of J.
+template <class Scalar>
+struct banded_blocks {
+    class real {
+      public:
+        explicit real(int) {}
+        /// Factors shift M - J; false if it is singular or not finite.
+        template <class Mass>
+        bool factor_shifted(const Mass& mass, const banded_matrix<Scalar>& J, const Scalar& shift) {
+            assemble(lu_, J);
+            add_mass_to(lu_, mass, shift, J.size());
+            return lu_.factor();
+        }
+        void solve(Scalar* x) const { lu_.solve(access{x}); }
+
+      private:
+        struct access {
+            Scalar* x;
+            const Scalar& operator[](int i) const { return x[i]; }
+            void set(int i, const Scalar& v) const { x[i] = v; }
+        };
+        banded_lu<Scalar> lu_;
+    };
+
+    class complex {
+      public:
+        explicit complex(int) {}
+        /// Factors (re + i im) M - J; false if it is singular or not finite.
+        template <class Mass>
+        bool factor_shifted(const Mass& mass, const banded_matrix<Scalar>& J, const Scalar& re,
+                            const Scalar& im) {
+            assemble(lu_, J);
+            add_mass_to(lu_, mass, complex_number<Scalar>{re, im}, J.size());
+            return lu_.factor();
+        }
+        void solve(Scalar* x, Scalar* y) const { lu_.solve(access{x, y}); }
+
+      private:
+        struct access {
+            Scalar *x, *y;
+            complex_number<Scalar> operator[](int i) const { return {x[i], y[i]}; }
+            void set(int i, const complex_number<Scalar>& v) const { x[i] = v.re, y[i] = v.im; }
+        };
+        banded_lu<complex_number<Scalar>> lu_;
+    };
+
+  private:
+    template <class T>
+    static void assemble(banded_lu<T>& lu, const banded_matrix<Scalar>& J) {
+        const int n = J.size();
+        lu.resize(n, {J.lower(), J.upper()});
+        lu.set_zero();
+        for (int j = 0; j < n; ++j)
+            for (int i = std::max(0, j - J.upper()); i <= std::min(n - 1, j + J.lower()); ++i)
+                lu(i, j) = T(Scalar(-J(i, j)));
+    }
+    template <class T>
+    static void add_mass_to(banded_lu<T>& lu, const identity_mass&, const T& shift, int n) {
+        for (int i = 0; i < n; ++i) lu(i, i) = lu(i, i) + shift;
+    }
+    template <class T>
+    static void add_mass_to(banded_lu<T>& lu, const entry_mass<Scalar>& mass, const T& shift, int) {
+        for (const auto& e : mass.entries()) lu(e.row, e.column) = lu(e.row, e.column) + T(e.value) * shift;
+    }
+};
+
+}  // namespace stagecraft
