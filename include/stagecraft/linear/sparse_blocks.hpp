@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <complex>
+#include <stagecraft/problem/mass.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace stagecraft {
+
+/// The linear solvers for shift M - J with J an Eigen::SparseMatrix, on any sparse direct solvers with
+/// Eigen's interface: analyzePattern, factorize, solve, info (SparseLU by default; KLU or UmfPackLU where
+/// SuiteSparse is installed). The pattern is analysed once per pattern of J, so J must keep explicit zeros.
+template <class Scalar,
+          class RealSolver = Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::COLAMDOrdering<int>>,
+          class ComplexSolver =
+              Eigen::SparseLU<Eigen::SparseMatrix<std::complex<Scalar>>, Eigen::COLAMDOrdering<int>>>
+struct sparse_blocks {
+    class real {
+      public:
+        explicit real(int n) : x_(n) {}
+        /// Factors shift M - J; false if it is singular or not finite.
+        template <class Mass>
+        bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& shift) {
+            return refactor(solver_, a_, nonzeros_, mass, J, shift);
+        }
+        void solve(Scalar* x) {
+            Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> map(x, x_.size());
+            x_ = map;
+            map = solver_.solve(x_);
+        }
+
+      private:
+        RealSolver solver_;
+        Eigen::SparseMatrix<Scalar> a_;
+        Eigen::Index nonzeros_ = -1;
+        Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
+    };
+
+    class complex {
+        using number = std::complex<Scalar>;
+
+      public:
+        explicit complex(int n) : z_(n), w_(n) {}
+        /// Factors (re + i im) M - J; false if it is singular or not finite.
+        template <class Mass>
+        bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& re,
+                            const Scalar& im) {
+            return refactor(solver_, a_, nonzeros_, mass, J, number(re, im));
+        }
+        void solve(Scalar* x, Scalar* y) {
+            const Eigen::Index n = z_.size();
+            for (Eigen::Index i = 0; i < n; ++i) z_[i] = number(x[i], y[i]);
+            w_ = solver_.solve(z_);
+            for (Eigen::Index i = 0; i < n; ++i) x[i] = w_[i].real(), y[i] = w_[i].imag();
+        }
+
+      private:
+        ComplexSolver solver_;
+        Eigen::SparseMatrix<number> a_;
+        Eigen::Index nonzeros_ = -1;
+        Eigen::Matrix<number, Eigen::Dynamic, 1> z_, w_;
+    };
+
+  private:
+    template <class Solver, class T, class Mass>
+    static bool refactor(Solver& solver, Eigen::SparseMatrix<T>& a, Eigen::Index& nonzeros, const Mass& mass,
+                         const Eigen::SparseMatrix<Scalar>& J, const T& shift) {
+        const Eigen::Index n = J.rows();
+        if (n == 0) return true;
+        for (Eigen::Index k = 0; k < J.nonZeros(); ++k)
+            if (!(J.valuePtr()[k] - J.valuePtr()[k] == Scalar(0))) return false;
+        if (!(std::abs(shift) < std::numeric_limits<Scalar>::infinity())) return false;
+        Eigen::SparseMatrix<T> m(n, n);
+        if constexpr (std::is_same_v<Mass, identity_mass>) {
+            m.setIdentity();
+            m *= shift;
+        } else {
+            std::vector<Eigen::Triplet<T>> entries;
+            entries.reserve(mass.entries().size());
+            for (const auto& e : mass.entries()) entries.emplace_back(e.row, e.column, shift * T(e.value));
+            m.setFromTriplets(entries.begin(), entries.end());
+        }
+        a = m - J.template cast<T>();
+        a.makeCompressed();
+        if (nonzeros != a.nonZeros()) {
+            solver.analyzePattern(a);
+            nonzeros = a.nonZeros();
+        }
+        solver.factorize(a);
+        return solver.info() == Eigen::Success;
+    }
+};
+
+}  // namespace stagecraft
