@@ -83,6 +83,13 @@ class legendre_model {
     constexpr element c() const { return times_x(one()); }
     constexpr element apply(const element& v) const { return A() * v; }
     constexpr K dot_b(const element& v) const { return v[0]; }
+    /// b^T(u v): O(s) operations where G is diagonal.
+    constexpr K inner(const element& u, const element& v) const {
+        const element gv = gram_ * v;
+        K sum(0);
+        for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * gv[i];
+        return sum;
+    }
     /// u v modulo w, by the three-term recurrence of P_k(x) v. O(s^2) operations for the families, at most
     /// O(s^2) for any w.
     constexpr element multiply(const element& u, const element& v) const {

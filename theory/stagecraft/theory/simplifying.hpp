@@ -105,8 +105,7 @@ constexpr band_matrix<K> algebraic_stability_matrix(const legendre_model<K>& m) 
 /// G >= 0.
 template <class K>
 constexpr bool is_algebraically_stable(const legendre_model<K>& m) {
-    return inertia_of(m.gram()).is_nonnegative() &&
-           inertia_of(algebraic_stability_matrix(m)).is_nonnegative();
+    return is_nonnegative(inertia_of(m.gram())) && is_nonnegative(inertia_of(algebraic_stability_matrix(m)));
 }
 
 }  // namespace stagecraft::theory

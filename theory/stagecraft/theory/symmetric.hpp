@@ -5,23 +5,20 @@
 #include <utility>
 #include <vector>
 
+#include "stagecraft/tableaux/small_solve.hpp"
 #include "stagecraft/theory/band_matrix.hpp"
 
 namespace stagecraft::theory {
 
-/// How many eigenvalues of a symmetric matrix are positive, negative and zero.
-struct inertia {
-    int positive = 0;
-    int negative = 0;
-    int zero = 0;
-    constexpr bool is_positive_definite() const { return negative == 0 && zero == 0; }
-    constexpr bool is_nonnegative() const { return negative == 0; }
-    constexpr int rank() const { return positive + negative; }
-    friend constexpr bool operator==(const inertia&, const inertia&) = default;
-};
+using tableaux::inertia;
+
+constexpr bool is_positive_definite(const inertia& n) { return n.negative == 0 && n.zero == 0; }
+constexpr bool is_nonnegative(const inertia& n) { return n.negative == 0; }
+constexpr int rank(const inertia& n) { return n.positive + n.negative; }
 
 /// Inertia of the symmetric matrix `m`, decided exactly by congruence (Sylvester's law); K is an ordered
-/// field. Rows of zeros cost nothing, the other n take O(n^3) operations, O(n) for a diagonal matrix.
+/// field. `constexpr`, unlike tableaux::diagonalise. Rows of zeros cost nothing, the other n take O(n^3)
+/// operations, O(n) for a diagonal matrix.
 template <class K>
 constexpr inertia inertia_of(const band_matrix<K>& m) {
     inertia found;

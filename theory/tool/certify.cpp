@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <iostream>
+#include <stagecraft/theory/certificate_json.hpp>
+#include <stagecraft/theory/certify.hpp>
+#include <string>
+
+#include "command.hpp"
+
+namespace {
+
+using namespace stagecraft;
+
+struct options {
+    std::string family;
+    std::string stages;
+    bool json = false;
+};
+
+void run(const options& o) {
+    const auto f = tableaux::family_from_name(o.family);
+    const int s = tool::whole_number("stages", o.stages, tableaux::least_stages(f), 1000);
+    const auto certificate = theory::certify(f, s);
+    if (o.json) {
+        std::cout << theory::to_json(certificate).dump(2) << '\n';
+    } else {
+        std::cout << certificate.text();
+    }
+}
+
+const tool::command certify{[](CLI::App& app) {
+    static options o;
+    auto* sub =
+        app.add_subcommand("certify", "Prove order, stability and more of a family's member, exactly");
+    sub->add_option("FAMILY", o.family, "one of: " + tableaux::family_names())->required();
+    sub->add_option("S", o.stages, "number of stages")->required();
+    sub->add_flag("--json", o.json, "print JSON instead of text");
+    sub->callback([] { run(o); });
+}};
+
+}  // namespace
