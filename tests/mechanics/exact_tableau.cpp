@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE exact_tableau
 #include <boost/test/unit_test.hpp>
-#include <stagecraft/tableaux/exact_collocation.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
 
 #include "../../examples/rolling_disc/surd_tableau.hpp"
 
 using namespace rolling_disc;
 using stagecraft::tableaux::family;
+using stagecraft::tableaux::quadratic;
+using stagecraft::tableaux::rational;
 
 namespace {
 quadratic surd(int a, int b, int denominator) {
@@ -15,7 +17,7 @@ quadratic surd(int a, int b, int denominator) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(radau_iia_3_is_the_printed_tableau) {
-    const auto t = stagecraft::tableaux::collocation(exact_nodes({family::radau_iia, 3})).tableau;
+    const auto t = stagecraft::tableaux::exact_tableau(family::radau_iia, 3).value();
     BOOST_TEST(t.c(0) == surd(4, -1, 10));
     BOOST_TEST(t.c(1) == surd(4, 1, 10));
     BOOST_TEST(t.c(2) == quadratic(1));
@@ -32,9 +34,8 @@ BOOST_AUTO_TEST_CASE(radau_iia_3_is_the_printed_tableau) {
     BOOST_TEST(print(t).find("2/5-1/10*sqrt(6) |") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(nodes_outside_one_quadratic_field_are_refused) {
-    BOOST_TEST(exact_nodes({family::gauss, 3})[1] == quadratic(rational(1, 2)));
-    BOOST_TEST(exact_nodes({family::lobatto_iiia, 4}).size() == 4u);
-    BOOST_CHECK_THROW(exact_nodes({family::radau_iia, 4}), std::domain_error);
-    BOOST_CHECK_THROW(exact_nodes({family::gauss, 4}), std::domain_error);
+BOOST_AUTO_TEST_CASE(methods_outside_one_quadratic_field_have_no_such_tableau) {
+    BOOST_TEST(stagecraft::tableaux::exact_tableau(family::gauss, 3)->c(1) == quadratic(rational(1, 2)));
+    BOOST_TEST(!stagecraft::tableaux::exact_tableau(family::radau_iia, 4).has_value());
+    BOOST_TEST(!stagecraft::tableaux::exact_tableau(family::gauss, 4).has_value());
 }
