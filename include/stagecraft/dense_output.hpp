@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 #include <stagecraft/linear/split_lu.hpp>
 
@@ -58,6 +60,22 @@ struct interpolation_nodes {
     }
 };
 
+/// Room for the values of a basis: on the stack to 64 stages, so that evaluation allocates nothing.
+template <class Scalar, int MaxStages>
+class basis_values {
+  public:
+    explicit basis_values(int size) {
+        if constexpr (MaxStages < 0)
+            if (size > 64) large_.resize(size);
+    }
+    Scalar* data() { return large_.empty() ? small_.data() : large_.data(); }
+    Scalar& operator[](int i) { return data()[i]; }
+
+  private:
+    std::array<Scalar, (MaxStages > 0 ? MaxStages : 64)> small_;
+    std::vector<Scalar> large_;
+};
+
 /// The collocation polynomial u of one step, u(t0 + theta h) = y0 + sum_j l_j(theta) z_j (Hairer-Wanner
 /// II.IV.8): continuous over the steps; of order s for the methods with C(s), of order s - 1 (degree s - 1)
 /// for Lobatto IIIC. Evaluated only where it is asked, and valid until the next step; copy it to keep it.
@@ -73,17 +91,22 @@ class dense_output {
 
     /// u(t); meant for t within the step (extrapolation is allowed and as good as extrapolation is).
     Vector operator()(const scalar& t) const {
-        Vector result = y0_;
-        auto l = make_workspace<scalar, MaxStages>(nodes_->size);
-        nodes_->basis((t - t0_) / h_, l.data());
-        for (int j = 0; j < nodes_->size; ++j) result += l[j] * z_.col(nodes_->first_column + j);
+        Vector result(y0_.size());
+        evaluate(t, result);
         return result;
+    }
+    /// The same into a vector that has its size already.
+    void evaluate(const scalar& t, Vector& result) const {
+        basis_values<scalar, MaxStages> l(nodes_->size);
+        nodes_->basis((t - t0_) / h_, l.data());
+        result = y0_;
+        for (int j = 0; j < nodes_->size; ++j) result += l[j] * z_.col(nodes_->first_column + j);
     }
 
     /// u'(t), one order less than u.
     Vector derivative(const scalar& t) const {
         Vector result = Vector::Zero(y0_.size());
-        auto l = make_workspace<scalar, MaxStages>(nodes_->size);
+        basis_values<scalar, MaxStages> l(nodes_->size);
         nodes_->basis_derivative((t - t0_) / h_, l.data());
         for (int j = 0; j < nodes_->size; ++j) result += (l[j] / h_) * z_.col(nodes_->first_column + j);
         return result;

@@ -1,13 +1,107 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <array>
+#include <cmath>
+
 namespace stagecraft {
+
+/// What an accepted step tells about the neighbouring orders.
+template <class Scalar>
+struct order_evidence {
+    Scalar h;        ///< size of the step
+    Scalar error;    ///< its estimate, tolerance 1
+    Scalar decay;    ///< ratio of successive Legendre coefficients of the stage polynomial
+    Scalar theta;    ///< contraction of Newton's iteration
+    int iterations;  ///< how many it took
+};
+
+/// One of the methods as the choice sees it.
+template <class Scalar>
+struct order_candidate {
+    int stages;
+    int power;     ///< the estimate is O(h^power)
+    Scalar ratio;  ///< estimates are multiplied by it to have tolerance 1
+};
 
 /// Chooses among `Count` methods ordered by stages; with one method there is nothing to hold and to decide.
 template <class Scalar, int Count>
 class order_controller {
   public:
-    int current() const { return 0; }
+    static constexpr int current() { return 0; }
+};
+
+/// Takes the method that promises the longest step for its work. The step each could take follows from the
+/// estimate of the present one and the decay q of the Legendre coefficients of its polynomial (two stages
+/// more change the estimate by q^2); Newton's contraction is taken as proportional to the step. The work is
+/// counted in operations of the blocks, the transformations and f, so the choice is the same on every
+/// machine.
+template <class Scalar, int Count>
+requires(Count > 1) class order_controller<Scalar, Count> {
+  public:
+    int current() const { return current_; }
+
+    void prepare(int k, const order_candidate<Scalar>& c) { candidates_[k] = c; }
+
+    /// After a step that Newton's iteration could not solve twice: fewer stages tolerate more.
+    bool newton_failed() {
+        if (current_ == 0) return false;
+        --current_;
+        wait_ = 10;
+        return true;
+    }
+
+    bool wants_evidence() { return --wait_ <= 0; }
+
+    /// Decides, given the state size n; returns the factor by which the step of `e` changes for the new
+    /// order, or 0 if the order stays.
+    Scalar decide(const order_evidence<Scalar>& e, int n) {
+        wait_ = 3;
+        const Scalar here = work_per_length(current_, e, n);
+        int best = current_;
+        Scalar least = here * Scalar(9) / Scalar(10);
+        for (int k = current_ - 1; k <= current_ + 1; k += 2) {
+            if (k < 0 || k >= Count) continue;
+            const Scalar w = work_per_length(k, e, n);
+            if (w < least) least = w, best = k;
+        }
+        if (best == current_) return Scalar(0);
+        Scalar factor = step_of(best, e);
+        current_ = best;
+        wait_ = 4;
+        const Scalar low = Scalar(1) / 5, high = Scalar(3);
+        return factor < low ? low : factor > high ? high : factor;
+    }
+
+  private:
+    /// Step of method k for an estimate of 1, as a multiple of h.
+    Scalar step_of(int k, const order_evidence<Scalar>& e) const {
+        using std::pow;
+        const auto &now = candidates_[current_], &then = candidates_[k];
+        Scalar error = e.error * then.ratio / now.ratio * pow(e.decay, Scalar(then.stages - now.stages));
+        const Scalar least = Scalar(1) / 100000000;
+        if (error < least) error = least;
+        const Scalar f = Scalar(8) / Scalar(10) / pow(error, Scalar(1) / Scalar(then.power));
+        return f < Scalar(4) ? f : Scalar(4);
+    }
+
+    Scalar work_per_length(int k, const order_evidence<Scalar>& e, int n) const {
+        using std::log;
+        const Scalar step = step_of(k, e);
+        const Scalar s = Scalar(candidates_[k].stages), N = Scalar(n);
+        Scalar theta = e.theta * step;
+        const Scalar low = Scalar(1) / 1000, high = Scalar(9) / 10;
+        theta = theta < low ? low : theta > high ? high : theta;
+        Scalar now = e.theta < low ? low : e.theta > high ? high : e.theta;
+        const Scalar iterations = Scalar(e.iterations) * log(now) / log(theta);
+        const Scalar blocks = 1 + 2 * (s - 1);
+        const Scalar factor = blocks * (N * N * N * Scalar(2) / Scalar(3) + 10 * N * N);
+        const Scalar iteration = s * 10 * N + 4 * s * s * N + blocks * 2 * N * N;
+        return (factor + iterations * iteration + s * s * 12 + 60 * N + 400) / step;
+    }
+
+    std::array<order_candidate<Scalar>, static_cast<std::size_t>(Count)> candidates_{};
+    int current_ = 0, wait_ = 2;
 };
 
 }  // namespace stagecraft

@@ -15,16 +15,16 @@ class predictive_controller {
         using std::abs;
         using std::pow;
         const Scalar e = err > floor() ? err : floor();
-        const Scalar exponent = Scalar(1) / Scalar(q);
-        Scalar factor = safety / pow(e, exponent);
+        const Scalar root = pow(e, Scalar(1) / Scalar(q));
+        Scalar factor = safety / root;
         if (has_last_ && last_q_ == q) {
-            const Scalar predicted = factor * abs(h / last_h_) * pow(last_err_ / e, exponent);
+            const Scalar predicted = factor * abs(h / last_h_) * (last_root_ / root);
             if (predicted < factor) factor = predicted;
         }
         has_last_ = true;
         last_h_ = h;
         last_q_ = q;
-        last_err_ = e > Scalar(1) / 100 ? e : Scalar(1) / 100;
+        last_root_ = root > Scalar(1) / 4 ? root : Scalar(1) / 4;
         return clamp(factor);
     }
 
@@ -44,7 +44,7 @@ class predictive_controller {
     }
     bool has_last_ = false;
     int last_q_ = 0;
-    Scalar last_h_{0}, last_err_{0};
+    Scalar last_h_{0}, last_root_{0};
 };
 
 }  // namespace stagecraft

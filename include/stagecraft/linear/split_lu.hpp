@@ -15,6 +15,18 @@ namespace stagecraft {
 template <class T, int N>
 using workspace = std::conditional_t<(N >= 0), std::array<T, (N >= 0 ? N : 0)>, std::vector<T>>;
 
+/// f(std::integral_constant<int, 0>{}), ..., so that the loops inside f have bounds known to the compiler; a
+/// plain loop where N is dynamic.
+template <int N, class F>
+inline void unrolled(int n, F&& f) {
+    if constexpr (N >= 0) {
+        [&]<int... K>(std::integer_sequence<int, K...>) { (f(std::integral_constant<int, K>{}), ...); }
+        (std::make_integer_sequence<int, N>{});
+    } else {
+        for (int k = 0; k < n; ++k) f(k);
+    }
+}
+
 /// N * N, or dynamic.
 template <int N>
 inline constexpr int squared = N >= 0 ? N* N : -1;
@@ -68,15 +80,16 @@ class split_lu {
         const Scalar* a = a_.data();
         for (int k = 0; k < n; ++k)
             if (p_[k] != k) std::swap(x[k], x[p_[k]]);
-        for (int k = 0; k < n; ++k) {
+        unrolled<N>(n, [&](auto k) {
             const Scalar m = x[k];
             for (int i = k + 1; i < n; ++i) x[i] -= a[i + k * n] * m;
-        }
-        for (int k = n - 1; k >= 0; --k) {
+        });
+        unrolled<N>(n, [&](auto step) {
+            const int k = n - 1 - step;
             const Scalar m = x[k] * a[k + k * n];
             x[k] = m;
             for (int i = 0; i < k; ++i) x[i] -= a[i + k * n] * m;
-        }
+        });
     }
 
   private:
@@ -152,14 +165,15 @@ class split_complex_lu {
                 std::swap(x[k], x[p_[k]]);
                 std::swap(y[k], y[p_[k]]);
             }
-        for (int k = 0; k < n; ++k) {
+        unrolled<N>(n, [&](auto k) {
             const Scalar r = x[k], s = y[k];
             for (int i = k + 1; i < n; ++i) {
                 x[i] -= re[i + k * n] * r - im[i + k * n] * s;
                 y[i] -= re[i + k * n] * s + im[i + k * n] * r;
             }
-        }
-        for (int k = n - 1; k >= 0; --k) {
+        });
+        unrolled<N>(n, [&](auto step) {
+            const int k = n - 1 - step;
             const Scalar r = x[k] * re[k + k * n] - y[k] * im[k + k * n];
             const Scalar s = x[k] * im[k + k * n] + y[k] * re[k + k * n];
             x[k] = r;
@@ -168,7 +182,7 @@ class split_complex_lu {
                 x[i] -= re[i + k * n] * r - im[i + k * n] * s;
                 y[i] -= re[i + k * n] * s + im[i + k * n] * r;
             }
-        }
+        });
     }
 
   private:

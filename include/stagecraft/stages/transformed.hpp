@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
@@ -52,8 +53,23 @@ class transformed_stages {
           F_(n, method.stages()),
           yi_(n),
           fi_(n) {
-        for (Eigen::Index k = 0; k < method.gamma.size(); ++k) real_.emplace_back(n);
-        for (Eigen::Index k = 0; k < method.alpha.size(); ++k) complex_.emplace_back(n);
+        const int s = method.stages(), real = static_cast<int>(method.gamma.size());
+        if (real + 2 * static_cast<int>(method.alpha.size()) != s ||
+            method.beta.size() != method.alpha.size())
+            throw std::invalid_argument("integrate: method must bring the s eigenvalues of A^-1");
+        if (Stages > 0 && real != s % 2)
+            throw std::invalid_argument(
+                "integrate: method has several real eigenvalues; use run-time stages");
+        for (int k = 0; k < real; ++k) real_.emplace_back(n);
+        for (int k = 0; k < s / 2 - real / 2; ++k) complex_.emplace_back(n);
+        T_ = make_workspace<Scalar, squared<Stages>>(s * s);
+        T_inverse_ = T_;
+        shift_ = make_workspace<Scalar, Stages>(s);
+        for (int i = 0; i < s; ++i)
+            for (int j = 0; j < s; ++j) {
+                T_[i * s + j] = method.T(i, j);
+                T_inverse_[i * s + j] = method.T_inverse(i, j);
+            }
     }
 
     const tableau_type& method() const { return method_; }
@@ -69,13 +85,18 @@ class transformed_stages {
     /// finite.
     template <class System>
     bool factor(const System& system, const Scalar& h) {
-        for (std::size_t k = 0; k < real_.size(); ++k)
-            if (!factor_shifted(real_[k], system.mass(), system.jacobian(), Scalar(method_.gamma[k] / h)))
-                return false;
-        for (std::size_t k = 0; k < complex_.size(); ++k)
-            if (!factor_shifted(complex_[k], system.mass(), system.jacobian(), Scalar(method_.alpha[k] / h),
-                                Scalar(-method_.beta[k] / h)))
-                return false;
+        const Scalar inverse = Scalar(1) / h;
+        const int real = real_blocks();
+        for (int k = 0; k < real; ++k) {
+            shift_[k] = method_.gamma[k] * inverse;
+            if (!factor_shifted(real_[k], system.mass(), system.jacobian(), shift_[k])) return false;
+        }
+        for (int k = 0; k < complex_blocks(); ++k) {
+            const Scalar a = method_.alpha[k] * inverse, b = -method_.beta[k] * inverse;
+            shift_[real + 2 * k] = a;
+            shift_[real + 2 * k + 1] = b;
+            if (!factor_shifted(complex_[k], system.mass(), system.jacobian(), a, b)) return false;
+        }
         return true;
     }
 
@@ -87,7 +108,7 @@ class transformed_stages {
         using std::sqrt;
         const int s = stages();
         newton_outcome<Scalar> outcome;
-        mix(method_.T_inverse, Z.data(), W_.data());
+        mix(T_inverse_.data(), Z.data(), W_.data());
         Scalar last = Scalar(0);
         for (int k = 0; k < limits.iterations; ++k) {
             for (int i = 0; i < s; ++i) {
@@ -95,12 +116,12 @@ class transformed_stages {
                 system(t + method_.c[i] * h, yi_, fi_);
                 D_.col(i) = fi_;
             }
-            residual(system.mass(), h);
+            residual(system.mass());
             solve_blocks();
             ++solves;
             ++outcome.iterations;
             W_ += F_;
-            mix(method_.T, F_.data(), D_.data());
+            mix(T_.data(), F_.data(), D_.data());
             const Scalar size = norm(D_, weights);
             if (!(size - size == Scalar(0))) {
                 outcome.end = newton_end::non_finite;
@@ -154,37 +175,40 @@ class transformed_stages {
             return n_;
     }
 
+    int real_blocks() const {
+        if constexpr (Stages > 0)
+            return Stages % 2;
+        else
+            return static_cast<int>(real_.size());
+    }
+    int complex_blocks() const { return (stages() - real_blocks()) / 2; }
+
     static Scalar power(Scalar x, int k) {
         Scalar result = Scalar(1);
         for (; k > 0; --k) result *= x;
         return result;
     }
 
-    /// Column k of out := sum_j C(k, j) column j of in.
-    template <class Coefficients>
-    void mix(const Coefficients& C, const Scalar* in, Scalar* out) const {
+    /// Column k of out := sum_j C_kj column j of in, C row by row.
+    void mix(const Scalar* C, const Scalar* in, Scalar* out) const {
         const int n = size(), s = stages();
-        for (int k = 0; k < s; ++k) {
-            Scalar* o = out + k * n;
-            const Scalar first = C(k, 0);
-            for (int i = 0; i < n; ++i) o[i] = first * in[i];
-            for (int j = 1; j < s; ++j) {
-                const Scalar c = C(k, j);
-                for (int i = 0; i < n; ++i) o[i] += c * in[i + j * n];
-            }
+        for (int k = 0; k < s; ++k, C += s, out += n) {
+            for (int i = 0; i < n; ++i) out[i] = C[0] * in[i];
+            for (int j = 1; j < s; ++j)
+                for (int i = 0; i < n; ++i) out[i] += C[j] * in[i + j * n];
         }
     }
 
     /// F := T^-1 f(Y) - (Lambda/h) M W, with f(Y) in D.
     template <class Mass>
-    void residual(const Mass& mass, const Scalar& h) {
+    void residual(const Mass& mass) {
         const int n = size();
-        mix(method_.T_inverse, D_.data(), F_.data());
-        int k = 0;
-        for (std::size_t r = 0; r < real_.size(); ++r, ++k)
-            add_mass_times(mass, Scalar(-method_.gamma[r] / h), W_.data() + k * n, F_.data() + k * n, n);
-        for (std::size_t p = 0; p < complex_.size(); ++p, k += 2) {
-            const Scalar a = -method_.alpha[p] / h, b = -method_.beta[p] / h;
+        mix(T_inverse_.data(), D_.data(), F_.data());
+        const int real = real_blocks();
+        for (int k = 0; k < real; ++k)
+            add_mass_times(mass, Scalar(-shift_[k]), W_.data() + k * n, F_.data() + k * n, n);
+        for (int k = real; k < stages(); k += 2) {
+            const Scalar a = -shift_[k], b = shift_[k + 1];
             const Scalar *w = W_.data() + k * n, *v = w + n;
             Scalar *f = F_.data() + k * n, *g = f + n;
             add_mass_times(mass, a, w, f, n);
@@ -196,11 +220,11 @@ class transformed_stages {
 
     void solve_blocks() {
         const int n = size();
-        int k = 0;
-        for (auto& block : real_) block.solve(F_.data() + n * k++);
-        for (auto& block : complex_) {
-            block.solve(F_.data() + n * k, F_.data() + n * (k + 1));
-            k += 2;
+        const int real = real_blocks();
+        for (int k = 0; k < real; ++k) real_[k].solve(F_.data() + n * k);
+        for (int k = 0; k < complex_blocks(); ++k) {
+            Scalar* x = F_.data() + n * (real + 2 * k);
+            complex_[k].solve(x, x + n);
         }
     }
 
@@ -217,6 +241,8 @@ class transformed_stages {
     }
 
     tableau_type method_;
+    workspace<Scalar, squared<Stages>> T_, T_inverse_;  // row by row
+    workspace<Scalar, Stages> shift_;                   // gamma/h, then alpha/h and -beta/h pair by pair
     int n_;
     std::vector<typename Blocks::real> real_;
     std::vector<typename Blocks::complex> complex_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/stages/transformed.hpp>
@@ -56,8 +57,6 @@ class collocation_step {
         const int s = method.stages();
         if (s < 1 || method.A_inverse.rows() != s || method.c.size() != s)
             throw std::invalid_argument("integrate: method must have at least one stage and a regular A");
-        if (static_cast<int>(method.gamma.size() + 2 * method.alpha.size()) != s)
-            throw std::invalid_argument("integrate: method must have s eigenvalues of A^-1");
         for (int j = 0; j < s; ++j) {
             update_[j] = Scalar(0);
             for (int i = 0; i < s; ++i) update_[j] += method.b[i] * method.A_inverse(i, j);
@@ -101,7 +100,7 @@ class collocation_step {
         }
         const Scalar ratio = h / before->h_;
         const auto& old = *before->nodes_;
-        auto l = make_workspace<Scalar, MaxStages>(old.size);
+        basis_values<Scalar, MaxStages> l(old.size);
         for (int i = 0; i < s; ++i) {
             old.basis(Scalar(1) + stages_.method().c[i] * ratio, l.data());
             Z.col(i) = before->y0_ - y;
@@ -152,7 +151,55 @@ class collocation_step {
         stages_.filter(error, scratch_);
     }
 
+    /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
+    /// weighted norm; 0 < decay <= 1.
+    Scalar decay(const output& now, const vector& weights) {
+        using std::sqrt;
+        if (top_.size() == 0) prepare_decay();
+        Scalar size[2];
+        for (int r = 0; r < 2; ++r) {
+            scratch_ = top_(0, r) * now.z_.col(nodes_.first_column);
+            for (int j = 1; j < nodes_.size; ++j)
+                scratch_ += top_(j, r) * now.z_.col(nodes_.first_column + j);
+            Scalar sum = Scalar(0);
+            for (int i = 0; i < scratch_.size(); ++i) {
+                const Scalar v = scratch_[i] * weights[i];
+                sum += v * v;
+            }
+            size[r] = sqrt(sum);
+        }
+        const Scalar least = Scalar(1) / 10000;
+        if (!(size[1] > Scalar(0))) return Scalar(1);
+        const Scalar q = sqrt(size[0] / size[1]);
+        return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
+    }
+
   private:
+    /// The functionals z -> a_s and z -> a_{s-2}: rows of the inverse of P_k at the nodes {0, c}, where z_0 =
+    /// 0.
+    void prepare_decay() {
+        const int m = nodes_.size + 1;
+        split_lu<Scalar, -1> lu(m);
+        top_.resize(nodes_.size, 2);
+        std::vector<Scalar> row(m);
+        for (int r = 0; r < 2; ++r) {
+            for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
+                const Scalar x = 2 * (j == 0 ? Scalar(0) : nodes_.c[j - 1]) - 1;
+                Scalar before = Scalar(0), p = Scalar(1);
+                for (int k = 0; k < m; ++k) {
+                    lu.entries()[k + j * m] = p;
+                    const Scalar next = ((2 * k + 1) * x * p - k * before) / Scalar(k + 1);
+                    before = p;
+                    p = next;
+                }
+            }
+            lu.factor();
+            for (int k = 0; k < m; ++k) row[k] = Scalar(k == m - 1 - 2 * r ? 1 : 0);
+            lu.solve(row.data());
+            for (int j = 1; j < m; ++j) top_(j - 1, r) = row[j];
+        }
+    }
+
     template <class System>
     void defect(const System& system, const Scalar& h, const vector& f, const output& now, vector& error) {
         scratch_ = (defect_[0] / h) * now.z_.col(0);
@@ -164,6 +211,7 @@ class collocation_step {
     transformed_stages<Scalar, N, Stages, Blocks> stages_;
     interpolation_nodes<Scalar, MaxStages> nodes_;
     Eigen::Matrix<Scalar, Stages, 1> update_, defect_;
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // filled when the order is chosen step by step
     vector scratch_;
     bool stiffly_accurate_ = false, jump_ = false;
     int order_ = 0;

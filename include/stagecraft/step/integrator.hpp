@@ -77,10 +77,16 @@ class integrator {
     bool step() {
         if (finished()) return false;
         if (report_.steps == 0 && !started_ && !start()) return false;
-        return visit_current([this](auto& method) { return attempt(method); });
+        failures_ = 0;
+        obstacle_ = status::step_underflow;
+        for (;;) {
+            const attempt_end ended = visit_current([this](auto& method) { return attempt(method); });
+            if (ended != attempt_end::change_method) return ended == attempt_end::accepted;
+        }
     }
 
   private:
+    enum class attempt_end { accepted, given_up, change_method };
     static constexpr bool variable = method_count<Method> > 1;
 
     template <class F>
@@ -93,9 +99,9 @@ class integrator {
         return most;
     }
     bool fixed() const { return equal_steps_ > 0; }
-    bool end(stagecraft::status s) {
+    attempt_end end(stagecraft::status s) {
         status_ = s;
-        return false;
+        return attempt_end::given_up;
     }
 
     void plan_equal_steps() {
@@ -116,6 +122,7 @@ class integrator {
         detail::visit_at(steps_, k, [&](auto& m) {
             const scalar e = scalar(m.estimate_power()) / scalar(m.order() + 1);
             ratio_[k] = e < scalar(1) ? scalar(10 * pow(options_.rtol, scalar(1) - e)) : scalar(10);
+            if constexpr (variable) order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k]});
         });
     }
 
@@ -152,7 +159,7 @@ class integrator {
         if (need_left_) {
             system_(t_, y_, f0_);
             const scalar size = norm(f0_, scale_);
-            if (!(size - size == scalar(0))) return end(status::non_finite);
+            if (!(size - size == scalar(0))) return end(status::non_finite) == attempt_end::accepted;
         }
         if (fixed()) return true;
         const scalar span = abs(t1_ - t_);
@@ -182,9 +189,9 @@ class integrator {
     }
 
     template <class Step>
-    bool attempt(Step& method);
+    attempt_end attempt(Step& method);
     template <class Step>
-    bool accept(Step& method, const scalar& h, const scalar& t_next, output_type& now);
+    attempt_end accept(Step& method, const scalar& h, const scalar& t_next, output_type& now);
     template <class Step>
     void propose(Step& method, const scalar& h, const scalar& err);
 
@@ -207,7 +214,16 @@ class integrator {
                 negligible_[i] = moved > small ? moved : small;
             }
         }
-        system_.evaluate_jacobian(t_, y_, f0_, negligible_);
+        if (has_output_ && failures_ == 0 && !fixed()) {
+            // Two fifths into the step the Jacobian serves all stages best; not further than the last step
+            // was long, as that is where the state comes from.
+            const scalar last = outputs_[current_].step();
+            const scalar ahead = (abs(h) < abs(last) ? h : last) * 2 / 5;
+            outputs_[current_].evaluate(t_ + ahead, y1_);
+            system_.evaluate_jacobian(t_ + ahead, y1_, f0_, negligible_);
+        } else {
+            system_.evaluate_jacobian(t_, y_, f0_, negligible_);
+        }
         fresh_jacobian_ = true;
         want_jacobian_ = false;
         factored_ = false;
@@ -239,14 +255,10 @@ class integrator {
 /// Attempts until a step is accepted or none can be.
 template <class Method, class Problem, class Vector>
 template <class Step>
-bool integrator<Method, Problem, Vector>::attempt(Step& method) {
+auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
     using std::abs;
-    using std::pow;
     const scalar eps = std::numeric_limits<scalar>::epsilon();
     const int s = method.count();
-    failures_ = 0;
-    obstacle_ = status::step_underflow;
-    bool stagnated = false;
     for (;;) {
         if (attempts_++ >= options_.max_steps) return end(status::too_many_steps);
         scalar h = h_, t_next = t_;
@@ -278,7 +290,7 @@ bool integrator<Method, Problem, Vector>::attempt(Step& method) {
         }
         newton_outcome<scalar> newton;
         if (factored_) {
-            method.guess(has_output_ && !stagnated ? &outputs_[current_] : nullptr, y_, h, now);
+            method.guess(has_output_ && failures_ < 2 ? &outputs_[current_] : nullptr, y_, h, now);
             newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
                                            report_.solves);
         }
@@ -288,7 +300,6 @@ bool integrator<Method, Problem, Vector>::attempt(Step& method) {
                                                                : status::newton_failed;
             ++report_.rejected_newton;
             ++failures_;
-            stagnated = failures_ > 1;
             last_was_rejected_ = true;
             if (!fresh_jacobian_ && !system_.constant_jacobian()) {
                 want_jacobian_ = true;
@@ -296,7 +307,8 @@ bool integrator<Method, Problem, Vector>::attempt(Step& method) {
             }
             if (fixed()) return end(obstacle_);
             h_ = h / 2;
-            factored_ = false;
+            if constexpr (variable)
+                if (failures_ > 1 && order_.newton_failed()) return attempt_end::change_method;
             continue;
         }
         iterations_ = newton.iterations;
@@ -338,8 +350,8 @@ bool integrator<Method, Problem, Vector>::attempt(Step& method) {
 /// Moves to the end of the step and decides whether the Jacobian still serves.
 template <class Method, class Problem, class Vector>
 template <class Step>
-bool integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, const scalar& t_next,
-                                                 output_type& now) {
+auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, const scalar& t_next,
+                                                 output_type& now) -> attempt_end {
     using std::abs;
     for (int i = 0; i < n_; ++i)
         if (!(y1_[i] - y1_[i] == scalar(0))) return end(status::non_finite);
@@ -358,10 +370,10 @@ bool integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     last_was_rejected_ = false;
     fresh_jacobian_ = false;
     set_scale();
-    if (t_ == t1_) return true;
+    if (t_ == t1_) return attempt_end::accepted;
     want_jacobian_ = theta_ > scalar(1) / 1000 && !system_.constant_jacobian();
     if (need_left_ && (!fixed() || want_jacobian_)) system_(t_, y_, f0_);
-    return true;
+    return attempt_end::accepted;
 }
 
 /// The size (and the order) of the next step after one with error err < 1.
@@ -373,6 +385,16 @@ void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h,
     const scalar safety = scalar(9) / scalar(10) * scalar(2 * most + 1) / scalar(2 * most + iterations_);
     scalar factor = controller_.after_accepted(h, err, method.estimate_power(), safety);
     if (last_was_rejected_ && factor > scalar(1)) factor = scalar(1);
+    if constexpr (variable) {
+        if (order_.wants_evidence() && !last_was_rejected_) {
+            const scalar decay = method.decay(outputs_[1 - current_], weights_);
+            const scalar change = order_.decide({h, err, decay, theta_, iterations_}, n_);
+            if (change > scalar(0)) {
+                factor = change;
+                controller_.forget();
+            }
+        }
+    }
     // Keep the factors while the gain from a new step size is small.
     if (theta_ <= scalar(1) / 1000 && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
     h_ = h * factor;
