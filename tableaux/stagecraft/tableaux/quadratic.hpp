@@ -92,15 +92,25 @@ class quadratic {
     quadratic& operator+=(const quadratic& o) {
         const std::uint64_t d = common(o);
         a_ += o.a_;
+        if (o.d_ == 0) return *this;
         b_ += o.b_;
         d_ = b_ == 0 ? 0 : d;
         return *this;
     }
-    quadratic& operator-=(const quadratic& o) { return *this += -o; }
+    quadratic& operator-=(const quadratic& o) {
+        const std::uint64_t d = common(o);
+        a_ -= o.a_;
+        if (o.d_ == 0) return *this;
+        b_ -= o.b_;
+        d_ = b_ == 0 ? 0 : d;
+        return *this;
+    }
     quadratic& operator*=(const quadratic& o) {
         const std::uint64_t d = common(o);
-        if (d == 0) {
+        if (o.d_ == 0) {  // rational numbers pay for rational arithmetic only
             a_ *= o.a_;
+            if (d_ != 0) b_ *= o.a_;
+            d_ = b_ == 0 ? 0 : d_;
             return *this;
         }
         rational a = a_ * o.a_ + rational(d) * b_ * o.b_;
@@ -113,7 +123,7 @@ class quadratic {
     quadratic& operator/=(const quadratic& o) {
         if (o.is_rational()) {
             a_ /= o.a_;
-            b_ /= o.a_;
+            if (d_ != 0) b_ /= o.a_;
             return *this;
         }
         const rational n = o.norm();
@@ -127,6 +137,7 @@ class quadratic {
     friend bool operator==(const quadratic&, const quadratic&) = default;
     /// Order of the real numbers, exact. Throws mixed_surds for two different surds.
     friend std::strong_ordering operator<=>(const quadratic& a, const quadratic& b) {
+        if (a.d_ == 0 && b.d_ == 0) return a.a_ <=> b.a_;
         return (a - b).sign_() <=> 0;
     }
     friend int sign(const quadratic& x) { return x.sign_(); }

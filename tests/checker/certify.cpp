@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE certify
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <sstream>
+#include <stagecraft/tableaux/rational.hpp>
+#include <stagecraft/tableaux/small_solve.hpp>
+#include <stagecraft/theory/matrix_model.hpp>
+#include <stagecraft/theory/tree_table.hpp>
+#include <stagecraft/theory/tree_text.hpp>
+
+#include "certify_once.hpp"
+
+using namespace stagecraft;
+using theory::file_certificate;
+using theory::standing;
+
+namespace {
+
+const std::filesystem::path source = STAGECRAFT_SOURCE_DIR;
+
+file_certificate misprint(const std::string& name) {
+    return certify_once::certify_file(source / "tests/data/misprints" / (name + ".json"));
+}
+
+bool suspected(const file_certificate& c, const std::string& entry, const std::string& suggest) {
+    return std::any_of(c.suspects.begin(), c.suspects.end(),
+                       [&](const auto& s) { return s.entry == entry && s.suggest == suggest; });
+}
+
+bool fails(const file_certificate& c, const std::string& condition, const std::string& residual) {
+    return std::any_of(c.failures.begin(), c.failures.end(),
+                       [&](const auto& f) { return f.condition == condition && f.residual == residual; });
+}
+
+file_certificate judged(const std::string& json) { return certify_once::certify(json); }
+
+// Kutta's method of order 4 with the entry A[3][2] and the claims left open.
+file_certificate rk4(const std::string& entry, const std::string& claims, const std::string& nodes = "") {
+    return judged(R"({"A":[["0","0","0","0"],["1/2","0","0","0"],["0",")" + entry +
+                  R"(","0","0"],["0","0","1","0"]],"b":["1/6","1/3","1/3","1/6"],)" + nodes + R"("claims":)" +
+                  claims + "}");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_catalogue_file_is_free_of_refuted_claims) {
+    int files = 0;
+    for (const auto& f : std::filesystem::directory_iterator(source / "tableaux/catalogue")) {
+        if (f.path().extension() != ".json") continue;
+        ++files;
+        const auto c = certify_once::certify_file(f.path());
+        BOOST_TEST(c.exit_code() == 0, f.path().filename() << ": " << to_text(c));
+    }
+    BOOST_TEST(files >= 60);
+}
+
+BOOST_AUTO_TEST_CASE(a_sign_in_dormand_and_princes_embedded_weights_is_found) {
+    const auto c = misprint("dormand_prince_embedded_sign");
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_TEST(c.find("order")->value.value() == 5);
+    BOOST_TEST(c.find("embedded_order")->value.value() == 0);
+    BOOST_TEST(c.suspects.size() == 1u);
+    BOOST_TEST(suspected(c, "b_embedded[7]", "1/40"));
+}
+
+BOOST_AUTO_TEST_CASE(fehlbergs_3554_is_found) {
+    const auto c = misprint("fehlberg_3554");
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_TEST(c.suspects.size() == 1u);
+    BOOST_TEST(suspected(c, "A[6][3]", "-3544/2565"));
+    BOOST_TEST(fails(c, "sum(A[6]) == c[6]", "-2/513"));
+}
+
+BOOST_AUTO_TEST_CASE(a_misprint_of_1e_8_in_decimals_is_refuted) {
+    const auto c = misprint("tsitouras_off_by_1e_8");
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_TEST(c.suspects.size() == 1u);
+    BOOST_TEST(suspected(c, "A[5][2]", "-11.7488835640628278777471703398"));
+}
+
+BOOST_AUTO_TEST_CASE(order_1_labelled_2_is_refuted_and_no_single_entry_repairs_it) {
+    const auto c = misprint("kraaijevanger_spijker_labelled_2");
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_TEST(c.find("order")->value.value() == 1);
+    BOOST_TEST(fails(c, "dot(b, c) == 1/2", "3/2"));
+    BOOST_TEST(c.suspects.empty());
+    BOOST_TEST(!c.suspects_note.empty());
+}
+
+BOOST_AUTO_TEST_CASE(explicit_euler_labelled_2_without_nodes_has_no_suspect_but_the_midpoint_rule_several) {
+    BOOST_TEST(judged(R"({"A":[["0"]],"b":["1"],"claims":{"order":2}})").suspects.empty());
+    const auto c = judged(R"({"A":[["0","0"],["1/3","0"]],"b":["0","1"],"claims":{"order":2}})");
+    BOOST_TEST(c.suspects.size() == 1u);
+    BOOST_TEST(suspected(c, "A[2][1]", "1/2"));
+    // Two weights, both nodes free: either stage may be moved.
+    const auto d = judged(R"({"A":[["1/4","0"],["1/2","1/4"]],"b":["1/2","1/2"],"claims":{"order":2}})");
+    BOOST_TEST(d.find("order")->value.value() == 2);
+    const auto e = judged(R"({"A":[["1/4","0"],["1/2","1/8"]],"b":["1/2","1/2"],"claims":{"order":2}})");
+    BOOST_TEST(e.suspects.size() == 3u);
+    BOOST_TEST(suspected(e, "A[1][1]", "3/8"));
+}
+
+// Butcher's sixth-order condition that a checker once forgot: all nineteen others hold.
+BOOST_AUTO_TEST_CASE(one_failing_condition_of_order_6_is_enough) {
+    // 37 stages with independent elementary weight vectors for the 37 trees up to order 6: b can be solved
+    // for so that exactly one condition fails, by 1e-9.
+    using tableaux::rational;
+    constexpr int s = 37;
+    tableau<rational> t;
+    t.A.resize(s, s);
+    t.b.resize(s);
+    t.c.resize(s);
+    for (int i = 0; i < s; ++i) {
+        t.c(i) = 0;
+        for (int j = 0; j < s; ++j) {
+            t.A(i, j) = j < i ? rational((7 * i * i + 3 * i * j + 11 * j * j + 5) % 13 - 6, 7) : rational(0);
+            t.c(i) = t.c(i) + t.A(i, j);
+        }
+        t.b(i) = 1;
+    }
+    const theory::matrix_model<rational> model(t);
+    const theory::tree_table trees(6);
+    std::vector<std::vector<rational>> g;
+    tableaux::dense<rational> rows(s, s), right(s, 1);
+    for (std::uint32_t k = 0; k < s; ++k) {
+        const auto& row = trees.view().rows[k];
+        g.push_back(row.order == 1 ? model.one() : model.multiply(g[row.left], model.apply(g[row.right])));
+        for (int i = 0; i < s; ++i) rows(static_cast<int>(k), i) = g.back()[static_cast<std::size_t>(i)];
+        right(static_cast<int>(k), 0) = rational(1, row.density);
+    }
+    for (const int broken : {17, 25, 36}) {  // the first, a middle and the last tree of order 6
+        auto wrong = right;
+        wrong(broken, 0) = right(broken, 0) + rational(1, 1000000007);
+        const auto b = tableaux::solve<rational>(rows, wrong);
+        BOOST_REQUIRE(b.has_value());
+        std::ostringstream json;
+        json << "{\"A\":[";
+        for (int i = 0; i < s; ++i) {
+            json << (i ? ",[" : "[");
+            for (int j = 0; j < s; ++j) json << (j ? ",\"" : "\"") << t.A(i, j) << '"';
+            json << ']';
+        }
+        json << "],\"b\":[";
+        for (int i = 0; i < s; ++i) json << (i ? ",\"" : "\"") << (*b)(i, 0) << '"';
+        json << "],\"claims\":{\"order\":6}}";
+        const auto c = judged(json.str());
+        BOOST_TEST(c.exit_code() == 1);
+        BOOST_TEST(c.find("order")->value.value() == 5);
+        BOOST_TEST(c.failures.size() == 1u);
+        BOOST_TEST(c.failures[0].tree == bracket(trees.view().tree(static_cast<std::uint32_t>(broken))));
+        BOOST_TEST(c.failures[0].residual == "1/1000000007");
+    }
+}
+
+BOOST_AUTO_TEST_CASE(quotients_of_rounded_decimals_are_refuted_and_decimals_consistent) {
+    const auto exact = misprint("prince_dormand_quotients");  // REFERENCE: sum b - 1 = -3.7e-18
+    BOOST_TEST(exact.exit_code() == 1);
+    BOOST_TEST(exact.find("order")->value.value() == 0);
+    BOOST_TEST(exact.find("order")->judgement->reason().find("-3.69e-18") != std::string::npos);
+    const auto decimal = judged(R"({"A":[["0.2113248654","0.0"],["0.5773502692","0.2113248654"]],
+        "b":["0.5","0.5"],"claims":{"order":2}})");
+    BOOST_TEST((decimal.overall() == standing::consistent));
+    BOOST_TEST(decimal.find("order")->value.value() >= 2);
+}
+
+BOOST_AUTO_TEST_CASE(rounded_data_have_the_largest_order_not_refuted) {
+    // Gauss-2 to ten digits: order 4 is consistent, 5 is out of reach of two stages.
+    const std::string A = R"("A":[["0.2500000000","-0.0386751346"],["0.5386751346","0.2500000000"]],)";
+    const std::string b = R"("b":["0.5000000000","0.5000000000"])";
+    const auto c = judged("{" + A + b + R"(,"claims":{"order":4}})");
+    BOOST_TEST((c.overall() == standing::consistent));
+    BOOST_TEST(c.find("order")->value.value() == 4);
+    BOOST_TEST(!c.find("order")->judgement->bound().empty());
+    // One digit off in the tenth place is more than rounding explains.
+    const auto d = judged(R"({"A":[["0.2500000000","-0.0386751356"],["0.5386751346","0.2500000000"]],)" + b +
+                          R"(,"claims":{"order":4}})");
+    BOOST_TEST((d.overall() == standing::refuted));
+    BOOST_TEST(suspected(d, "A[1][2]", "-0.0386751346"));
+}
+
+BOOST_AUTO_TEST_CASE(row_sums_count_as_claimed_where_nodes_are_given) {
+    BOOST_TEST(rk4("1/2", R"({"order":4})").exit_code() == 0);
+    BOOST_TEST(rk4("1/2", R"({"order":4})", R"("c":["0","1/2","1/2","1"],)").exit_code() == 0);
+    const auto wrong = rk4("1/2", R"({"order":4})", R"("c":["0","1/2","1/3","1"],)");
+    BOOST_TEST(wrong.exit_code() == 1);
+    BOOST_TEST(wrong.find("order")->value.value() == 1);  // y' = t^2 sees it
+    BOOST_TEST(wrong.suspects.size() == 1u);
+    BOOST_TEST(suspected(wrong, "c[3]", "1/2"));
+    // Lobatto IIIB with two stages: C(1) does not hold, and the file says so.
+    const std::string iiib =
+        R"({"A":[["1/2","0"],["1/2","0"]],"b":["1/2","1/2"],"c":["0","1"],"claims":{"order":2)";
+    BOOST_TEST(judged(iiib + R"(,"stage_order":0}})").exit_code() == 0);
+    BOOST_TEST(judged(iiib + "}}").exit_code() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(claims_of_properties_are_judged_both_ways) {
+    const std::string midpoint = R"({"A":[["1/2"]],"b":["1"],"claims":)";
+    for (const auto* yes : {"A_stable", "algebraically_stable", "symplectic", "symmetric"}) {
+        BOOST_TEST((judged(midpoint + "{\"" + yes + "\":true}}").overall() == standing::proved));
+        BOOST_TEST((judged(midpoint + "{\"" + yes + "\":false}}").overall() == standing::refuted));
+    }
+    for (const auto* no : {"L_stable", "stiffly_accurate"}) {
+        BOOST_TEST((judged(midpoint + "{\"" + no + "\":true}}").overall() == standing::refuted));
+        BOOST_TEST((judged(midpoint + "{\"" + no + "\":false}}").overall() == standing::proved));
+    }
+    BOOST_TEST(judged(midpoint + R"({"stage_order":1}})").exit_code() == 0);
+    BOOST_TEST(judged(midpoint + R"({"stage_order":2}})").exit_code() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(several_surds_are_enclosed_refuted_or_consistent_but_never_proved) {
+    // SDIRK with gamma = 1 - sqrt(2)/2 and an idle stage with another surd.
+    const auto file = [](const std::string& weight) {
+        return judged(R"x({"A":[["1-sqrt(2)/2","0","0"],["sqrt(2)/2","1-sqrt(2)/2","0"],["sqrt(3)","0","0"]],
+            "b":[")x" +
+                      weight + R"x(","1-sqrt(2)/2","0"],"claims":{"order":2}})x");
+    };
+    BOOST_TEST((file("sqrt(2)/2").overall() == standing::consistent));
+    const auto wrong = file("sqrt(2)/2+10^-60");
+    BOOST_TEST((wrong.overall() == standing::refuted));
+    BOOST_TEST(wrong.data == "exact, enclosed");
+}
+
+BOOST_AUTO_TEST_CASE(a_lone_wrong_surd_or_decimal_is_repaired_exactly) {
+    const auto gauss = [](const std::string& entry) {
+        return judged(
+            R"({"A":[["1/4","1/4-sqrt(3)/6"],[")" + entry +
+            R"(","1/4"]],"b":["1/2","1/2"],"c":["1/2-sqrt(3)/6","1/2+sqrt(3)/6"],"claims":{"order":4}})");
+    };
+    BOOST_TEST(gauss("1/4+sqrt(3)/6").exit_code() == 0);
+    for (const auto* wrong : {"1/4+sqrt(2)/6", "0.5397", "1/4-sqrt(3)/6"})
+        BOOST_TEST(suspected(gauss(wrong), "A[2][1]", "1/4+1/6*sqrt(3)"));
+    const auto rational = rk4("0.51", R"({"order":4})", R"("c":["0","1/2","1/2","1"],)");
+    BOOST_TEST(suspected(rational, "A[3][2]", "1/2"));
+}
+
+BOOST_AUTO_TEST_CASE(the_command_gives_0_1_or_2) {
+    std::string out, err;
+    const std::string good = R"({"A":[["1/2"]],"b":["1"],"claims":{"order":2}})";
+    const std::string bad = R"({"A":[["1/2"]],"b":["1"],"claims":{"order":3}})";
+    BOOST_TEST(certify_once::exit_code(good, true, out, err) == 0);
+    const auto json = nlohmann::json::parse(out);
+    BOOST_TEST(json["order"]["value"] == 2);
+    BOOST_TEST(json["order"]["claim"] == "proved");
+    BOOST_TEST(json["suspects"].empty());
+    BOOST_TEST(certify_once::exit_code(bad, true, out, err) == 1);
+    const auto refuted = nlohmann::json::parse(out);
+    BOOST_TEST(refuted["failures"][0]["tree"] == "[[tau]]");
+    BOOST_TEST(refuted["failures"][0]["condition"] == "dot(b, A*c) == 1/6");
+    BOOST_TEST(refuted["failures"][0]["residual"] == "1/12");
+    BOOST_TEST(err.empty());
+    BOOST_TEST(certify_once::exit_code("{", false, out, err) == 2);
+    BOOST_TEST(err == "line 1: not JSON: the text ends too early\n");
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stagecraft/theory/file_certificate.hpp>
+#include <string>
+#include <string_view>
+
+/// The checker, compiled once for all tests of it.
+namespace certify_once {
+
+/// theory::certify of a tableau given as JSON text. Throws tableaux::unusable_input.
+stagecraft::theory::file_certificate certify(std::string_view text);
+/// The same for a file.
+stagecraft::theory::file_certificate certify_file(const std::string& path);
+/// theory::certify_text: what the command prints, and its exit code.
+int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err);
+
+}  // namespace certify_once
