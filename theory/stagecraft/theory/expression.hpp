@@ -132,8 +132,10 @@ constexpr auto operator==(L l, R r) {
                   "an equation of unlike things: numbers, stage vectors and rows do not mix");
     return equation<L, R>{l, r};
 }
-template <number_expression L>
+template <expression L>
 constexpr auto operator==(L l, right_hand_side r) {
+    static_assert(number_expression<L>,
+                  "an equation of unlike things: only a number such as dot(b, v) equals one");
     return equation<L, constant>{l, {r.value}};
 }
 

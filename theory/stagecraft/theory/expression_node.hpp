@@ -64,7 +64,8 @@ constexpr ill_formed operator==(ill_formed, X) {
 // Not constexpr: a compiler that must call it prints its name.
 inline void zero_may_be_a_truncated_quotient_write_1_over_15_q_or_0_q() {}
 
-// Statements about all u and v are decided on a basis, so every term must be linear in each.
+// Statements about all u and v are decided on a basis, so every term must be linear in each. The nodes assert
+// `free < 4` because a static member of a template is looked at only when it is used.
 template <unsigned Left, unsigned Right>
 constexpr unsigned free_in_product() {
     static_assert((Left & Right) == 0,
@@ -174,6 +175,7 @@ template <vector_expression U, vector_expression V>
 struct product {  // pointwise
     static constexpr sorts sort = sorts::vector;
     static constexpr unsigned free = detail::free_in_product<U::free, V::free>();
+    static_assert(free < 4);
     U left;
     V right;
     template <stage_algebra M>
@@ -185,6 +187,7 @@ template <int N, vector_expression V>
 struct power {  // pointwise, N >= 2
     static constexpr sorts sort = sorts::vector;
     static constexpr unsigned free = detail::free_in_product<V::free, V::free>();
+    static_assert(free < 4);
     V base;
     template <stage_algebra M>
     constexpr element_of<M> in(const M& m, const bindings<M>& any) const {
@@ -211,6 +214,7 @@ template <row_expression F, vector_expression V>
 struct weighted_row {  // pointwise
     static constexpr sorts sort = sorts::row;
     static constexpr unsigned free = detail::free_in_product<F::free, V::free>();
+    static_assert(free < 4);
     F row;
     V by;
     template <stage_algebra M>
@@ -242,6 +246,7 @@ template <row_expression F, vector_expression V>
 struct pairing {  // dot(f, v)
     static constexpr sorts sort = sorts::number;
     static constexpr unsigned free = detail::free_in_product<F::free, V::free>();
+    static_assert(free < 4);
     F row;
     V vector;
     template <stage_algebra M>
@@ -258,6 +263,7 @@ template <number_expression X, expression Y>
 struct multiple {  // a number times a number, a vector or a row
     static constexpr sorts sort = Y::sort;
     static constexpr unsigned free = detail::free_in_product<X::free, Y::free>();
+    static_assert(free < 4);
     X factor;
     Y argument;
     template <stage_algebra M>
@@ -269,6 +275,7 @@ template <expression X, expression Y, int Sign>
 requires(X::sort == Y::sort) struct sum {  // X + Y or X - Y
     static constexpr sorts sort = X::sort;
     static constexpr unsigned free = detail::free_in_sum<X::free, Y::free>();
+    static_assert(free < 4);
     X left;
     Y right;
     template <stage_algebra M>
@@ -284,6 +291,7 @@ requires(X::sort == Y::sort) struct sum {  // X + Y or X - Y
 template <expression L, expression R>
 requires(L::sort == R::sort) struct equation {
     static constexpr unsigned free = detail::free_in_sum<L::free, R::free>();
+    static_assert(free < 4);
     L left;
     R right;
 };

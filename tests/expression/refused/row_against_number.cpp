@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSL-1.0
+// says: an equation of unlike things
+#include <stagecraft/theory/expression.hpp>
+
+using namespace stagecraft::theory::symbols;
+
+#ifdef RIGHT
+constexpr auto e = dot(b, c) == 1 / 2_q;
+#else
+constexpr auto e = b * c == 1 / 2_q;
+#endif
