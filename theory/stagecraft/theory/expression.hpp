@@ -165,11 +165,16 @@ constexpr auto evaluate(const E& e, const M& m) {
 template <class L, class R, stage_algebra M, class F>
 constexpr void for_each_residual(const equation<L, R>& e, const M& m, F&& f) {
     const auto visit = [&](const bindings<M>& any) {
-        const auto r = sum<L, R, -1>{e.left, e.right}.in(m, any);
-        if constexpr (L::sort == sorts::number)
-            f(r);
-        else
-            for (const scalar_of<M>& x : r) f(x);
+        if constexpr (std::is_same_v<R, constant>) {  // (left d - n)/d: 1/d is not exact in every model
+            const exact_number& q = e.right.value;
+            const scalar_of<M> d(detail::part(q.denominator())), n(detail::part(q.numerator()));
+            f((e.left.in(m, any) * d - n) / d);
+        } else if constexpr (L::sort == sorts::number) {
+            f(e.left.in(m, any) - e.right.in(m, any));
+        } else {
+            const element_of<M> difference = sum<L, R, -1>{e.left, e.right}.in(m, any);
+            for (const scalar_of<M>& x : difference) f(x);
+        }
     };
     constexpr unsigned free = equation<L, R>::free;
     if constexpr (free == 0) {
@@ -177,7 +182,7 @@ constexpr void for_each_residual(const equation<L, R>& e, const M& m, F&& f) {
     } else {
         for (int k = 0; k < ((free & 1U) != 0 ? m.stages() : 1); ++k) {
             for (int l = 0; l < ((free & 2U) != 0 ? m.stages() : 1); ++l) {
-                const element_of<M> u = m.basis(k), v = m.basis(l);
+                const element_of<M> u = basis_vector(m, k), v = basis_vector(m, l);
                 visit({&u, &v});
             }
         }

@@ -36,18 +36,16 @@ struct bindings {
     const element_of<M>* v = nullptr;
 };
 
-/// An exact number in the scalars K of a model. Throws std::overflow_error beyond 64 bits.
-template <class K>
-constexpr K number_in(const exact_number& q) {
-    constexpr auto bound = std::numeric_limits<std::int64_t>::max();
-    if (q.numerator() > bound || q.numerator() < -bound || q.denominator() > bound)
-        throw std::overflow_error("number_in: a number in an expression needs more than 64 bits");
-    return ratio<K>(static_cast<std::int64_t>(q.numerator()), static_cast<std::int64_t>(q.denominator()));
-}
-
 namespace detail {
 template <class>
 inline constexpr bool never = false;
+
+constexpr std::int64_t part(tableaux::int128 n) {
+    constexpr auto bound = std::numeric_limits<std::int64_t>::max();
+    if (n > bound || n < -bound)
+        throw std::overflow_error("a number in an expression needs more than 64 bits");
+    return static_cast<std::int64_t>(n);
+}
 struct ill_formed {};  // what an ambiguous product gives, so that one mistake is reported once
 template <class X>
 constexpr ill_formed operator*(ill_formed, X) {
@@ -79,28 +77,37 @@ constexpr unsigned free_in_sum() {
     return Left;
 }
 
-// b^T A-like rows without a type of their own: a model whose bilinear form b^T(u v) is regular keeps the row
-// v -> b^T (f v) as the stage vector f, and A^T as the adjoint of A in that form.
+// Rows by their values on the basis, where the model has no quicker way.
 template <stage_algebra M>
 constexpr element_of<M> weights(const M& m) {
     if constexpr (requires { m.weights(); })
         return m.weights();
     else
-        return m.one();
+        return row_of(m, [&](const element_of<M>& u) { return m.dot_b(u); });
 }
 template <stage_algebra M>
-constexpr scalar_of<M> pair(const M& m, const element_of<M>& row, const element_of<M>& v) {
-    if constexpr (requires { m.pair(row, v); })
-        return m.pair(row, v);
+constexpr element_of<M> weigh(const M& m, const element_of<M>& row, const element_of<M>& v) {
+    if constexpr (requires { m.weigh(row, v); })
+        return m.weigh(row, v);
     else
-        return inner(m, row, v);
+        return row_of(m, [&](const element_of<M>& u) { return pair(m, row, m.multiply(v, u)); });
 }
 template <stage_algebra M>
 constexpr element_of<M> apply_transposed(const M& m, const element_of<M>& row) {
     if constexpr (requires { m.apply_transposed(row); })
         return m.apply_transposed(row);
     else
-        return m.apply_adjoint(row);
+        return row_of(m, [&](const element_of<M>& u) { return pair(m, row, m.apply(u)); });
+}
+// x n/d in this order: integers are exact in every model, quotients of integers are not.
+template <stage_algebra M>
+constexpr void multiply_by(const M&, const exact_number& q, scalar_of<M>& x) {
+    x *= scalar_of<M>(part(q.numerator()));
+    if (q.denominator() != 1) x /= scalar_of<M>(part(q.denominator()));
+}
+template <stage_algebra M>
+constexpr void multiply_by(const M& m, const exact_number& q, element_of<M>& u) {
+    for (auto& x : u) multiply_by(m, q, x);
 }
 template <stage_algebra M>
 constexpr scalar_of<M> add(const M&, const scalar_of<M>& x, const scalar_of<M>& y) {
@@ -219,7 +226,7 @@ struct weighted_row {  // pointwise
     V by;
     template <stage_algebra M>
     constexpr element_of<M> in(const M& m, const bindings<M>& any) const {
-        return m.multiply(row.in(m, any), by.in(m, any));
+        return detail::weigh(m, row.in(m, any), by.in(m, any));
     }
 };
 template <row_expression F>
@@ -239,7 +246,7 @@ struct constant {
     exact_number value;
     template <stage_algebra M>
     constexpr scalar_of<M> in(const M&, const bindings<M>&) const {
-        return number_in<scalar_of<M>>(value);
+        return ratio<scalar_of<M>>(detail::part(value.numerator()), detail::part(value.denominator()));
     }
 };
 template <row_expression F, vector_expression V>
@@ -256,7 +263,7 @@ struct pairing {  // dot(f, v)
         else if constexpr (std::is_same_v<F, last_stage>)
             return m.at_last(vector.in(m, any));
         else
-            return detail::pair(m, row.in(m, any), vector.in(m, any));
+            return pair(m, row.in(m, any), vector.in(m, any));
     }
 };
 template <number_expression X, expression Y>
@@ -268,7 +275,13 @@ struct multiple {  // a number times a number, a vector or a row
     Y argument;
     template <stage_algebra M>
     constexpr auto in(const M& m, const bindings<M>& any) const {
-        return detail::scale(m, factor.in(m, any), argument.in(m, any));
+        if constexpr (std::is_same_v<X, constant>) {
+            auto value = argument.in(m, any);
+            detail::multiply_by(m, factor.value, value);
+            return value;
+        } else {
+            return detail::scale(m, factor.in(m, any), argument.in(m, any));
+        }
     }
 };
 template <expression X, expression Y, int Sign>

@@ -16,7 +16,7 @@ namespace stagecraft::theory {
 /// The stage algebra of a tableau as it stands: stage vectors are s numbers, the product is pointwise, A is a
 /// matrix. K is any commutative ring (double, wide floats, enclosures, exact fields). With `Stages` fixed
 /// everything is `constexpr` and lives in arrays; otherwise in std::vector.
-/// Functionals (rows) are s numbers too: u^T v is `pair(u, v)`.
+/// Rows are s numbers too.
 template <class K, int Stages = dynamic>
 class matrix_model {
     static constexpr bool fixed = Stages != dynamic;
@@ -27,7 +27,6 @@ class matrix_model {
   public:
     using scalar = K;
     using element = storage<size_hint>;
-    using functional = element;
 
     /// From rows of A, weights and nodes; `constexpr`, for proofs by static_assert.
     constexpr matrix_model(const std::array<std::array<K, size_hint>, size_hint>& rows,
@@ -96,19 +95,19 @@ class matrix_model {
         return r;
     }
 
-    /// b as a functional; f∘v, the functional u -> f^T (v u); A^T f; f^T v; the value in the last stage.
-    constexpr const functional& weights() const { return b_; }
-    constexpr functional weigh(functional f, const element& v) const { return multiply(std::move(f), v); }
-    constexpr functional apply_transposed(const functional& f) const {
+    /// The row b^T; the row u -> f^T (v u); A^T f; f^T v; the value in the last stage.
+    constexpr const element& weights() const { return b_; }
+    constexpr element weigh(element f, const element& v) const { return multiply(std::move(f), v); }
+    constexpr element apply_transposed(const element& f) const {
         const std::size_t s = f.size();
-        functional r = zero();
+        element r = zero();
         for (std::size_t j = 0; j < s; ++j) {
             r[j] = A_[j * s] * f[0];
             for (std::size_t i = 1; i < s; ++i) r[j] += A_[j * s + i] * f[i];
         }
         return r;
     }
-    constexpr K pair(const functional& f, const element& v) const {
+    constexpr K pair(const element& f, const element& v) const {
         K r = f[0] * v[0];
         for (std::size_t i = 1; i < v.size(); ++i) r += f[i] * v[i];
         return r;
@@ -118,12 +117,6 @@ class matrix_model {
     constexpr element reflect(const element& v) const {
         element r = v;
         for (std::size_t i = 0; i < v.size(); ++i) r[i] = v[v.size() - 1 - i];
-        return r;
-    }
-    /// The k-th unit vector, 0 <= k < s. A statement about all stage vectors is one about a basis.
-    constexpr element basis(int k) const {
-        element r = zero();
-        r[static_cast<std::size_t>(k)] = K(1);
         return r;
     }
 
@@ -141,7 +134,7 @@ class matrix_model {
     storage<size_hint * size_hint> A_{};  // by columns
     element b_{};
     element c_{};
-    functional bA_{};
+    element bA_{};
 };
 
 template <class K, int Stages>

@@ -14,9 +14,12 @@ namespace stagecraft::theory {
 
 /// What the theory needs of a Runge-Kutta method, and all it needs: a stage vector is a function on the
 /// nodes, and a method is the vector 1, the nodes c, the pointwise product, the map A and the functional b^T.
-/// `scalar` is a commutative ring with 1, `element` a stage vector (a regular value).
+/// `scalar` is a commutative ring with 1. `element` is a stage vector, a regular value, kept as its
+/// `stages()` coordinates in some basis of the functions on the nodes: sums and multiples go coordinate by
+/// coordinate, products need not.
 template <class M>
-concept stage_algebra = requires(const M& m, const typename M::element& u, const typename M::element& v) {
+concept stage_algebra = requires(const M& m, const typename M::element& u, const typename M::element& v,
+                                 typename M::element& w) {
     typename M::scalar;
     { m.stages() } -> std::convertible_to<int>;
     { m.one() } -> std::convertible_to<typename M::element>;
@@ -24,6 +27,8 @@ concept stage_algebra = requires(const M& m, const typename M::element& u, const
     { m.multiply(u, v) } -> std::convertible_to<typename M::element>;
     { m.apply(u) } -> std::convertible_to<typename M::element>;
     { m.dot_b(u) } -> std::convertible_to<typename M::scalar>;
+    { *u.begin() } -> std::convertible_to<typename M::scalar>;
+    { *w.begin() } -> std::same_as<typename M::scalar&>;
 };
 
 template <stage_algebra M>
@@ -49,27 +54,27 @@ constexpr K ratio(std::int64_t numerator, std::int64_t denominator) {
     return denominator == 1 ? K(numerator) : K(numerator) / K(denominator);
 }
 
-/// u + v. A model may bring its own `add`; otherwise stage vectors are ranges of scalars.
+/// u + v.
 template <stage_algebra M>
-constexpr element_of<M> add(const M& m, element_of<M> u, const element_of<M>& v) {
-    if constexpr (requires { m.add(u, v); }) {
-        return m.add(u, v);
-    } else {
-        auto i = v.begin();
-        for (auto& x : u) x += *i++;
-        return u;
-    }
+constexpr element_of<M> add(const M&, element_of<M> u, const element_of<M>& v) {
+    auto i = v.begin();
+    for (auto& x : u) x += *i++;
+    return u;
 }
 
-/// k u. A model may bring its own `scale`.
+/// k u.
 template <stage_algebra M>
-constexpr element_of<M> scale(const M& m, const scalar_of<M>& k, element_of<M> u) {
-    if constexpr (requires { m.scale(k, u); }) {
-        return m.scale(k, u);
-    } else {
-        for (auto& x : u) x *= k;
-        return u;
-    }
+constexpr element_of<M> scale(const M&, const scalar_of<M>& k, element_of<M> u) {
+    for (auto& x : u) x *= k;
+    return u;
+}
+
+/// The k-th basis vector, 0 <= k < stages().
+template <stage_algebra M>
+constexpr element_of<M> basis_vector(const M& m, int k) {
+    element_of<M> u = m.one();
+    for (auto& x : u) x = k-- == 0 ? scalar_of<M>(1) : scalar_of<M>(0);
+    return u;
 }
 
 /// b^T (u v), the bilinear form of the quadrature. A model may bring a cheaper `inner` of its own (in the
@@ -89,6 +94,26 @@ constexpr scalar_of<M> dot_b_apply(const M& m, const element_of<M>& v) {
         return m.dot_b_apply(v);
     else
         return m.dot_b(m.apply(v));
+}
+
+// Rows, that is functionals on stage vectors, are kept as their values on the basis.
+
+/// f^T v.
+template <stage_algebra M>
+constexpr scalar_of<M> pair(const M&, const element_of<M>& f, const element_of<M>& v) {
+    scalar_of<M> sum(0);
+    auto i = v.begin();
+    for (const auto& x : f) sum += x * *i++;
+    return sum;
+}
+
+/// The row whose value on u is functional(u).
+template <stage_algebra M, class Functional>
+constexpr element_of<M> row_of(const M& m, const Functional& functional) {
+    element_of<M> f = m.one();
+    int k = 0;
+    for (auto& x : f) x = functional(basis_vector(m, k++));
+    return f;
 }
 
 }  // namespace stagecraft::theory

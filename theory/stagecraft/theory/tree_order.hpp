@@ -106,7 +106,7 @@ constexpr bool has_order(const M& model) {
     tree_weights<M> walk(model, trees.view(), P);
     while (walk.advance())
         for (const auto& weight : walk.weights())
-            if (not_zero{}(weight - ratio<scalar_of<M>>(1, walk.order()))) return false;
+            if (not_zero{}(weight * scalar_of<M>(walk.order()) - scalar_of<M>(1))) return false;
     return true;
 }
 
@@ -139,7 +139,7 @@ error_terms<scalar_of<M>> local_error_terms(const M& model, int n) {
     error_terms<K> result{n, {}, K(0)};
     for (std::size_t i = 0; i < walk.weights().size(); ++i) {
         const auto row = walk.first_row() + static_cast<std::uint32_t>(i);
-        K e = walk.residual(i) * ratio<K>(1, trees.view().rows[row].symmetry);
+        K e = walk.residual(i) / K(trees.view().rows[row].symmetry);
         result.norm_squared += e * e;
         result.terms.push_back({trees.view().tree(row), std::move(e)});
     }

@@ -83,7 +83,7 @@ class tree_weights {
     /// Elementary weight minus 1/gamma, for tree number i of `order()`: what the order condition leaves.
     constexpr scalar residual(std::size_t i) const {
         const tree_row& t = trees_.rows[first_row() + i];
-        return (weights_[i] - ratio<scalar>(1, order_)) * ratio<scalar>(order_, t.density);
+        return (weights_[i] * scalar(order_) - scalar(1)) / scalar(t.density);
     }
 
     /// Goes on to the next order; false when `max_order` has been reached.
@@ -138,7 +138,7 @@ class tree_weights {
             }
         } else if constexpr (has_functionals) {
             // The smallest of two or more children has at most (order - 1)/2 vertices: few weighted vectors.
-            std::vector<typename M::functional> weighted;
+            std::vector<element> weighted;
             for (std::uint32_t r = 0; r < trees_.first[(order_ - 1) / 2 + 1]; ++r)
                 weighted.push_back(model_->weigh(model_->weights(), g(trees_.planted(r))));
             for (std::uint32_t t = first; t < first + count; ++t) {
