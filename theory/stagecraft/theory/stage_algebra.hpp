@@ -77,16 +77,6 @@ constexpr element_of<M> basis_vector(const M& m, int k) {
     return u;
 }
 
-/// b^T (u v), the bilinear form of the quadrature. A model may bring a cheaper `inner` of its own (in the
-/// shifted Legendre basis it is diagonal: s products instead of a product modulo w).
-template <stage_algebra M>
-constexpr scalar_of<M> inner(const M& m, const element_of<M>& u, const element_of<M>& v) {
-    if constexpr (requires { m.inner(u, v); })
-        return m.inner(u, v);
-    else
-        return m.dot_b(m.multiply(u, v));
-}
-
 /// b^T A v. A model may bring `dot_b_apply` of its own (a matrix model keeps the row b^T A).
 template <stage_algebra M>
 constexpr scalar_of<M> dot_b_apply(const M& m, const element_of<M>& v) {
@@ -105,6 +95,19 @@ constexpr scalar_of<M> pair(const M&, const element_of<M>& f, const element_of<M
     auto i = v.begin();
     for (const auto& x : f) sum += x * *i++;
     return sum;
+}
+
+/// b^T (u v), the bilinear form of the quadrature. A model may bring a cheaper `inner` of its own, or its
+/// matrix `gram()` (in the shifted Legendre basis of Gauss, Radau and Lobatto it is diagonal: s products
+/// instead of a product modulo w).
+template <stage_algebra M>
+constexpr scalar_of<M> inner(const M& m, const element_of<M>& u, const element_of<M>& v) {
+    if constexpr (requires { m.inner(u, v); })
+        return m.inner(u, v);
+    else if constexpr (requires { element_of<M>(m.gram() * v); })
+        return pair(m, u, m.gram() * v);
+    else
+        return m.dot_b(m.multiply(u, v));
 }
 
 /// The row whose value on u is functional(u).

@@ -119,13 +119,14 @@ class tree_weights {
         else
             return elements_[row];
     }
+    // (No ?: below: g++ 12 destroys its class results twice in constant expressions.)
     constexpr element vector_of(const tree_row& t) const {
-        return t.left == 0 ? scale(*model_, scalar(order_ - 1), model_->apply(g(t.right)))
-                           : model_->multiply(g(t.left), g(trees_.planted(t.right)));
+        if (t.left == 0) return scale(*model_, scalar(order_ - 1), model_->apply(g(t.right)));
+        return model_->multiply(g(t.left), g(trees_.planted(t.right)));
     }
     constexpr scalar weight_of(const tree_row& t) const {
-        return t.left == 0 ? scalar(order_ - 1) * dot_b_apply(*model_, g(t.right))
-                           : inner(*model_, g(t.left), g(trees_.planted(t.right)));
+        if (t.left == 0) return scalar(order_ - 1) * dot_b_apply(*model_, g(t.right));
+        return inner(*model_, g(t.left), g(trees_.planted(t.right)));
     }
 
     constexpr void advance_directly(std::uint32_t count) {
