@@ -46,6 +46,22 @@ std::vector<tree_residual<scalar_of<M>>> order_residuals(const M& model, int max
     return all;
 }
 
+namespace detail {
+
+// Appends the conditions of the walk's order that fail.
+template <stage_algebra M, class Fails>
+void append_failing(const tree_weights<M>& walk, const tree_view& trees, Fails fails,
+                    std::vector<tree_residual<scalar_of<M>>>& failing) {
+    for (std::size_t i = 0; i < walk.weights().size(); ++i) {
+        if constexpr (exact_scalar<scalar_of<M>>)
+            if (!not_zero{}(walk.defect(i))) continue;  // spares a division
+        if (auto r = walk.residual(i); fails(r))
+            failing.push_back({trees.tree(walk.first_row() + static_cast<std::uint32_t>(i)), std::move(r)});
+    }
+}
+
+}  // namespace detail
+
 /// The conditions up to order `max_order` that fail, with their residuals. `fails(residual)` decides; over
 /// exact fields that is "not zero". Throws std::invalid_argument for an order outside 1..20.
 template <stage_algebra M, class Fails = not_zero>
@@ -53,11 +69,7 @@ std::vector<tree_residual<scalar_of<M>>> failing_conditions(const M& model, int 
     const tree_table trees(max_order);
     tree_weights<M> walk(model, trees.view(), max_order);
     std::vector<tree_residual<scalar_of<M>>> failing;
-    while (walk.advance())
-        for (std::size_t i = 0; i < walk.weights().size(); ++i)
-            if (auto r = walk.residual(i); fails(r))
-                failing.push_back(
-                    {trees.view().tree(walk.first_row() + static_cast<std::uint32_t>(i)), std::move(r)});
+    while (walk.advance()) detail::append_failing(walk, trees.view(), fails, failing);
     return failing;
 }
 
@@ -89,10 +101,7 @@ order_result<scalar_of<M>> order_of(const M& model, int max_order, Fails fails =
         tree_weights<M> walk(model, trees.view(), reach);
         while (result.failing.empty() && walk.advance()) {
             if (walk.order() <= result.order) continue;
-            for (std::size_t i = 0; i < walk.weights().size(); ++i)
-                if (auto r = walk.residual(i); fails(r))
-                    result.failing.push_back(
-                        {trees.view().tree(walk.first_row() + static_cast<std::uint32_t>(i)), std::move(r)});
+            detail::append_failing(walk, trees.view(), fails, result.failing);
             if (result.failing.empty()) result.order = walk.order();
         }
     }
@@ -105,8 +114,8 @@ constexpr bool has_order(const M& model) {
     constexpr fixed_tree_table<P> trees;
     tree_weights<M> walk(model, trees.view(), P);
     while (walk.advance())
-        for (const auto& weight : walk.weights())
-            if (not_zero{}(weight * scalar_of<M>(walk.order()) - scalar_of<M>(1))) return false;
+        for (std::size_t i = 0; i < walk.weights().size(); ++i)
+            if (not_zero{}(walk.defect(i))) return false;
     return true;
 }
 

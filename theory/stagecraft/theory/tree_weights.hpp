@@ -80,10 +80,12 @@ class tree_weights {
     /// The normalised weights gamma(t)/|t| b^T g(t) of the trees of `order()`, in the order of the table.
     constexpr const std::vector<scalar>& weights() const { return weights_; }
 
-    /// Elementary weight minus 1/gamma, for tree number i of `order()`: what the order condition leaves.
+    /// gamma times elementary weight, minus 1, for tree number i of `order()`: zero where its condition
+    /// holds.
+    constexpr scalar defect(std::size_t i) const { return weights_[i] * scalar(order_) - scalar(1); }
+    /// Elementary weight minus 1/gamma: what the order condition leaves.
     constexpr scalar residual(std::size_t i) const {
-        const tree_row& t = trees_.rows[first_row() + i];
-        return (weights_[i] * scalar(order_) - scalar(1)) / scalar(t.density);
+        return defect(i) / scalar(trees_.rows[first_row() + i].density);
     }
 
     /// Goes on to the next order; false when `max_order` has been reached.
@@ -122,7 +124,7 @@ class tree_weights {
     // (No ?: below: g++ 12 destroys its class results twice in constant expressions.)
     constexpr element vector_of(const tree_row& t) const {
         if (t.left == 0) return scale(*model_, scalar(order_ - 1), model_->apply(g(t.right)));
-        return model_->multiply(g(t.left), g(trees_.planted(t.right)));
+        return model_->multiply(g(trees_.planted(t.right)), g(t.left));  // the simpler factor first
     }
     constexpr scalar weight_of(const tree_row& t) const {
         if (t.left == 0) return scalar(order_ - 1) * dot_b_apply(*model_, g(t.right));
