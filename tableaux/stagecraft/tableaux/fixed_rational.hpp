@@ -106,8 +106,9 @@ class fixed_rational {
     std::string str() const {
         return denominator_ == 1 ? decimal(numerator_) : decimal(numerator_) + "/" + decimal(denominator_);
     }
-    template <class Stream>
-    friend Stream& operator<<(Stream& out, const fixed_rational& r) {
+    template <class Traits>
+    friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
+                                                        const fixed_rational& r) {
         out << r.str();
         return out;
     }

@@ -4,6 +4,7 @@
 #include <stagecraft/theory/tree_weights.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -19,15 +20,32 @@ struct tree_residual {
     K residual;
 };
 
-/// The criterion of exact arithmetic: a condition fails when its residual is not zero. Floating and enclosing
-/// scalars have no such criterion by themselves; pass one that says what is certain about a residual there.
+/// The criterion of exact arithmetic: a residual is not zero. It does not compile over rounded scalars.
 struct not_zero {
     template <class K>
     constexpr bool operator()(const K& residual) const {
-        static_assert(exact_scalar<K>,
-                      "over rounded scalars a residual is never exactly zero: pass a criterion, a callable "
-                      "bool(const K& residual) that is true where the condition certainly fails");
+        static_assert(exact_scalar<K>, "over rounded scalars no computed residual proves an equality");
         return !(residual == K(0));
+    }
+};
+
+/// Whether a residual certainly differs from zero: exactly so over exact fields, and where the scalar brings
+/// `certainly_nonzero` (enclosures) by that. Floating scalars have no such criterion by themselves; pass one
+/// that says what rounding explains. What does not fail certainly is not refuted, and no more than that.
+struct certainly_fails {
+    template <class K>
+    constexpr bool operator()(const K& residual) const {
+        if constexpr (exact_scalar<K>) {
+            return !(residual == K(0));
+        } else if constexpr (requires { certainly_nonzero(residual); }) {
+            return certainly_nonzero(residual);
+        } else {
+            static_assert(
+                !std::same_as<K, K>,
+                "over floating scalars pass a criterion: a callable bool(const K& residual) that is "
+                "true where the condition certainly fails");
+            return false;
+        }
     }
 };
 
@@ -62,9 +80,9 @@ void append_failing(const tree_weights<M>& walk, const tree_view& trees, Fails f
 
 }  // namespace detail
 
-/// The conditions up to order `max_order` that fail, with their residuals. `fails(residual)` decides; over
-/// exact fields that is "not zero". Throws std::invalid_argument for an order outside 1..20.
-template <stage_algebra M, class Fails = not_zero>
+/// The conditions up to order `max_order` that fail, with their residuals. `fails(residual)` decides, by
+/// default `certainly_fails`. Throws std::invalid_argument for an order outside 1..20.
+template <stage_algebra M, class Fails = certainly_fails>
 std::vector<tree_residual<scalar_of<M>>> failing_conditions(const M& model, int max_order, Fails fails = {}) {
     const tree_table trees(max_order);
     tree_weights<M> walk(model, trees.view(), max_order);
@@ -89,7 +107,7 @@ struct order_result {
 /// order at most 2s (lecture, Lemma 2.6), so `max_order` = 2s + 1 settles the order. The conditions are those
 /// of autonomous systems; others need the row sums A 1 = c besides.
 /// Throws std::invalid_argument for `max_order` outside 1..20.
-template <stage_algebra M, class Fails = not_zero>
+template <stage_algebra M, class Fails = certainly_fails>
 order_result<scalar_of<M>> order_of(const M& model, int max_order, Fails fails = {}) {
     if (max_order < 1 || max_order > rooted_tree::max_order)
         throw std::invalid_argument("max_order: outside 1..20");

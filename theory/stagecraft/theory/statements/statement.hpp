@@ -79,8 +79,8 @@ struct equation_residual {
     K residual;
 };
 
-/// The residuals for which `fails(residual)`; over exact fields, those that are not zero.
-template <class... E, stage_algebra M, class Fails = not_zero>
+/// The residuals for which `fails(residual)`, by default those that certainly differ from zero.
+template <class... E, stage_algebra M, class Fails = certainly_fails>
 std::vector<equation_residual<scalar_of<M>>> failures(const statement<E...>& s, const M& m,
                                                       Fails fails = {}) {
     std::vector<equation_residual<scalar_of<M>>> all;

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE examples
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/tableaux/ball.hpp>
+#include <stagecraft/tableaux/fixed_rational.hpp>
+#include <stagecraft/tableaux/quadratic.hpp>
+#include <stagecraft/tableaux/rational.hpp>
+#include <stagecraft/theory/expression.hpp>
+#include <stagecraft/theory/expression_text.hpp>
+#include <stagecraft/theory/expression_tree.hpp>
+#include <stagecraft/theory/legendre_model.hpp>
+#include <stagecraft/theory/matrix_model.hpp>
+#include <stagecraft/theory/statements/simplifying.hpp>
+#include <stagecraft/theory/statements/statement.hpp>
+#include <string>
+
+// Expressions as a user writes them; ctest compiles this file with g++ and with clang++.
+using namespace stagecraft;
+using namespace stagecraft::theory;
+using namespace stagecraft::theory::symbols;
+using tableaux::fixed_rational;
+using tableaux::rational;
+
+namespace {
+
+// Printing and source agree but for blanks and the _q of quotients.
+std::string compact(std::string s) {
+    std::string r;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        if (s[i] == ' ') continue;
+        if (s.compare(i, 2, "_q") == 0)
+            ++i;
+        else
+            r += s[i];
+    }
+    return r.substr(0, r.find(",forall"));
+}
+#define PRINTS_ITSELF(...) BOOST_TEST(compact(text(__VA_ARGS__)) == compact(#__VA_ARGS__))
+
+// Radau IIA of order 3 in any scalar.
+template <class K>
+tableau<K, 2> radau_iia_2() {
+    tableau<K, 2> t;
+    t.A << ratio<K>(5, 12), ratio<K>(-1, 12), ratio<K>(3, 4), ratio<K>(1, 4);
+    t.b << ratio<K>(3, 4), ratio<K>(1, 4);
+    t.c << ratio<K>(1, 3), K(1);
+    return t;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(conditions_compile_as_written) {
+    constexpr auto t53 = dot(b, c * (A * (c * c))) == 1 / 15_q;
+    constexpr auto t52 = dot(b, c * c * (A * c)) == 1 / 10_q;
+    constexpr auto t55 = dot(b, (A * c) * (A * c)) == 1 / 20_q;
+    static_assert(is_order_condition(t53) && is_order_condition(t52) && is_order_condition(t55));
+    static_assert(tree_of(t53.left) == rooted_tree{1, 2, 3, 3, 2});
+    static_assert(tree_of(t55.left) == tree_of(dot(b, pow<2>(A * c))));
+    static_assert(is_order_condition(dot(b, one) == 1));
+    static_assert(is_order_condition(dot(b, A * (A * one)) == 1 / 6_q));
+    static_assert(is_order_condition(dot(transposed(A) * (b * c), c * c) == 1 / 15_q));
+    static_assert(is_order_condition(dot(b * c, A * (c * c)) == 1 / 15_q));
+    // a wrong right-hand side, and equations that belong to no tree
+    static_assert(!is_order_condition(dot(b, c * c * (A * c)) == 1 / 15_q));
+    static_assert(!is_order_condition(A * one == c));
+    static_assert(!is_order_condition(dot(b, c - c * c) == 1 / 6_q));
+    static_assert(!is_order_condition(dot(last, A * c) == 1 / 2_q));
+    static_assert(!is_order_condition(dot(b, c) == dot(b, A * one)));
+}
+
+BOOST_AUTO_TEST_CASE(expressions_print_what_was_written) {
+    PRINTS_ITSELF(dot(b, one) == 1);
+    PRINTS_ITSELF(dot(b, c * c * (A * c)) == 1 / 10_q);
+    PRINTS_ITSELF(dot(b, (A * c) * (A * c)) == 1 / 20_q);
+    PRINTS_ITSELF(dot(b, pow<2>(A * c) * (A * (c * (A * one)))) == 1 / 162_q);
+    PRINTS_ITSELF(dot(transposed(A) * (b * c), c * c) == 1 / 15_q);
+    PRINTS_ITSELF(transposed(A) * (b * c) == b * (one - pow<2>(c)) / 2);
+    PRINTS_ITSELF(A * pow<3>(c) == pow<4>(c) / 4);
+    PRINTS_ITSELF(dot(b, u * (A * v)) + dot(b, v * (A * u)) == dot(b, u) * dot(b, v));
+    PRINTS_ITSELF(P * (A * (P * v)) + A * v == dot(b, v) * one);
+    PRINTS_ITSELF(dot(last, A * v) == dot(b, v));
+    PRINTS_ITSELF(dot(b, c - 2 / 3_q * pow<2>(c)) == -1 / 3_q);
+    PRINTS_ITSELF(A * c - (c - A * c) == one - (c - one));
+}
+
+BOOST_AUTO_TEST_CASE(latex_is_in_indices) {
+    BOOST_TEST(
+        latex(dot(b, c * c * c * (A * c) * (A * (A * c))) == 1 / 288_q) ==
+        "\\sum_{i} b_{i} c_{i}^{3} \\bigl(\\sum_{j} a_{ij} c_{j}\\bigr) \\sum_{j} a_{ij} \\sum_{k} a_{jk} "
+        "c_{k} = \\frac{1}{288}");
+    BOOST_TEST(latex(transposed(A) * (b * c) == b * (one - pow<2>(c)) / 2) ==
+               "\\sum_{j} b_{j} c_{j} a_{ji} = \\frac{1}{2} b_{i} \\bigl(1 - c_{i}^{2}\\bigr) \\quad (i = 1, "
+               "\\dots, s)");
+    BOOST_TEST(latex(P * (A * (P * v)) + A * v == dot(b, v) * one) ==
+               "\\sum_{j} a_{s+1-i,j} v_{s+1-j} + \\sum_{j} a_{ij} v_{j} = \\sum_{j} b_{j} v_{j} "
+               "\\quad\\text{for all } v \\quad (i = 1, \\dots, s)");
+    BOOST_TEST(latex(dot(last, A * v) == dot(b, v)) ==
+               "\\sum_{i} a_{si} v_{i} = \\sum_{i} b_{i} v_{i} \\quad\\text{for all } v");
+}
+
+BOOST_AUTO_TEST_CASE(one_expression_evaluates_in_every_model) {
+    using real_100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>,
+                                                   boost::multiprecision::et_off>;
+    constexpr auto weight = dot(b, c * (A * (c * c)));  // of Radau IIA, s = 2: 3/4*1/3*(-1/27) + 1/4*1/3
+    const rational exact(2, 27);
+
+    BOOST_TEST((evaluate(weight, matrix_model(radau_iia_2<rational>())) == exact));
+    BOOST_TEST((evaluate(weight, matrix_model(radau_iia_2<fixed_rational>())) == fixed_rational(2, 27)));
+    BOOST_TEST(
+        (evaluate(weight, matrix_model(radau_iia_2<tableaux::quadratic>())) == tableaux::quadratic(exact)));
+    BOOST_TEST(std::abs(evaluate(weight, matrix_model(radau_iia_2<double>())) - 2.0 / 27) < 1e-16);
+    BOOST_TEST(
+        (abs(evaluate(weight, matrix_model(radau_iia_2<real_100>())) - real_100(2) / 27) < real_100(1e-99)));
+    using model = legendre_model<rational>;
+    BOOST_TEST((evaluate(weight, model(tableaux::family::radau_iia, 2)) == exact));
+
+    const auto enclosed = evaluate(weight, matrix_model(radau_iia_2<tableaux::ball>()));
+    const auto off = enclosed - ratio<tableaux::ball>(2, 27);
+    BOOST_TEST(!(off.radius() == 0));
+    BOOST_TEST(off.radius() < 1e-17);
+    BOOST_TEST(!certainly_nonzero(off));
+    BOOST_TEST(certainly_nonzero(enclosed - ratio<tableaux::ball>(2, 28)));
+}
+
+BOOST_AUTO_TEST_CASE(enclosures_keep_their_precision_in_residuals) {
+    // 1/15 with the 64 bits of an integer would leave 1e-20 where the data have 300 bits.
+    tableau<tableaux::ball, 2> t;
+    const auto q = [](int n, int d) { return tableaux::ball(rational(n, d), 300); };
+    t.A << q(5, 12), q(-1, 12), q(3, 4), q(1, 4);
+    t.b << q(3, 4), q(1, 4);
+    t.c << q(1, 3), q(1, 1);
+    const matrix_model m(t);
+    for_each_residual(dot(b, c * c) == 1 / 3_q, m,
+                      [](const tableaux::ball& r) { BOOST_TEST(r.radius() < 1e-85); });
+    for_each_residual(A * c == pow<2>(c) / 2, m,
+                      [](const tableaux::ball& r) { BOOST_TEST(r.radius() < 1e-85); });
+}
+
+BOOST_AUTO_TEST_CASE(statements_hold_alike_in_the_legendre_ring_and_over_the_nodes) {
+    using namespace statements;
+    const legendre_model<rational> iia(tableaux::family::radau_iia, 2),
+        iiib(tableaux::family::lobatto_iiib, 4);
+    BOOST_TEST((holds(B<3>, iia) && !holds(B<4>, iia)));
+    BOOST_TEST((holds(C<2>, iia) && !holds(C<3>, iia)));
+    BOOST_TEST((holds(D<1>, iia) && !holds(D<2>, iia)));
+    BOOST_TEST((holds(B<6>, iiib) && !holds(B<7>, iiib)));
+    BOOST_TEST((holds(C<2>, iiib) && !holds(C<3>, iiib)));
+    BOOST_TEST((holds(D<4>, iiib) && !holds(D<5>, iiib)));
+    static_assert(holds(D<3>, legendre_model<fixed_rational>(tableaux::family::gauss, 3)));
+    static_assert(!holds(D<4>, legendre_model<fixed_rational>(tableaux::family::gauss, 3)));
+}
