@@ -274,7 +274,11 @@ class ball {
         const long drop = (length(m_) - bits_) / limb * limb;
         if (drop <= 0) return;
         const bool loss = lowest_bit(m_) < drop;
+        // Boost 1.74 shifts negative numbers by way of ++, which loses the sign where the lowest limb is 1.
+        const bool negative = m_.sign() < 0;
+        if (negative) m_.backend().negate();
         m_ >>= static_cast<unsigned>(drop);
+        if (negative) m_.backend().negate();
         e_ += drop;
         if (loss) r_ = upward(r_ + unit(e_));
     }
