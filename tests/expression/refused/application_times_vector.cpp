@@ -5,7 +5,7 @@
 using namespace stagecraft::theory::symbols;
 
 #ifdef RIGHT
-constexpr auto e = dot(b, c * (A * c)) == 1 / 8_q;
+constexpr auto e = dot(b, c*(A* c)) == 1 / 8_q;
 #else
-constexpr auto e = dot(b, A * c * c) == 1 / 8_q;
+constexpr auto e = dot(b, A* c* c) == 1 / 8_q;
 #endif

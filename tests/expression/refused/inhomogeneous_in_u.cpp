@@ -5,7 +5,7 @@
 using namespace stagecraft::theory::symbols;
 
 #ifdef RIGHT
-constexpr auto e = dot(b, u) == dot(b, A * u);
+constexpr auto e = dot(b, u) == dot(b, A* u);
 #else
 constexpr auto e = dot(b, u) == 1;
 #endif

@@ -5,7 +5,7 @@
 using namespace stagecraft::theory::symbols;
 
 #ifdef RIGHT
-constexpr auto e = dot(b, A * c) == 1 / 6_q;
+constexpr auto e = dot(b, A* c) == 1 / 6_q;
 #else
-constexpr auto e = dot(b, c * A) == 1 / 6_q;
+constexpr auto e = dot(b, c* A) == 1 / 6_q;
 #endif

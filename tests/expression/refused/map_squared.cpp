@@ -5,7 +5,7 @@
 using namespace stagecraft::theory::symbols;
 
 #ifdef RIGHT
-constexpr auto e = dot(b, A * (A * c)) == 1 / 24_q;
+constexpr auto e = dot(b, A*(A* c)) == 1 / 24_q;
 #else
-constexpr auto e = dot(b, A * A * c) == 1 / 24_q;
+constexpr auto e = dot(b, A* A* c) == 1 / 24_q;
 #endif

@@ -5,7 +5,7 @@
 using namespace stagecraft::theory::symbols;
 
 #ifdef RIGHT
-constexpr auto e = dot(b, u * (A * v)) == dot(b, u) * dot(b, v);
+constexpr auto e = dot(b, u*(A* v)) == dot(b, u) * dot(b, v);
 #else
-constexpr auto e = dot(b, u * (A * u)) == dot(b, u) * dot(b, u);
+constexpr auto e = dot(b, u*(A* u)) == dot(b, u) * dot(b, u);
 #endif
