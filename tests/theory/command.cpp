@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE command
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/family.hpp>
+#include <string>
+
+// Runs build/stagecraft as a user would.
+
+namespace {
+
+struct result {
+    int status;
+    std::string output;
+};
+
+// Standard output only, or standard error only.
+result run(const std::string& arguments, bool errors = false) {
+    const std::string command = std::string(STAGECRAFT_BINARY_DIR) + "/stagecraft " + arguments +
+                                (errors ? " 2>&1 >/dev/null" : " 2>/dev/null");
+    FILE* pipe = popen(command.c_str(), "r");
+    BOOST_REQUIRE(pipe != nullptr);
+    std::string output;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        output.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+void refused(const std::string& arguments, const std::string& line) {
+    const result r = run(arguments, true);
+    BOOST_TEST(r.status == 2);
+    BOOST_TEST(r.output == line + "\n");
+    BOOST_TEST(run(arguments).output == "");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(families_lists_every_family) {
+    const result r = run("families");
+    BOOST_TEST(r.status == 0);
+    for (const auto f : stagecraft::tableaux::all_families)
+        BOOST_TEST(("\n" + r.output).find("\n" + std::string(name(f)) + " ") != std::string::npos);
+    BOOST_TEST(std::count(r.output.begin(), r.output.end(), '\n') == 8);
+}
+
+BOOST_AUTO_TEST_CASE(certify_radau_iia_3_proves_order_5) {
+    const result r = run("certify radau_iia 3 --json");
+    BOOST_TEST(r.status == 0);
+    const auto j = nlohmann::json::parse(r.output);
+    BOOST_TEST(j["order"]["value"] == 5);
+    BOOST_TEST(j["order"]["verdict"] == "proved");
+    BOOST_TEST(j["B"] == 5);
+    BOOST_TEST(j["C"] == 3);
+    BOOST_TEST(j["D"] == 2);
+    BOOST_TEST(j["R_infinity"] == "0");
+    BOOST_TEST(j["error_constant"] == "1/7200");
+    BOOST_TEST(nlohmann::json::parse(run("certify radau_ia 3 --json").output)["C"] == 2);
+    BOOST_TEST(run("certify radau_iia 3").output.starts_with("radau_iia, 3 stages\n"));
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_one_line_on_stderr_and_exit_2) {
+    refused(
+        "certify radau 3",
+        "stagecraft: family: unknown name 'radau', allowed: gauss, radau_i, radau_ia, radau_ii, radau_iia, "
+        "lobatto_iiia, lobatto_iiib, lobatto_iiic");
+    refused("certify gauss 0", "stagecraft: stages: '0' is not a whole number from 1 to 1000");
+    refused("certify gauss 3x", "stagecraft: stages: '3x' is not a whole number from 1 to 1000");
+    refused("certify gauss 99999999999999999999",
+            "stagecraft: stages: '99999999999999999999' is not a whole number from 1 to 1000");
+    refused("certify lobatto_iiic 1", "stagecraft: stages: '1' is not a whole number from 2 to 1000");
+    for (const char* arguments : {"", "no_such_thing", "families x", "certify gauss 3 --yaml"}) {
+        const result r = run(arguments, true);
+        BOOST_TEST(r.status == 2);
+        BOOST_TEST(std::count(r.output.begin(), r.output.end(), '\n') == 1);
+        BOOST_TEST(r.output.find("allowed: ") != std::string::npos);
+    }
+    BOOST_TEST(run("--help").status == 0);
+}
