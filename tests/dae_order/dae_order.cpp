@@ -176,4 +176,10 @@ BOOST_AUTO_TEST_CASE(the_classical_order_comes_from_the_trees_where_the_bound_is
     wrong.A(2, 1) -= q(1, 100);
     BOOST_TEST(classical_order(wrong) == 1);  // c no longer the row sums
     BOOST_TEST(dae_traits_of(wrong).stage_order == 0);
+    // Lobatto IIIB-2: c is not A 1, and yet order 2 for y' = f(x, y), by b^T c = b^T A 1 = 1/2
+    const auto iiib = methods::make<rational>({{q(1, 2)}, {q(1, 2)}}, {q(1, 2), q(1, 2)}, {0, 1});
+    BOOST_TEST(classical_order(iiib) == 2);
+    auto shifted = iiib;
+    shifted.c[0] = q(1, 10);
+    BOOST_TEST(classical_order(shifted) == 1);
 }

@@ -47,11 +47,16 @@ std::vector<weight_condition<K>> weight_conditions(const stagecraft::tableau<K>&
         column<K> one(s);
         for (Eigen::Index i = 0; i < s; ++i) one[i] = K(1);
         grow(grow, one, K(1), n - 1, 0);
+        if (n == 1) grown.push_back(grown.front());  // a second leaf, for the time: its branch is c
         for (auto& tree : grown) {
             column<K> branch(s);
             for (Eigen::Index i = 0; i < s; ++i) {
                 branch[i] = K(0);
                 for (Eigen::Index j = 0; j < s; ++j) branch[i] = branch[i] + t.A(i, j) * tree.stages[j];
+            }
+            if (n == 1 && trees.size() == 1) {
+                if (branch == t.c) break;  // row sums: time is no different
+                branch = t.c;
             }
             branches.push_back(std::move(branch));
             trees.push_back(std::move(tree));
