@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE cost
+#include <atomic>
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+
+namespace sc = stagecraft;
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+// GCC 12 pairs the library's allocations with the inlined free below and warns.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+#endif
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* p = std::malloc(size)) return p;
+    throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    ++allocations;
+    const auto a = static_cast<std::size_t>(alignment);
+    if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace {
+
+template <class Vector>
+void van_der_pol(const Vector& y, Vector& f) {
+    f[0] = y[1];
+    f[1] = ((1 - y[0] * y[0]) * y[1] - y[0]) * 1e3;
+}
+
+// Allocations between the third and the last step of a run.
+template <class Method, class Vector>
+long allocations_after_warm_up(const Method& method, const Vector& y0) {
+    const auto f = [](double, const Vector& y, Vector& out) { van_der_pol(y, out); };
+    sc::integrator<Method, decltype(f), Vector> run(method, f, y0, 0, 2, {.rtol = 1e-7, .atol = 1e-7});
+    for (int i = 0; i < 3; ++i) run.step();
+    const long before = allocations;
+    while (run.step()) {
+    }
+    const long made = allocations - before;
+    BOOST_TEST(run.counts().steps > 50);
+    BOOST_TEST((run.status() == sc::status::success));
+    return made;
+}
+
+// Counts what a run asks of it.
+struct instrumented {
+    mutable long* calls;
+    mutable long* at_step_begin;
+    double h;
+    void operator()(double t, const Eigen::Vector2d& y, Eigen::Vector2d& f) const {
+        ++*calls;
+        const double steps = t / h;
+        if (std::abs(steps - std::round(steps)) < 1e-9 && t < 0.5 * h) ++*at_step_begin;
+        f = -y;
+    }
+    void jacobian(double, const Eigen::Vector2d&, Eigen::Matrix2d& J) const {
+        J = -Eigen::Matrix2d::Identity();
+    }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_step_of_a_fixed_size_problem_allocates_nothing) {
+    BOOST_TEST(allocations_after_warm_up(sc::radau_iia<3>(), Eigen::Vector2d(2, -0.66)) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_a_dense_dynamic_problem_allocates_nothing) {
+    BOOST_TEST(allocations_after_warm_up(sc::radau_iia<3>(), Eigen::VectorXd(Eigen::Vector2d(2, -0.66))) ==
+               0);
+}
+
+BOOST_AUTO_TEST_CASE(an_allocation_would_be_seen) {
+    const long before = allocations;
+    const Eigen::VectorXd x = Eigen::VectorXd::Ones(7);
+    const auto p = std::make_unique<int>(static_cast<int>(x[3]));
+    BOOST_TEST(*p == 1);
+    BOOST_TEST(allocations > before);
+}
+
+// No error estimate: f is evaluated at stages only, never at the left end, and no solve is made for it.
+BOOST_AUTO_TEST_CASE(a_fixed_step_run_computes_no_error_estimate) {
+    long calls = 0, left = 0;
+    const auto fixed = sc::integrate(sc::radau_iia<3>(), instrumented{&calls, &left, 0.1},
+                                     Eigen::Vector2d(1, 2), 0, 1, {.fixed_step = 0.1});
+    BOOST_TEST(fixed.report.steps == 10);
+    BOOST_TEST(left == 0);
+    BOOST_TEST(calls == 3 * fixed.report.solves);
+    BOOST_TEST(fixed.report.error_solves == 0);
+    BOOST_TEST(fixed.report.f == calls);
+
+    calls = left = 0;
+    const auto adaptive =
+        sc::integrate(sc::radau_iia<3>(), instrumented{&calls, &left, 0.1}, Eigen::Vector2d(1, 2), 0, 1);
+    BOOST_TEST(left > 0);
+    BOOST_TEST(adaptive.report.error_solves >= adaptive.report.steps);
+    BOOST_TEST(adaptive.report.f == calls);
+}
+
+BOOST_AUTO_TEST_CASE(a_constant_jacobian_is_evaluated_once) {
+    struct linear : instrumented {
+        bool constant_jacobian() const { return true; }
+    };
+    long calls = 0, left = 0;
+    const linear p{{&calls, &left, 0.1}};
+    const auto fixed = sc::integrate(sc::radau_iia<3>(), p, Eigen::Vector2d(1, 2), 0, 1, {.fixed_step = 0.1});
+    BOOST_TEST(fixed.report.jacobians == 1);
+    BOOST_TEST(fixed.report.factorisations == 1);
+    BOOST_TEST(fixed.report.solves == fixed.report.steps);
+    BOOST_TEST(fixed.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-8));
+    const auto adaptive = sc::integrate(sc::radau_iia<3>(), p, Eigen::Vector2d(1, 2), 0, 1);
+    BOOST_TEST(adaptive.report.jacobians == 1);
+}

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE status
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/problem/with.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace sc = stagecraft;
+using V1 = Eigen::Matrix<double, 1, 1>;
+
+namespace {
+
+const auto method = sc::radau_iia<3>();
+
+const auto decay = [](double, const Eigen::Vector2d& y, Eigen::Vector2d& f) { f = -y; };
+
+template <class Problem, class Vector>
+std::string refusal(const Problem& problem, const Vector& y0, double t0, double t1,
+                    const sc::options<double>& o) {
+    try {
+        sc::integrate(method, problem, y0, t0, t1, o);
+    } catch (const std::invalid_argument& e) {
+        return e.what();
+    }
+    return "accepted";
+}
+
+bool names(const std::string& message, const std::string& argument) {
+    return message.find(argument) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_bad_argument_is_named) {
+    const Eigen::Vector2d y0(1, 2);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    BOOST_TEST(refusal(decay, y0, 0, 1, {}) == "accepted");
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.rtol = 0}), "rtol"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.rtol = -1e-6}), "rtol"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.rtol = nan}), "rtol"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.atol = 0}), "atol"));
+    BOOST_TEST(
+        names(refusal(decay, y0, 0, 1, {.atol_components = Eigen::Vector3d(1, 1, 1)}), "atol_components"));
+    BOOST_TEST(
+        names(refusal(decay, y0, 0, 1, {.atol_components = Eigen::Vector2d(1, 0)}), "atol_components"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = -0.1}), "fixed_step"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = 1e-30}), "fixed_step"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.initial_step = -0.1}), "initial_step"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.min_step = 1, .max_step = 0.1}), "max_step"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.max_steps = 0}), "max_steps"));
+    BOOST_TEST(names(refusal(decay, y0, nan, 1, {}), "t0"));
+    BOOST_TEST(names(refusal(decay, y0, 0, std::numeric_limits<double>::infinity(), {}), "t1"));
+    BOOST_TEST(names(refusal(decay, Eigen::Vector2d(1, nan), 0, 1, {}), "y0"));
+    const auto dynamic = [](double, const Eigen::VectorXd& y, Eigen::VectorXd& f) { f = -y; };
+    const Eigen::VectorXd x0 = Eigen::VectorXd::Ones(2);
+    const Eigen::MatrixXd three = Eigen::MatrixXd::Identity(3, 3);
+    BOOST_TEST(names(refusal(sc::with_mass(dynamic, three), x0, 0, 1, {}), "mass()"));
+    BOOST_TEST(names(refusal(sc::with_index(dynamic, std::array<int, 3>{1, 1, 2}), x0, 0, 1, {}), "index()"));
+    BOOST_TEST(names(refusal(sc::with_index(dynamic, std::array<int, 2>{1, 4}), x0, 0, 1, {}), "index()"));
+}
+
+BOOST_AUTO_TEST_CASE(t1_equal_to_t0_is_success_without_a_step) {
+    const auto r = sc::integrate(method, decay, Eigen::Vector2d(1, 2), 3, 3);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(r.report.steps == 0);
+    BOOST_TEST(r.report.f == 0);
+    BOOST_TEST(r.y[1] == 2);
+}
+
+BOOST_AUTO_TEST_CASE(time_runs_both_ways) {
+    const Eigen::Vector2d y0(1, 2);
+    const auto forth = sc::integrate(method, decay, y0, 0, 2, {.rtol = 1e-10, .atol = 1e-10});
+    BOOST_TEST(forth.y[0] == std::exp(-2.0), boost::test_tools::tolerance(1e-9));
+    const auto back = sc::integrate(method, decay, forth.y, 2, 0, {.rtol = 1e-10, .atol = 1e-10});
+    BOOST_TEST(back.ok());
+    BOOST_TEST(back.t == 0);
+    BOOST_TEST(back.y[1] == 2, boost::test_tools::tolerance(1e-8));
+    const auto fixed = sc::integrate(method, decay, y0, 2, 0, {.rtol = 1e-12, .fixed_step = 0.1});
+    BOOST_TEST(fixed.y[0] == std::exp(2.0), boost::test_tools::tolerance(1e-7));
+}
+
+// From t = 1 on f is not a number (or infinite): the run ends there, and says so.
+BOOST_AUTO_TEST_CASE(a_right_hand_side_that_stops_being_finite_is_no_success) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        const auto f = [bad](double t, const Eigen::Vector2d& y, Eigen::Vector2d& out) {
+            out = t > 1 ? Eigen::Vector2d(-y[0], bad) : Eigen::Vector2d(-y);
+        };
+        for (const double step : {0.0, 0.03}) {
+            const auto r = sc::integrate(method, f, Eigen::Vector2d(1, 2), 0, 2, {.fixed_step = step});
+            BOOST_TEST(sc::name(r.status) == "non_finite");
+            BOOST_TEST(r.t <= 1);
+            BOOST_TEST(r.t > 0.9);
+            BOOST_TEST(r.y[1] == 2 * std::exp(-r.t), boost::test_tools::tolerance(1e-4));
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_right_hand_side_that_is_never_finite_ends_at_t0) {
+    const auto f = [](double, const Eigen::Vector2d&, Eigen::Vector2d& out) {
+        out.setConstant(std::sqrt(-1.0));
+    };
+    const auto r = sc::integrate(method, f, Eigen::Vector2d(1, 2), 0, 2);
+    BOOST_TEST(sc::name(r.status) == "non_finite");
+    BOOST_TEST(r.t == 0);
+    BOOST_TEST(r.y[1] == 2);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_right_hand_side_throws_is_kept_with_the_last_good_state) {
+    const auto f = [](double t, const Eigen::Vector2d& y, Eigen::Vector2d& out) {
+        if (t > 1) throw std::domain_error("beyond the table");
+        out = -y;
+    };
+    const auto r = sc::integrate(method, f, Eigen::Vector2d(1, 2), 0, 2);
+    BOOST_TEST(sc::name(r.status) == "function_threw");
+    BOOST_TEST(r.t > 0);
+    BOOST_TEST(r.t <= 1);
+    BOOST_TEST(r.y[0] == std::exp(-r.t), boost::test_tools::tolerance(1e-4));
+    BOOST_CHECK_THROW(std::rethrow_exception(r.exception), std::domain_error);
+}
+
+// M = 0 and f without y: gamma/h M - J is singular whatever h.
+BOOST_AUTO_TEST_CASE(a_singular_newton_matrix_is_a_status) {
+    struct singular {
+        void operator()(double, const Eigen::Vector2d& y, Eigen::Vector2d& f) const { f << -y[0], 1; }
+        Eigen::DiagonalMatrix<double, 2> mass() const { return Eigen::DiagonalMatrix<double, 2>(1, 0); }
+    };
+    for (const double step : {0.0, 0.1}) {
+        const auto r = sc::integrate(method, singular{}, Eigen::Vector2d(1, 2), 0, 1, {.fixed_step = step});
+        BOOST_TEST(sc::name(r.status) == "singular_matrix");
+        BOOST_TEST(r.t == 0);
+    }
+}
+
+// y' = y^2 has its pole at t = 1: steps shrink until t cannot be advanced.
+BOOST_AUTO_TEST_CASE(a_pole_ends_in_a_status_before_it) {
+    const auto f = [](const auto&, const auto& y, auto& out) { out[0] = y[0] * y[0]; };
+    const auto r = sc::integrate(method, f, V1(1.0), 0, 2);
+    BOOST_TEST(!r.ok());
+    BOOST_TEST(r.t <= 1 + 1e-5);
+    BOOST_TEST(r.t > 0.999);
+    BOOST_TEST(std::isfinite(r.y[0]));
+}
+
+BOOST_AUTO_TEST_CASE(step_bounds_and_step_count_are_statuses) {
+    const auto f = [](double t, const V1&, V1& out) { out[0] = 50 * std::cos(50 * t); };
+    BOOST_TEST(
+        sc::name(sc::integrate(method, f, V1(0.0), 0, 10, {.rtol = 1e-10, .atol = 1e-10, .max_steps = 5})
+                     .status) == "too_many_steps");
+    BOOST_TEST(
+        sc::name(
+            sc::integrate(method, f, V1(0.0), 0, 10, {.rtol = 1e-12, .atol = 1e-12, .min_step = 1}).status) ==
+        "step_underflow");
+    const auto bounded = sc::integrate(method, f, V1(0.0), 0, 1, {.max_step = 0.01});
+    BOOST_TEST(bounded.ok());
+    BOOST_TEST(bounded.report.largest_step <= 0.01 + 1e-12);
+    BOOST_TEST(bounded.report.steps >= 100);
+}
+
+BOOST_AUTO_TEST_CASE(a_right_hand_side_that_changes_size_is_a_status) {
+    const auto f = [](double t, const Eigen::VectorXd& y, Eigen::VectorXd& out) {
+        if (t > 0.5) out.resize(3);
+        out.setZero();
+        out.head(2) = -y;
+    };
+    const auto r = sc::integrate(method, f, Eigen::VectorXd::Ones(2).eval(), 0, 1);
+    BOOST_TEST(sc::name(r.status) == "size_changed");
+    BOOST_TEST(r.t < 0.6);
+}
+
+BOOST_AUTO_TEST_CASE(an_observer_stops_the_run) {
+    int calls = 0;
+    const auto r = sc::integrate(method, decay, Eigen::Vector2d(1, 2), 0, 10, {},
+                                 [&](double, const Eigen::Vector2d&) { return ++calls < 3; });
+    BOOST_TEST(sc::name(r.status) == "stopped");
+    BOOST_TEST(r.report.steps == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_state_without_components_is_integrated) {
+    const auto f = [](double, const Eigen::VectorXd&, Eigen::VectorXd&) {};
+    const auto r = sc::integrate(method, f, Eigen::VectorXd(0), 0, 1);
+    BOOST_TEST(sc::name(r.status) == "success");
+    BOOST_TEST(r.t == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_last_step_is_not_a_tiny_one) {
+    double last = 0, before = 0;
+    sc::integrate(method, decay, Eigen::Vector2d(1, 2), 0, 1.0001, {},
+                  [&](double, const Eigen::Vector2d&, double h) {
+                      before = last;
+                      last = h;
+                  });
+    BOOST_TEST(last > 0.3 * before);
+}
