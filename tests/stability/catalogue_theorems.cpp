@@ -8,6 +8,7 @@
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/transformations.hpp>
 #include <stagecraft/theory/dae_order.hpp>
+#include <stagecraft/theory/ssp.hpp>
 #include <stagecraft/theory/symmetry.hpp>
 
 using namespace stagecraft;
@@ -18,22 +19,28 @@ namespace {
 using K = tableaux::quadratic;  // the rational ones among them
 using method = tableau<K>;
 
-/// Calls f(name, tableau) for every exact catalogue tableau; returns how many there are.
+/// Every exact catalogue tableau with its name, read once.
+const std::vector<std::pair<std::string, method>>& exact_methods() {
+    static const auto all = [] {
+        std::vector<std::pair<std::string, method>> found;
+        for (const auto& e :
+             std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
+            if (e.path().extension() != ".json") continue;
+            const auto file = tableaux::read_tableau_file(e.path().string());
+            if (file.kind() > tableaux::number_kind::quadratic) continue;
+            found.emplace_back(e.path().stem().string(), tableaux::to_quadratic(file));
+        }
+        std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        return found;
+    }();
+    return all;
+}
+
+/// Calls f(name, tableau) for each of them; returns how many there are.
 template <class F>
 int for_each_exact(F f) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& e : std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-        if (e.path().extension() == ".json") files.push_back(e.path());
-    }
-    std::sort(files.begin(), files.end());
-    int count = 0;
-    for (const auto& path : files) {
-        const auto file = tableaux::read_tableau_file(path.string());
-        if (file.kind() > tableaux::number_kind::quadratic) continue;
-        f(path.stem().string(), tableaux::to_quadratic(file));
-        ++count;
-    }
-    return count;
+    for (const auto& [name, t] : exact_methods()) f(name, t);
+    return static_cast<int>(exact_methods().size());
 }
 
 bool is_explicit(const method& t) {
@@ -168,4 +175,22 @@ BOOST_AUTO_TEST_CASE(stiffly_accurate_methods_with_regular_matrix_vanish_at_infi
         BOOST_TEST((*stability_function_of(t).at_infinity() == K(0)), name);
     });
     BOOST_TEST(hypotheses_met >= 8);
+}
+
+BOOST_AUTO_TEST_CASE(optimal_ssp_methods_have_their_published_radii) {
+    int found = 0;
+    const auto radius_is = [&](const std::string& wanted, int value) {
+        for_each_exact([&](const std::string& name, const method& t) {
+            if (name != wanted) return;
+            ++found;
+            const auto r = ssp_radius(t);
+            BOOST_TEST((!r.infinite && r.low <= K(value) && K(value) <= r.high), name);
+        });
+    };
+    radius_is("ssp_3_2", 2);
+    radius_is("ssp_3_3", 1);
+    radius_is("ssp_4_3", 2);
+    radius_is("ssp_9_3", 6);
+    radius_is("ssp_10_4", 6);
+    BOOST_TEST(found == 5);
 }

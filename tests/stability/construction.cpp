@@ -237,3 +237,24 @@ BOOST_AUTO_TEST_CASE(embedded_weights_of_a_given_order) {
     BOOST_TEST(rank<rational>(span) == dimension + 1);
     BOOST_CHECK_THROW(weights_of_order(t, 11), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_CASE(in_legendre_coordinates_gauss_radau_and_lobatto_iiic_are_decided_for_many_stages) {
+    // R(z) = det(I - zX + z e_0 e_0^T)/det(I - zX): no node is ever computed (lecture, Satz 2.23 and 2.15)
+    for (int s = 2; s <= 10; ++s) {
+        column<rational> e(s);
+        for (int i = 0; i < s; ++i) e[i] = rational(i == 0 ? 1 : 0);
+        auto x = legendre_integration<rational>(s);
+        BOOST_TEST((theory::stability_function_of<rational>(x, e, e) == theory::pade<rational>(s, s)));
+        x(s - 1, s - 1) = rational(1, 4 * s - 2);
+        const auto radau = theory::stability_function_of<rational>(x, e, e);
+        BOOST_TEST((radau == theory::pade<rational>(s - 1, s)));
+        BOOST_TEST(theory::l_stable(radau).is_proved());
+        // Lobatto: the last Legendre polynomial has the discrete norm 1/(s-1) instead of 1/(2s-1)
+        x = legendre_integration<rational>(s);
+        x(s - 2, s - 1) = rational(-1, 2 * (s - 1));
+        x(s - 1, s - 1) = rational(1, 2 * (s - 1));
+        const auto lobatto = theory::stability_function_of<rational>(x, e, e);
+        BOOST_TEST((lobatto == theory::pade<rational>(s - 2, s)));
+        BOOST_TEST(theory::l_stable(lobatto).is_proved());
+    }
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSL-1.0
+// What the theorems on index 2 promise is compared, for every exact catalogue tableau, with what the exact
+// order conditions of index 2 say: a promise above them would be a wrong theorem or a wrong hypothesis.
+#define BOOST_TEST_MODULE catalogue
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <map>
+#include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/theory/dae_order.hpp>
+
+using namespace stagecraft;
+using namespace stagecraft::theory;
+
+BOOST_AUTO_TEST_CASE(no_theorem_promises_more_than_the_exact_conditions_of_index_2) {
+    std::map<std::string, int> used;
+    int none = 0;
+    for (const auto& e : std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
+        if (e.path().extension() != ".json") continue;
+        const auto file = tableaux::read_tableau_file(e.path().string());
+        if (file.kind() > tableaux::number_kind::quadratic) continue;
+        const auto t = tableaux::to_quadratic(file);
+        const auto name = e.path().stem().string();
+        const auto traits = dae_traits_of(t);
+        if (!traits.regular) {
+            ++none;
+            const auto p = predict_index2(t);
+            BOOST_TEST(!p.applies(), name);
+            BOOST_TEST(p.theorem == "none", name);
+            continue;
+        }
+        const int reach = std::min(traits.simplifying.B + 1, 6);
+        const auto all = index2_theorems(t, reach);
+        const auto& conditions = all.back();
+        for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+            if (!all[k].applies()) continue;
+            ++used[all[k].theorem];
+            if (!conditions.applies()) continue;  // |R(inf)| = 1: the local orders alone do not decide
+            BOOST_TEST(std::min(*all[k].y, reach) <= *conditions.y, name + ": " + all[k].theorem);
+            BOOST_TEST(std::min(*all[k].z, reach) <= *conditions.z, name + ": " + all[k].theorem);
+        }
+    }
+    BOOST_TEST(none >= 30);  // explicit methods, Lobatto IIIA and IIIB: the prediction says so
+    BOOST_TEST(used.size() == 5U);
+    for (const auto& [theorem, count] : used) BOOST_TEST(count >= 2, theorem);
+}
