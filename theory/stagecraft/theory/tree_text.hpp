@@ -74,12 +74,12 @@ inline std::string stage_vector_latex(const rooted_tree& t, int depth) {
     std::string text;
     for (const auto& [child, m] : groups) {
         if (order(child) == 1) {
-            text += " " + latex_power("c_{" + i + "}", m);
+            text.append(" ").append(latex_power("c_{" + i + "}", m));
         } else {
             const std::string sum =
                 "\\sum_{" + j + "} a_{" + i + j + "}" + stage_vector_latex(child, depth + 1);
             const bool is_last = m == 1 && child == groups.back().first;  // a sum reaches to the end
-            text += is_last ? " " + sum : " " + latex_power("\\bigl(" + sum + "\\bigr)", m);
+            text.append(" ").append(is_last ? sum : latex_power("\\bigl(" + sum + "\\bigr)", m));
         }
     }
     return text;
@@ -93,7 +93,7 @@ inline std::string bracket(const rooted_tree& t) {
     if (order(t) == 1) return "tau";
     std::string text;
     for (const auto& [child, m] : detail::grouped_children(t))
-        for (int k = 0; k < m; ++k) text += (text.empty() ? "[" : ",") + bracket(child);
+        for (int k = 0; k < m; ++k) text.append(text.empty() ? "[" : ",").append(bracket(child));
     return text + "]";
 }
 
@@ -102,7 +102,7 @@ inline std::string bracket_latex(const rooted_tree& t) {
     if (order(t) == 1) return "\\tau";
     std::string text;
     for (const auto& [child, m] : detail::grouped_children(t))
-        text += (text.empty() ? "[" : ",") + detail::latex_power(bracket_latex(child), m);
+        text.append(text.empty() ? "[" : ",").append(detail::latex_power(bracket_latex(child), m));
     return text + "]";
 }
 
