@@ -7,10 +7,12 @@
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/theory/expression_tree.hpp>
+#include <stagecraft/theory/legendre_model.hpp>
 #include <stagecraft/theory/matrix_model.hpp>
 #include <stagecraft/theory/statements/order_conditions.hpp>
 #include <stagecraft/theory/statements/simplifying.hpp>
 #include <stagecraft/theory/statements/structure.hpp>
+#include <stdexcept>
 #include <string>
 
 using namespace stagecraft;
@@ -71,6 +73,26 @@ BOOST_AUTO_TEST_CASE(structure_decides_at_compile_time) {
     static_assert(!holds(symplecticity, radau_iia_2) && !holds(symplecticity, lobatto_iiia_3));
     static_assert(holds(symmetry_of_stages, lobatto_iiia_3) && holds(symmetry_of_stages, lobatto_iiib_3));
     static_assert(!holds(symmetry_of_stages, radau_iia_2));
+}
+
+BOOST_AUTO_TEST_CASE(structure_of_the_families_in_the_legendre_ring) {
+    using tableaux::family;
+    using ring = legendre_model<Q>;
+    static_assert(holds(symplecticity, ring(family::gauss, 3)) &&
+                  holds(symplecticity, ring(family::gauss, 4)));
+    static_assert(!holds(symplecticity, ring(family::radau_ia, 3)));
+    static_assert(!holds(symplecticity, ring(family::lobatto_iiic, 3)));
+    static_assert(holds(symmetry_of_stages, ring(family::gauss, 4)));
+    static_assert(holds(symmetry_of_stages, ring(family::lobatto_iiia, 4)));
+    static_assert(holds(symmetry_of_stages, ring(family::lobatto_iiib, 4)));
+    static_assert(!holds(symmetry_of_stages, ring(family::lobatto_iiic, 4)));
+    static_assert(holds(stiff_accuracy, ring(family::radau_iia, 3)));
+    static_assert(holds(stiff_accuracy, ring(family::lobatto_iiia, 4)));
+    static_assert(holds(stiff_accuracy, ring(family::lobatto_iiic, 4)));
+    static_assert(!holds(stiff_accuracy, ring(family::lobatto_iiib, 4)));
+    // Where the last node or the reflection is not in the ring, it says so.
+    BOOST_CHECK_THROW(holds(stiff_accuracy, ring(family::gauss, 2)), std::invalid_argument);
+    BOOST_CHECK_THROW(holds(symmetry_of_stages, ring(family::radau_iia, 2)), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(gauss_2_is_symplectic_symmetric_and_not_stiffly_accurate) {

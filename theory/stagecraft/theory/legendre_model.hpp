@@ -111,8 +111,28 @@ class legendre_model {
         }
     }
 
+    /// v_s, the value in the last stage, where that is the node 1 (P_k(1) = 1).
+    /// Throws std::invalid_argument where 1 is no node: the value need not lie in K then.
+    constexpr K at_last(const element& v) const {
+        if (!(sum(w_) == K(0))) throw std::invalid_argument("at_last: 1 is not a node");
+        return sum(v);
+    }
+    /// The stages in reverse order, x to 1 - x (P_k(1 - x) = (-1)^k P_k(x)).
+    /// Throws std::invalid_argument where the nodes are not symmetric about 1/2.
+    constexpr element reflect(element v) const {
+        for (int k = stages() - 1; k >= 0; k -= 2)
+            if (!(w_[at(k)] == K(0))) throw std::invalid_argument("reflect: the nodes are not symmetric");
+        for (std::size_t k = 1; k < v.size(); k += 2) v[k] = -v[k];
+        return v;
+    }
+
   private:
     static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    static constexpr K sum(const std::vector<K>& v) {
+        K all(0);
+        for (const K& x : v) all += x;
+        return all;
+    }
     static constexpr K fraction(int n, int d) {
         if constexpr (std::is_constructible_v<K, int, int>) {
             return K(n, d);
