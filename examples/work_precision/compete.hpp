@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSL-1.0
+// All solvers on one problem.
+#pragma once
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "measure.hpp"
+#include "odeint.hpp"
+#include "ours.hpp"
+#include "radau5.hpp"
+#ifdef HAVE_SUNDIALS
+#include "sundials.hpp"
+#endif
+
+struct settings {
+    std::vector<std::string> problems, solvers;
+    std::vector<double> tolerances;
+    int repeats = 5;
+    double patience = 1.0;  // seconds per solver and tolerance after which two repeats suffice
+};
+
+/// The solution at the end of the interval, from data/<file>.json.
+inline Eigen::VectorXd reference(const std::string& file) {
+    std::ifstream in(std::string(DATA_DIR) + "/" + file + ".json");
+    const auto values = nlohmann::json::parse(in).at("y_end");
+    Eigen::VectorXd y(values.size());
+    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = std::stod(values[i].get<std::string>());
+    return y;
+}
+
+inline bool wanted(const std::vector<std::string>& names, const std::string& name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+template <class Problem>
+outcome run_rosenbrock4(const Problem& problem, double tol) {
+    using state = state_of<Problem>;
+    outcome out;
+    const state y0 = problem.initial();
+    std::vector<double> y(y0.begin(), y0.end());
+    const auto f = [&](double t, const double* x, double* to) {
+        state in = Eigen::Map<const state>(x), value;
+        problem(t, in, value);
+        std::copy(value.begin(), value.end(), to);
+        ++out.f;
+    };
+    const auto jacobian = [&](double t, const double* x, double* to) {
+        state in = Eigen::Map<const state>(x);
+        jacobian_of<Problem> J;
+        problem.jacobian(t, in, J);
+        Eigen::Map<Eigen::Matrix<double, Problem::size, Problem::size, Eigen::RowMajor>>{to} = J;
+        ++out.jacobians;
+    };
+    out.ok = peers::rosenbrock4(y, Problem::t0, Problem::t1, tol, tol * Problem::atol_scale, f, jacobian,
+                                out.steps);
+    out.factorisations = out.jacobians;
+    out.y = Eigen::Map<const Eigen::VectorXd>(y.data(), y0.size());
+    return out;
+}
+
+template <class Problem>
+std::vector<entrant> entrants(const Problem& problem) {
+    std::vector<entrant> all = our_entrants(problem);
+    const auto add = [&](std::string name, auto run) { all.push_back({std::move(name), run}); };
+    constexpr bool sparse = requires { problem.sparsity(); };  // the peers run the same problem banded
+    constexpr bool has_mass = requires { problem.mass(); };
+    constexpr bool has_index = requires { problem.index(); };
+    constexpr bool dense = Problem::size != Eigen::Dynamic;
+    if constexpr (!sparse) {
+        if (peers::radau5_available()) add("radau5", [&](double tol) { return peers::radau5(problem, tol); });
+#ifdef HAVE_SUNDIALS
+        if constexpr (has_mass && !has_index)
+            add("ida", [&](double tol) { return peers::sundials::ida(problem, tol); });
+        if constexpr (!has_mass) {
+            add("cvode", [&](double tol) { return peers::sundials::cvode(problem, tol); });
+            add("arkode", [&](double tol) { return peers::sundials::arkode(problem, tol); });
+        }
+#endif
+        if constexpr (!has_mass && dense)
+            add("rosenbrock4", [&](double tol) { return run_rosenbrock4(problem, tol); });
+    }
+    return all;
+}
+
+/// Measures every wanted solver at every tolerance; `end` is the reference at t1.
+template <class Problem>
+void compete(const Problem& problem, const Eigen::VectorXd& end, const settings& set,
+             std::vector<curve>& curves) {
+    if (!wanted(set.problems, Problem::name)) return;
+    std::vector<entrant> all = entrants(problem);
+    std::erase_if(all, [&](const entrant& e) { return !wanted(set.solvers, e.solver); });
+    const auto error = [&](const Eigen::VectorXd& y) { return scaled_error(y, end, Problem::atol_scale); };
+    std::vector<curve> result;
+    for (const entrant& e : all)
+        result.push_back({Problem::name, e.solver, static_cast<int>(end.size()), {}});
+    for (const double tol : set.tolerances) {
+        std::cerr << "\r" << Problem::name << "  tol " << tol << "        " << std::flush;
+        const std::vector<point> points = measure(all, tol, set.repeats, set.patience, error);
+        for (std::size_t e = 0; e < all.size(); ++e) result[e].points.push_back(points[e]);
+    }
+    curves.insert(curves.end(), result.begin(), result.end());
+}

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "compete.hpp"
+#include "problems.hpp"
+
+void compete_on_larger_systems(const settings& set, std::vector<curve>& curves) {
+    compete(problems::hires{}, reference("hires"), set, curves);
+    compete(problems::transistor_amplifier{}, reference("transamp"), set, curves);
+}

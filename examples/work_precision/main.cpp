@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSL-1.0
+// Error against run time: stagecraft beside RADAU5, SUNDIALS and Boost.odeint, in one process.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "compete.hpp"
+#include "report.hpp"
+
+void compete_on_reactions(const settings&, std::vector<curve>&);
+void compete_on_larger_systems(const settings&, std::vector<curve>&);
+void compete_on_mechanics(const settings&, std::vector<curve>&);
+void compete_on_diffusion(const settings&, std::vector<curve>&);
+
+int main(int argc, char** argv) {
+    settings set;
+    std::string csv, svg;
+    CLI::App app{"Error against run time: stagecraft beside the peers that are installed"};
+    app.add_option("--problem", set.problems,
+                   "only these: vdpol rober orego hires transamp kepler disc bruss bruss-sparse");
+    app.add_option("--solver", set.solvers, "only these, by the names in the table");
+    app.add_option("--tolerances", set.tolerances, "relative tolerances (default 1e-2 ... 1e-12)")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--repeats", set.repeats, "runs of each solver, interleaved")->check(CLI::PositiveNumber);
+    app.add_option("--csv", csv, "write the table to this file");
+    app.add_option("--svg", svg, "write one work-precision diagram per problem to this directory");
+    CLI11_PARSE(app, argc, argv);
+    if (set.tolerances.empty())
+        for (int k = 2; k <= 12; ++k) set.tolerances.push_back(std::pow(10.0, -k));
+    if (!peers::radau5_available()) std::cerr << "radau5 is left out: install r-cran-desolve to have it\n";
+
+    std::vector<curve> curves;
+    compete_on_reactions(set, curves);
+    compete_on_larger_systems(set, curves);
+    compete_on_mechanics(set, curves);
+    compete_on_diffusion(set, curves);
+    std::cerr << "\r                              \r";
+    if (curves.empty()) {
+        std::cerr << "--problem: no problem of that name\n";
+        return 2;
+    }
+    print_table(curves);
+    if (!csv.empty()) write_csv(curves, csv);
+    if (!svg.empty()) write_diagrams(curves, svg);
+    print_ratios(curves, "stagecraft");
+}

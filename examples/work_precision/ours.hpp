@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSL-1.0
+// stagecraft's own entrants: Radau IIA with order control, and with a fixed number of stages.
+#pragma once
+
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/linear/banded_blocks.hpp>
+#include <stagecraft/linear/sparse_blocks.hpp>
+#include <tuple>
+#include <vector>
+
+#include "measure.hpp"
+
+template <class Method, class Problem>
+outcome run_ours(const Method& method, const Problem& problem, double tol) {
+    stagecraft::options<double> options;
+    options.rtol = tol;
+    options.atol = tol * Problem::atol_scale;
+    options.max_steps = 10'000'000;
+    const auto r =
+        stagecraft::integrate(method, problem, problem.initial(), Problem::t0, Problem::t1, options);
+    return {.y = r.y,
+            .ok = r.ok(),
+            .steps = r.report.steps + r.report.rejected(),
+            .f = r.report.f,
+            .jacobians = r.report.jacobians,
+            .factorisations = r.report.factorisations};
+}
+
+template <class Problem>
+std::vector<entrant> our_entrants(const Problem& problem) {
+    using stagecraft::radau_iia;
+    const stagecraft::variable_order variable{std::tuple{radau_iia<3>(), radau_iia<5>(), radau_iia<7>()}};
+    return {{"stagecraft", [=](double tol) { return run_ours(variable, problem, tol); }},
+            {"stagecraft s=3", [=](double tol) { return run_ours(radau_iia<3>(), problem, tol); }},
+            {"stagecraft s=5", [=](double tol) { return run_ours(radau_iia<5>(), problem, tol); }}};
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSL-1.0
+// RADAU5 (Hairer and Wanner, Fortran) as the Debian package r-cran-desolve ships it: the symbol radau5_ of
+// deSolve.so, opened at run time. Absent package: `radau5_available()` is false.
+#pragma once
+
+#include <dlfcn.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "run.hpp"
+
+namespace peers {
+
+using radau5_function = void (*)(
+    int* n, void (*f)(int*, double*, double*, double*, double*, int*), double* t, double* y, double* t_end,
+    double* h, double* rtol, double* atol, int* itol,
+    void (*jac)(int*, double*, double*, int*, int*, double*, int*, double*, int*), int* ijac, int* mljac,
+    int* mujac, void (*mas)(int*, double*, int*, double*, int*), int* imas, int* mlmas, int* mumas,
+    void (*solout)(int*, double*, double*, double*, double*, int*, int*, double*, int*, int*), int* iout,
+    double* work, int* lwork, int* iwork, int* liwork, double* rpar, int* ipar, int* idid);
+
+inline radau5_function radau5_symbol() {
+    static const radau5_function f = [] {
+        if (!dlopen("/usr/lib/R/lib/libR.so", RTLD_NOW | RTLD_GLOBAL)) return radau5_function{};
+        void* library = dlopen("/usr/lib/R/site-library/deSolve/libs/deSolve.so", RTLD_NOW);
+        return library ? reinterpret_cast<radau5_function>(dlsym(library, "radau5_")) : radau5_function{};
+    }();
+    return f;
+}
+inline bool radau5_available() { return radau5_symbol() != nullptr; }
+
+/// Integrates `problem` with RADAU5, whose option M1 = M2 serves q' = v where the problem has it.
+template <class Problem>
+outcome radau5(const Problem& problem, double rtol) {
+    static const Problem* current;
+    current = &problem;
+    static int first_row;  // rows of q' = v that RADAU5 handles by itself
+    first_row = 0;
+    constexpr bool banded = requires { Problem::lower; };
+
+    Eigen::VectorXd y = problem.initial();
+    int n = static_cast<int>(y.size());
+    std::array<int, 3> index{n, 0, 0};
+    if constexpr (requires { problem.index(); })
+        for (int i = 0; i < n; ++i)
+            if (problem.index()[i] > 1) --index[0], ++index[problem.index()[i] - 1];
+    if constexpr (requires { Problem::second_order; }) first_row = Problem::second_order;
+
+    const auto f = [](int* n, double* t, double* y, double* f, double*, int*) {
+        thread_local state_of<Problem> in, out;
+        in = Eigen::Map<Eigen::VectorXd>(y, *n);
+        out.resize(*n);
+        (*current)(*t, in, out);
+        Eigen::Map<Eigen::VectorXd>(f, *n) = out;
+    };
+    const auto jacobian = [](int* n, double* t, double* y, int*, int*, double* dfy, int* ldfy, double*,
+                             int*) {
+        thread_local state_of<Problem> in;
+        in = Eigen::Map<Eigen::VectorXd>(y, *n);
+        Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> out(dfy, *ldfy, *n, Eigen::OuterStride<>(*ldfy));
+        if constexpr (banded) {
+            out.setZero();
+            current->jacobian_entries(in,
+                                      [&](int i, int j, double v) { out(i - j + Problem::upper, j) = v; });
+            (void)t;
+        } else {
+            thread_local jacobian_of<Problem> J;
+            J.resize(*n, *n);
+            current->jacobian(*t, in, J);
+            out.topRows(*n - first_row) = J.bottomRows(*n - first_row);
+        }
+    };
+    const auto mass = [](int* nm, double* am, int* lmas, double*, int*) {
+        if constexpr (requires { current->mass(); }) {
+            Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> out(am, *lmas, *nm,
+                                                                     Eigen::OuterStride<>(*lmas));
+            out.topRows(*nm) = Eigen::MatrixXd(current->mass()).bottomRightCorner(*nm, *nm);
+        } else {
+            (void)nm, (void)am, (void)lmas;
+        }
+    };
+    const auto solout = [](int*, double*, double*, double*, double*, int*, int*, double*, int*, int*) {};
+
+    double t = Problem::t0, t_end = Problem::t1, h = 0, atol = rtol * Problem::atol_scale, rpar = 0;
+    int itol = 0, ijac = 1, iout = 0, ipar = 0, idid = 0;
+    int ml = n, mu = n;
+    if constexpr (banded) ml = Problem::lower, mu = Problem::upper;
+    int imas = 0;
+    if constexpr (requires { problem.mass(); }) imas = 1;
+    int mlmas = n - first_row, mumas = n - first_row;
+    const int ljac = banded ? ml + mu + 1 : n, le = banded ? 2 * ml + mu + 1 : n;
+    int lwork = n * (ljac + n * imas + 3 * le + 12) + 20, liwork = 3 * n + 20;
+    std::vector<double> work(lwork, 0.0);
+    std::vector<int> iwork(liwork, 0);
+    iwork[1] = 10'000'000;  // steps allowed
+    iwork[4] = index[0], iwork[5] = index[1], iwork[6] = index[2];
+    iwork[8] = iwork[9] = first_row;
+    if (first_row > 0) ml = mu = n - first_row;
+
+    radau5_symbol()(&n, f, &t, y.data(), &t_end, &h, &rtol, &atol, &itol, jacobian, &ijac, &ml, &mu, mass,
+                    &imas, &mlmas, &mumas, solout, &iout, work.data(), &lwork, iwork.data(), &liwork, &rpar,
+                    &ipar, &idid);
+    return {.y = y,
+            .ok = idid == 1,
+            .steps = iwork[15],
+            .f = iwork[13],
+            .jacobians = iwork[14],
+            .factorisations = iwork[18]};
+}
+
+}  // namespace peers

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "report.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+namespace {
+
+std::vector<std::string> distinct(const std::vector<curve>& curves, std::string curve::*member) {
+    std::vector<std::string> names;
+    for (const curve& c : curves)
+        if (std::find(names.begin(), names.end(), c.*member) == names.end()) names.push_back(c.*member);
+    return names;
+}
+
+}  // namespace
+
+void print_table(const std::vector<curve>& curves) {
+    std::printf("%-14s %-16s %8s %10s %12s %12s %9s %9s %7s %7s\n", "problem", "solver", "tol", "error",
+                "min us", "median us", "steps", "f", "J", "LU");
+    for (const curve& c : curves)
+        for (const point& p : c.points)
+            std::printf("%-14s %-16s %8.0e %10.2e %12.1f %12.1f %9ld %9ld %7ld %7ld%s\n", c.problem.c_str(),
+                        c.solver.c_str(), p.tolerance, p.error, p.minimum_us, p.median_us, p.counts.steps,
+                        p.counts.f, p.counts.jacobians, p.counts.factorisations,
+                        p.counts.ok ? "" : "  stopped early");
+}
+
+void write_csv(const std::vector<curve>& curves, const std::string& file) {
+    std::ofstream out(file);
+    if (!out) throw std::runtime_error("--csv: cannot write " + file);
+    out << "problem,solver,n,tolerance,error,minimum_us,median_us,steps,f,jacobians,factorisations,ok\n";
+    for (const curve& c : curves)
+        for (const point& p : c.points)
+            out << c.problem << ',' << c.solver << ',' << c.size << ',' << p.tolerance << ',' << p.error
+                << ',' << p.minimum_us << ',' << p.median_us << ',' << p.counts.steps << ',' << p.counts.f
+                << ',' << p.counts.jacobians << ',' << p.counts.factorisations << ',' << p.counts.ok << '\n';
+}
+
+void write_diagrams(const std::vector<curve>& curves, const std::string& directory) {
+    std::filesystem::create_directories(directory);
+    for (const std::string& problem : distinct(curves, &curve::problem)) {
+        const std::unique_ptr<FILE, int (*)(FILE*)> gnuplot(popen("gnuplot", "w"), pclose);
+        if (!gnuplot) throw std::runtime_error("--svg: gnuplot could not be started; install gnuplot-nox");
+        std::FILE* g = gnuplot.get();
+        std::fprintf(
+            g,
+            "set terminal svg size 760,560 font 'sans,13' background 'white'\nset output '%s/%s.svg'\n"
+            "set logscale xy\nset format '10^{%%L}'\nset grid lc rgb '#dddddd'\nset key outside right\n"
+            "set xlabel 'error'\nset ylabel 'time / microseconds'\nset title '%s'\nset xrange [] reverse\n",
+            directory.c_str(), problem.c_str(), problem.c_str());
+        std::string plot = "plot ";
+        for (const curve& c : curves)
+            if (c.problem == problem)
+                plot += "'-' using 1:2 with linespoints pt 7 ps 0.5 lw " +
+                        std::string(c.solver == "stagecraft" ? "3" : "1.5") + " title '" + c.solver + "', ";
+        std::fprintf(g, "%s\n", plot.substr(0, plot.size() - 2).c_str());
+        for (const curve& c : curves) {
+            if (c.problem != problem) continue;
+            for (const point& p : c.points)
+                if (std::isfinite(p.error) && p.error > 0 && p.error < 10)
+                    std::fprintf(g, "%g %g\n", p.error, p.minimum_us);
+            std::fprintf(g, "e\n");
+        }
+    }
+}
+
+void print_ratios(const std::vector<curve>& curves, const std::string& ours) {
+    const auto line = [&](const std::string& peer, const std::string& where, int first, int last,
+                          const auto& counted) {
+        const time_ratio r = ratio_at_equal_error(curves, ours, peer, first, last, counted);
+        if (r.points > 0)
+            std::printf("geometric mean time ratio to %s at equal error%s: %.3f (%d points)\n", peer.c_str(),
+                        where.c_str(), r.mean, r.points);
+    };
+    const auto everything = [](const curve&) { return true; };
+    const auto small = [](const curve& c) { return c.size <= 12; };
+    for (const std::string& peer : distinct(curves, &curve::solver)) {
+        if (peer.starts_with(ours)) continue;
+        line(peer, "", 3, 10, everything);
+        line(peer, " (n <= 12, errors 1e-8 and below)", 8, 10, small);
+        line(peer, " (errors 1e-6 and below)", 6, 10, everything);
+        for (const std::string& problem : distinct(curves, &curve::problem))
+            line(peer, " (" + problem + ")", 3, 10, [&](const curve& c) { return c.problem == problem; });
+    }
+}
