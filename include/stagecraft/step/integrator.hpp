@@ -214,9 +214,10 @@ class integrator {
                 negligible_[i] = moved > small ? moved : small;
             }
         }
-        if (has_output_ && failures_ == 0 && !fixed()) {
+        if (!system_type::finite_difference && has_output_ && failures_ == 0 && !fixed()) {
             // Two fifths into the step the Jacobian serves all stages best; not further than the last step
-            // was long, as that is where the state comes from.
+            // was long, as that is where the state comes from. (Differences need f there as well: they stay
+            // at the left end, where it is known.)
             const scalar last = outputs_[current_].step();
             const scalar ahead = (abs(h) < abs(last) ? h : last) * 2 / 5;
             outputs_[current_].evaluate(t_ + ahead, y1_);
