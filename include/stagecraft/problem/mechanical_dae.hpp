@@ -12,56 +12,109 @@
 
 namespace stagecraft {
 
-/// Derivatives of the residual rho = F(q, v, t) - M(q) a - G(q)^T lambda with a and lambda held fixed, and of
-/// G(q) v, with respect to q and v. By the implicit function theorem M(q) da = d rho: automatic
-/// differentiation never runs through the factorisation of M.
-template <class S, class Model>
-struct mechanical_derivatives {
-    static constexpr int n = Model::coordinates, m = Model::constraints;
-    Eigen::Matrix<S, n, n> residual_q, residual_v;
-    Eigen::Matrix<S, m, n> constraint_q;  ///< d(G(q) v)/dq, whose product with v is (dG/dt) v
+namespace detail {
 
-    mechanical_derivatives(const Model& model, const coordinate_vector<S, Model>& q,
-                           const coordinate_vector<S, Model>& v, const coordinate_vector<S, Model>& a,
-                           const multiplier_vector<S, Model>& lambda, const S& t) {
-        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
-        using std::swap;
-        coordinate_vector<dual, Model> moving, fixed;
-        const dual time = constant<dual>(t);
+template <class Dual, class S>
+Dual constant(const S& x) {
+    Dual result;
+    result.value() = x;
+    for (int i = 0; i < result.derivatives().size(); ++i) result.derivatives()[i] = S(0);
+    return result;
+}
+
+template <class Dual, class S, int N>
+Eigen::Matrix<Dual, N, 1> constants(const Eigen::Matrix<S, N, 1>& x) {
+    Eigen::Matrix<Dual, N, 1> result;
+    for (int i = 0; i < N; ++i) result[i] = constant<Dual>(x[i]);
+    return result;
+}
+
+template <class Dual, class S, int N>
+Eigen::Matrix<Dual, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
+    Eigen::Matrix<Dual, N, 1> result = constants<Dual>(x);
+    for (int i = 0; i < N; ++i) result[i].derivatives()[i] = S(1);
+    return result;
+}
+
+}  // namespace detail
+
+/// The acceleration a = M(q)^-1 (F - G^T lambda) with its derivatives, and those of the constraint. By the
+/// implicit function theorem M da = d(F - M a - G^T lambda) with a and lambda held fixed on the right:
+/// automatic differentiation never runs through the factorisation of M.
+template <class S, class Model>
+struct acceleration_jacobian {
+    static constexpr int n = Model::coordinates, m = Model::constraints;
+    coordinate_vector<S, Model> a;
+    Eigen::Matrix<S, m, n> G;
+    Eigen::Matrix<S, n, n> a_q, a_v;
+    Eigen::Matrix<S, n, m> a_lambda;
+    Eigen::Matrix<S, m, n> Gv_q;  ///< d(G(q) v)/dq
+    Eigen::Matrix<S, m, n> Ga_q;  ///< d(G(q) a)/dq with a held fixed
+
+    acceleration_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
+                          const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
+                          const S& t)
+        : G(model.G(q)) {
+        const mass_inverse<S, Model> solve(model, q);
+        a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
+        const dual time = detail::constant<dual>(t);
+        const dual_vector q_moving = detail::variables<dual>(q), q_fixed = detail::constants<dual>(q);
+        const dual_vector v_moving = detail::variables<dual>(v), v_fixed = detail::constants<dual>(v);
+        const dual_vector F_q = force<dual>(model, q_moving, v_fixed, time);
+        const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
+        const Eigen::Matrix<dual, n, n> M = model.M(q_moving);
+        const Eigen::Matrix<dual, m, n> dG = model.G(q_moving);
         for (int i = 0; i < n; ++i) {
-            moving[i] = constant<dual>(q[i]);
-            moving[i].derivatives()[i] = S(1);
-            fixed[i] = constant<dual>(v[i]);
-        }
-        const coordinate_vector<dual, Model> f = force<dual>(model, moving, fixed, time);
-        const Eigen::Matrix<dual, n, n> M = model.M(moving);
-        const Eigen::Matrix<dual, m, n> G = model.G(moving);
-        for (int i = 0; i < n; ++i) {
-            coordinate_vector<S, Model> row = f[i].derivatives();
+            coordinate_vector<S, Model> row = F_q[i].derivatives();
             for (int j = 0; j < n; ++j) row -= a[j] * M(i, j).derivatives();
-            for (int k = 0; k < m; ++k) row -= lambda[k] * G(k, i).derivatives();
-            residual_q.row(i) = row.transpose();
+            for (int k = 0; k < m; ++k) row -= lambda[k] * dG(k, i).derivatives();
+            a_q.row(i) = row.transpose();
+            a_v.row(i) = F_v[i].derivatives().transpose();
+        }
+        for (int j = 0; j < n; ++j) {
+            a_q.col(j) = solve(a_q.col(j));
+            a_v.col(j) = solve(a_v.col(j));
         }
         for (int k = 0; k < m; ++k) {
-            coordinate_vector<S, Model> row = v[0] * G(k, 0).derivatives();
-            for (int j = 1; j < n; ++j) row += v[j] * G(k, j).derivatives();
-            constraint_q.row(k) = row.transpose();
+            a_lambda.col(k) = -solve(G.row(k).transpose());
+            Gv_q.row(k) = v[0] * dG(k, 0).derivatives().transpose();
+            Ga_q.row(k) = a[0] * dG(k, 0).derivatives().transpose();
+            for (int j = 1; j < n; ++j) {
+                Gv_q.row(k) += v[j] * dG(k, j).derivatives().transpose();
+                Ga_q.row(k) += a[j] * dG(k, j).derivatives().transpose();
+            }
         }
-        for (int i = 0; i < n; ++i) {
-            fixed[i] = constant<dual>(q[i]);
-            moving[i].value() = v[i];
-        }
-        const coordinate_vector<dual, Model> g = force<dual>(model, fixed, moving, time);
-        for (int i = 0; i < n; ++i) residual_v.row(i) = g[i].derivatives().transpose();
     }
 
   private:
-    template <class Dual>
-    static Dual constant(const S& x) {
-        Dual result;
-        result.value() = x;
-        for (int i = 0; i < n; ++i) result.derivatives()[i] = S(0);
-        return result;
+    using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+    using dual_vector = Eigen::Matrix<dual, n, 1>;
+};
+
+/// The once differentiated constraint Phi = d/dt (G v) = (dG/dt) v + G a, with its derivatives.
+template <class S, class Model>
+struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
+    using acceleration_jacobian<S, Model>::n;
+    using acceleration_jacobian<S, Model>::m;
+    Eigen::Matrix<S, m, n> phi_q, phi_v;
+    multiplier_matrix<S, Model> phi_lambda;  ///< -G M^-1 G^T
+
+    hidden_constraint_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
+                               const coordinate_vector<S, Model>& v,
+                               const multiplier_vector<S, Model>& lambda, const S& t)
+        : acceleration_jacobian<S, Model>(model, q, v, lambda, t) {
+        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+        const multiplier_vector<dual, Model> c_q =
+            constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v));
+        const multiplier_vector<dual, Model> c_v =
+            constraint_curvature<dual>(model, detail::constants<dual>(q), detail::variables<dual>(v));
+        phi_q = this->Ga_q + this->G * this->a_q;
+        phi_v = this->G * this->a_v;
+        phi_lambda = this->G * this->a_lambda;
+        for (int k = 0; k < m; ++k) {
+            phi_q.row(k) += c_q[k].derivatives().transpose();
+            phi_v.row(k) += c_v[k].derivatives().transpose();
+        }
     }
 };
 
@@ -91,21 +144,15 @@ class index_2_dae {
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> lambda = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        const mass_inverse<S, Model> solve(model_, q);
-        const coordinate_vector<S, Model> a = solve(force<S>(model_, q, v, t) - G.transpose() * lambda);
-        const mechanical_derivatives<S, Model> d(model_, q, v, a, lambda, t);
+        const acceleration_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
+                                                y.template tail<m>(), t);
         J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) {
-            J(j, n + j) = S(1);
-            J.template block<n, 1>(n, j) = solve(d.residual_q.col(j));
-            J.template block<n, 1>(n, n + j) = solve(d.residual_v.col(j));
-        }
-        for (int j = 0; j < m; ++j) J.template block<n, 1>(n, 2 * n + j) = -solve(G.row(j).transpose());
-        J.template block<m, n>(2 * n, 0) = d.constraint_q;
-        J.template block<m, n>(2 * n, n) = G;
+        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
+        J.template block<n, n>(n, 0) = d.a_q;
+        J.template block<n, n>(n, n) = d.a_v;
+        J.template block<n, m>(n, 2 * n) = d.a_lambda;
+        J.template block<m, n>(2 * n, 0) = d.Gv_q;
+        J.template block<m, n>(2 * n, n) = d.G;
     }
 
     /// diag(1, ..., 1, 0, ..., 0): singular in the rows of the constraint.
@@ -161,18 +208,38 @@ class index_reduced_ode {
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template tail<n>();
+        const multiplier_vector<S, Model> lambda = multiplier(q, v, t);
+        f.template head<n>() = v;
+        f.template tail<n>() =
+            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - model_.G(q).transpose() * lambda);
+    }
+
+    template <class S>
+    void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
+        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template tail<n>();
+        const hidden_constraint_jacobian<S, Model> d(model_, q, v, multiplier(q, v, t), t);
+        // 0 = Phi(q, v, lambda) + r G v gives d lambda = (G M^-1 G^T)^-1 (Phi_q + r (G v)_q, Phi_v + r G).
+        const small_ldlt<S, m> inertia(multiplier_matrix<S, Model>(-d.phi_lambda));
+        J = Eigen::Matrix<S, size, size>::Constant(S(0));
+        for (int j = 0; j < n; ++j) {
+            J(j, n + j) = S(1);
+            const multiplier_vector<S, Model> by_q = d.phi_q.col(j) + S(r_) * d.Gv_q.col(j);
+            const multiplier_vector<S, Model> by_v = d.phi_v.col(j) + S(r_) * d.G.col(j);
+            J.template block<n, 1>(n, j) = d.a_q.col(j) + d.a_lambda * inertia.solve(by_q);
+            J.template block<n, 1>(n, n + j) = d.a_v.col(j) + d.a_lambda * inertia.solve(by_v);
+        }
+    }
+
+    /// The multiplier that the differential equation uses at (q, v).
+    template <class S>
+    multiplier_vector<S, Model> multiplier(const coordinate_vector<S, Model>& q,
+                                           const coordinate_vector<S, Model>& v, const S& t) const {
         const mass_inverse<S, Model> solve(model_, q);
         const Eigen::Matrix<S, m, n> G = model_.G(q);
-        Eigen::Matrix<S, n, m> B;  // M^-1 G^T
-        for (int j = 0; j < m; ++j) B.col(j) = solve(G.row(j).transpose());
-        const coordinate_vector<S, Model> free = solve(force<S>(model_, q, v, t));
-        const multiplier_vector<S, Model> curvature = constraint_curvature(model_, q, v), violation = G * v;
-        multiplier_vector<S, Model> rhs = G * free;
-        for (int i = 0; i < m; ++i) rhs[i] += curvature[i] + S(r_) * violation[i];
-        const multiplier_matrix<S, Model> inertia = G * B;
-        const multiplier_vector<S, Model> lambda = small_ldlt<S, m>(inertia).solve(rhs);
-        f.template head<n>() = v;
-        f.template tail<n>() = free - B * lambda;
+        const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model_, q, v);
+        const multiplier_vector<S, Model> rhs =
+            G * solve(force<S>(model_, q, v, t)) + curvature + S(r_) * (G * v);
+        return small_ldlt<S, m>(constraint_inertia<S>(model_, q)).solve(rhs);
     }
 
     const Model& model() const { return model_; }

@@ -39,7 +39,7 @@ struct newton_limits {
 /// simplified Newton in the variables W = (T^-1 (x) I) Z, where they fall into one real system per real
 /// eigenvalue of A^-1 and one complex system per pair (Hairer-Wanner II.IV.8). Each block is factored once
 /// per (J, h). All storage is taken in the constructor.
-template <class Scalar, int N, int Stages, class Blocks>
+template <class Scalar, int N, int Stages, class Blocks = dense_blocks<Scalar, N>>
 class transformed_stages {
   public:
     using vector = Eigen::Matrix<Scalar, N, 1>;

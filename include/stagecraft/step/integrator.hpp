@@ -27,7 +27,7 @@ class integrator {
   public:
     using scalar = typename Vector::Scalar;
     using steps = detail::steps_of<std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>,
-                                   Vector::RowsAtCompileTime, typename system<Problem, Vector>::blocks>;
+                                   Vector::RowsAtCompileTime>;
     using output_type = dense_output<Vector, steps::max_stages>;
     static_assert(std::is_same_v<scalar, typename steps::scalar>,
                   "method and state must have the same scalar type");

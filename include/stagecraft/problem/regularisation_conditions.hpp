@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include <stagecraft/linear/logarithmic_norm.hpp>
+#include <stagecraft/problem/regularised.hpp>
+
+namespace stagecraft {
+
+/// The hypotheses of the thesis' convergence theorems at one position q, with the logarithmic norms they
+/// speak of: mu(-G M^-1 G^T), mu(g_lambda) with g_lambda = -d G M^-1 G^T, and the bound c/d^2. A theorem
+/// holds if its condition holds in one norm, all along the motion.
+struct regularisation_conditions {
+    logarithmic_norms constraint;  ///< of -G M^-1 G^T
+    logarithmic_norms g_lambda;    ///< of -d G M^-1 G^T
+    double bound;                  ///< c/d^2
+
+    /// Theorem 6 (strong damping): mu(g_lambda) < 0, in the Euclidean norm.
+    bool strong_damping() const { return g_lambda.euclidean < 0; }
+    /// Corollary 4 (principal damping), (3.61): -mu(-G M^-1 G^T) > c/d^2, in the Euclidean norm.
+    bool principal_damping() const { return -constraint.euclidean > bound; }
+};
+
+/// Evaluates them at q for the spring c and the damper d.
+template <mechanical_model Model>
+regularisation_conditions conditions(const Model& model, const coordinate_vector<double, Model>& q, double c,
+                                     double d) {
+    const multiplier_matrix<double, Model> S = constraint_inertia(model, q);
+    return {logarithmic_norm(multiplier_matrix<double, Model>(-S)),
+            logarithmic_norm(multiplier_matrix<double, Model>(-d * S)), c / (d * d)};
+}
+
+}  // namespace stagecraft

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE regularised
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/problem/regularisation_conditions.hpp>
+#include <string>
+
+#include "../../examples/rolling_disc/disc.hpp"
+#include "../../examples/thesis/any_problem.hpp"
+
+using namespace stagecraft;
+using rolling_disc::disc;
+using vector5 = Eigen::Matrix<double, 5, 1>;
+using vector10 = Eigen::Matrix<double, 10, 1>;
+
+namespace {
+
+const vector5 q0 = rolling_disc::initial_position(), v0 = rolling_disc::initial_velocity();
+
+struct end_point {
+    vector10 y;
+    Eigen::Vector2d lambda;
+    long steps;
+};
+
+// One integrator for all forms, so that the test compiles in seconds.
+result<Eigen::VectorXd> solve(const thesis::any_problem& problem, const Eigen::VectorXd& y0, double t1,
+                              double tolerance) {
+    const auto r = integrate(radau_iia<3>(), problem, y0, 0.0, t1, {.rtol = tolerance, .atol = tolerance});
+    BOOST_REQUIRE_MESSAGE(r.ok(), name(r.status));
+    return r;
+}
+
+template <class Problem>
+end_point run(const Problem& problem, double t1, double tolerance, const Eigen::Vector2d& lambda0) {
+    const result<Eigen::VectorXd> r =
+        solve(thesis::erased(problem), problem.initial_state(q0, v0, lambda0), t1, tolerance);
+    return {r.y.head<10>(), problem.multiplier(r.y), r.report.steps};
+}
+
+Eigen::Vector2d consistent() { return consistent_multiplier(disc<>(), q0, v0); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_named) {
+    const auto message = [](double eps, double kappa, double c, double d) {
+        try {
+            regularised(disc<>(), eps, kappa, c, d);
+        } catch (const std::invalid_argument& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    BOOST_TEST(message(0, 1, 2, 2) == "regularised: eps must be positive and finite");
+    BOOST_TEST(message(1e-6, 0, 2, 2) == "regularised: kappa must lie in (0, 1]");
+    BOOST_TEST(message(1e-6, 1.5, 2, 2) == "regularised: kappa must lie in (0, 1]");
+    BOOST_TEST(message(1e-6, 1, -2, 2) == "regularised: c must be positive and finite");
+    BOOST_TEST(message(1e-6, 1, 2, NAN) == "regularised: d must be positive and finite");
+    BOOST_TEST(message(1e-6, 1, 2, 2).empty());
+}
+
+BOOST_AUTO_TEST_CASE(every_form_brings_the_derivative_of_its_field) {
+    const auto largest_defect = [](const thesis::any_problem& problem, const Eigen::VectorXd& y) {
+        const Eigen::Index n = y.size();
+        Eigen::MatrixXd J(n, n);
+        problem.jacobian(0.0, y, J);
+        Eigen::VectorXd up(n), down(n);
+        double worst = 0;
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const double h = 1e-5;
+            const Eigen::VectorXd e = h * Eigen::VectorXd::Unit(n, j);
+            problem(0.0, y + e, up);
+            problem(0.0, y - e, down);
+            worst = std::max(
+                worst, (J.col(j) - (up - down) / (2 * h)).cwiseAbs().maxCoeff() / J.cwiseAbs().maxCoeff());
+        }
+        return worst;
+    };
+    vector5 q = q0, v = v0;
+    q << 0.3, -0.2, 1, 0.7, 2;
+    v << 0.5, 0.3, -2, 1, 3;
+    Eigen::VectorXd y(14);
+    y << q, v, 0.4, -0.6, 0.8, 1.1;
+    const disc<> body;
+    BOOST_TEST(largest_defect(thesis::erased(index_2(body)), y.head(12)) < 1e-7);
+    BOOST_TEST(largest_defect(thesis::erased(index_reduced(body, 3.0)), y.head(10)) < 1e-7);
+    BOOST_TEST(largest_defect(thesis::erased(regularised(body, 1e-1, 0.5, 2.0, 3.0)), y) < 1e-7);
+    BOOST_TEST(largest_defect(thesis::erased(regularised_multiplier_form(body, 1e-1, 0.5, 2.0, 3.0)),
+                              y.head(12)) < 1e-7);
+    BOOST_TEST(largest_defect(thesis::erased(regularised_creep_form(body, 1e-1, 0.5, 2.0, 3.0)), y.head(12)) <
+               1e-7);
+    BOOST_TEST(largest_defect(thesis::erased(principal_damping_transformed(body, 1e-1, 2.0, 3.0)), y) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(all_forms_describe_the_same_motion) {
+    for (const double kappa : {1.0, 0.5}) {
+        const double eps = 1e-4;
+        const auto a = run(regularised(disc<>(), eps, kappa, 2.0, 2.0), 0.2, 1e-10, consistent());
+        const auto b =
+            run(regularised_multiplier_form(disc<>(), eps, kappa, 2.0, 2.0), 0.2, 1e-10, consistent());
+        const auto c = run(regularised_creep_form(disc<>(), eps, kappa, 2.0, 2.0), 0.2, 1e-10, consistent());
+        BOOST_TEST((a.y - b.y).norm() < 1e-7);
+        BOOST_TEST((a.y - c.y).norm() < 1e-7);
+        BOOST_TEST((a.lambda - b.lambda).norm() < 1e-6);
+        BOOST_TEST((a.lambda - c.lambda).norm() < 1e-6);
+        if (kappa == 0.5) {
+            const auto d =
+                run(principal_damping_transformed(disc<>(), eps, 2.0, 2.0), 0.2, 1e-10, consistent());
+            BOOST_TEST((a.y - d.y).norm() < 1e-7);
+            BOOST_TEST((a.lambda - d.lambda).norm() < 1e-6);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_different_damper_is_a_different_motion) {
+    const auto a = run(regularised(disc<>(), 1e-3, 1.0, 2.0, 2.0), 0.2, 1e-9, consistent());
+    const auto b = run(regularised(disc<>(), 1e-3, 0.5, 2.0, 2.0), 0.2, 1e-9, consistent());
+    BOOST_TEST((a.y - b.y).norm() > 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(the_transformed_form_rescales_c_and_d_correctly) {
+    const auto a = run(principal_damping(disc<>(), 1e-4, 1.5, 3.0), 0.1, 1e-10, consistent());
+    const auto b = run(principal_damping_transformed(disc<>(), 1e-4, 1.5, 3.0), 0.1, 1e-10, consistent());
+    BOOST_TEST((a.y - b.y).norm() < 1e-8);
+    BOOST_TEST((a.lambda - b.lambda).norm() < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(steps_of_the_mass_matrix_form_do_not_grow_as_eps_vanishes) {
+    const auto dae = index_2(disc<>());
+    const auto reference = solve(thesis::erased(dae), dae.initial_state(q0, v0), 1.0, 1e-8);
+    for (const double kappa : {1.0, 0.5})
+        for (const double eps : {1e-6, 1e-10, 1e-14}) {
+            const auto r = run(regularised(disc<>(), eps, kappa, 2.0, 2.0), 1.0, 1e-8, consistent());
+            BOOST_TEST(r.steps <= reference.report.steps * 11 / 10);
+        }
+    const auto creeping = run(regularised_creep_form(disc<>(), 1e-6, 1.0, 2.0, 2.0), 1.0, 1e-8, consistent());
+    BOOST_TEST(creeping.steps > reference.report.steps * 3 / 2);
+}
+
+BOOST_AUTO_TEST_CASE(conditions_are_those_of_the_thesis) {
+    // -G M^-1 G^T = diag(-3, -5/(5 - 4 cos^2 beta)): mu <= -1 in all three norms, so d^2/c > 1 suffices.
+    vector5 q = q0;
+    for (double beta = -1.5; beta < 1.5; beta += 0.25) {
+        q[3] = beta;
+        const double expected = -5 / (5 - 4 * std::pow(std::cos(beta), 2));
+        const auto good = conditions(disc<>(), q, 2.0, 2.0);
+        const double largest = std::max(-3.0, expected);
+        BOOST_TEST(std::abs(good.constraint.euclidean - largest) < 1e-10);
+        BOOST_TEST(std::abs(good.constraint.one - largest) < 1e-10);
+        BOOST_TEST(std::abs(good.constraint.infinity - largest) < 1e-10);
+        BOOST_TEST(std::abs(good.g_lambda.euclidean - 2 * largest) < 1e-10);
+        BOOST_TEST(good.strong_damping());
+        BOOST_TEST(good.principal_damping());
+    }
+    q[3] = 1.5;
+    BOOST_TEST(!conditions(disc<>(), q, 2.0, 1.0).principal_damping());
+    BOOST_TEST(conditions(disc<>(), q, 2.0, 1.0).strong_damping());
+}
+
+BOOST_AUTO_TEST_CASE(logarithmic_norms_may_differ_in_sign) {
+    Eigen::Matrix2d A;
+    A << -1, 3, 0, -2;
+    const auto mu = logarithmic_norm(A);
+    BOOST_TEST(mu.euclidean == -1.5 + std::sqrt(0.25 + 2.25), boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(mu.one == 1.0);
+    BOOST_TEST(mu.infinity == 2.0);
+    A << -3, 2, 0, -3;
+    BOOST_TEST(logarithmic_norm(A).one == -1.0);
+}
