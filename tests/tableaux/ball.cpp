@@ -93,6 +93,20 @@ BOOST_AUTO_TEST_CASE(operations_enclose_the_exact_results) {
     BOOST_TEST(rooted > 1000);
 }
 
+BOOST_AUTO_TEST_CASE(rounding_keeps_the_sign_whatever_the_low_limbs_are) {
+    // Boost 1.74's >> turns a negative number with lowest limb 1 into a positive one
+    for (const integer& low : {integer(0), integer(1), integer(2), (integer(1) << 64) - 1, integer(1) << 64})
+        for (const int sign : {-1, 1})
+            for (const int shift : {64, 192, 448}) {
+                const integer n = (integer(5) << static_cast<unsigned>(shift + 70)) + low;
+                const rational q = rational(n) * rational(sign);
+                const ball x(ball::mantissa(integer(n * sign)), 0, 0, 400);
+                BOOST_TEST(x.contains(q));
+                BOOST_TEST(x.with_bits(64).contains(q));
+                BOOST_TEST((x.with_bits(64) + ball(sign)).contains(q + rational(sign)));
+            }
+}
+
 BOOST_AUTO_TEST_CASE(chains_of_operations_and_products_of_vectors_enclose) {
     rationals random;
     for (int trial = 0; trial < 100; ++trial) {

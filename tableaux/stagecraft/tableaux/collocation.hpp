@@ -12,16 +12,16 @@
 
 namespace stagecraft::tableaux {
 
-/// The Lagrange polynomial of a node as b (P_0 + sum over k > 0 of shape[k] P_k), shape[0] = 1.
+/// The Lagrange polynomial of a node: factor times the sum over k of shape[k] P_k.
 struct lagrange_form {
-    ball b;
+    ball factor;
     std::vector<ball> shape;
 };
 
 /// The Lagrange polynomials of all nodes; p holds the values P_k(c_j), k <= s. A family's: shape[k] =
 /// P_k(c_j) / G_k with the Gram entries G_k = 1/(2k+1) of b^T(uv), the last one 1/(s-1) for Lobatto, and
-/// b_j = 1 / sum P_k(c_j)^2 / G_k. Anybody's: w / (x - c_j) by back substitution in the three-term
-/// recurrence, scaled to 1 at c_j. O(s^2). Throws undecided where a weight is not proved to be non-zero.
+/// factor = b_j = 1 / sum P_k(c_j)^2 / G_k. Anybody's: w / (x - c_j) by back substitution in the three-term
+/// recurrence, scaled to 1 at c_j. O(s^2).
 inline std::vector<lagrange_form> lagrange_forms(const nodal_polynomial& w, const std::vector<ball>& nodes,
                                                  const std::vector<std::vector<ball>>& p, int bits) {
     const int s = w.degree();
@@ -48,20 +48,16 @@ inline std::vector<lagrange_form> lagrange_forms(const nodal_polynomial& w, cons
             u[at] = q.times(2 * (2 * k + 1)).over(k + 1);
             value += u[at] * p[j][at];
         }
-        ball b = u[0] / value;
-        const ball first = u[0];
-        for (ball& entry : u) entry /= first;
-        u[0] = 1;
-        forms.push_back({std::move(b), std::move(u)});
+        forms.push_back({ball(1).with_bits(bits) / value, std::move(u)});
     }
     return forms;
 }
 
 /// Enclosures of c, b and A of the method with nodal polynomial w and the given construction (Hairer-Wanner
 /// II.IV.5), by closed forms and computed with `bits` bits: with I_k the integral of P_k from 0 to x
-/// and l_j = b_j sum over k of shape_j[k] P_k,
-///     collocation   a_ij = b_j sum over k of I_k(c_i) shape_j[k]
-///     adjoint       a_ij = b_j (1 - sum over k of I_k(c_j) shape_i[k])       that is D(s)
+/// and l_j = factor_j sum over k of shape_j[k] P_k,
+///     collocation   a_ij = factor_j sum over k of I_k(c_i) shape_j[k]
+///     adjoint       a_ij = b_j (1 - sum over k of I_k(c_j) shape_i[k] / shape_i[0]),    that is D(s)
 ///     lobatto_iiic  as collocation, with (P_{s-1} - P_{s-2}) / (2(s-1)) in the place of I_{s-1}
 /// Radii grow by about 1.3 bits a stage. s^3 multiplications. Throws undecided where `bits` is too small.
 inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int bits) {
@@ -89,7 +85,8 @@ inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int b
     t.c.resize(s);
     for (int i = 0; i < s; ++i) {
         t.c(i) = nodes[static_cast<std::size_t>(i)];
-        t.b(i) = lagrange[static_cast<std::size_t>(i)].b;
+        const auto& form = lagrange[static_cast<std::size_t>(i)];
+        t.b(i) = form.factor * form.shape[0];
     }
     for (int i = 0; i < s; ++i)
         for (int j = 0; j < s; ++j) {
@@ -97,7 +94,11 @@ inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int b
             const auto& u = integrals[static_cast<std::size_t>(adjoint ? j : i)];
             const auto& v = lagrange[static_cast<std::size_t>(adjoint ? i : j)].shape;
             const ball sum = dot(u, v);
-            t.A(i, j) = t.b(j) * (adjoint ? ball(1) - sum : sum);
+            const bool at_one = compare(t.c(j), ball(1)) == std::partial_ordering::equivalent;
+            if (!adjoint)
+                t.A(i, j) = lagrange[static_cast<std::size_t>(j)].factor * sum;
+            else
+                t.A(i, j) = at_one ? ball(0) : t.b(j) * (ball(1) - sum / v[0]);
         }
     return t;
 }

@@ -11,6 +11,7 @@
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/range.hpp>
 #include <stagecraft/tableaux/roots.hpp>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,38 @@ inline std::optional<tableau<quadratic>> exact_tableau(const nodal_polynomial& w
 
 inline std::optional<tableau<quadratic>> exact_tableau(family f, int s) {
     return exact_tableau(nodal_polynomial(f, s), construction_of(f));
+}
+
+/// The inverse of a regular matrix over a field, by elimination. Throws std::domain_error where it is
+/// singular.
+inline tableau<quadratic>::matrix exact_inverse(tableau<quadratic>::matrix m) {
+    const auto n = m.rows();
+    tableau<quadratic>::matrix x(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j) x(i, j) = i == j ? 1 : 0;
+    for (Eigen::Index k = 0; k < n; ++k) {
+        Eigen::Index pivot = k;
+        while (pivot < n && m(pivot, k) == 0) ++pivot;
+        if (pivot == n) throw std::domain_error("exact_inverse: the matrix is singular");
+        for (Eigen::Index j = 0; j < n; ++j) {
+            std::swap(m(k, j), m(pivot, j));
+            std::swap(x(k, j), x(pivot, j));
+        }
+        const quadratic scale = quadratic(1) / m(k, k);
+        for (Eigen::Index j = 0; j < n; ++j) {
+            m(k, j) *= scale;
+            x(k, j) *= scale;
+        }
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const quadratic f = m(i, k);
+            if (i == k || f == 0) continue;
+            for (Eigen::Index j = 0; j < n; ++j) {
+                m(i, j) -= f * m(k, j);
+                x(i, j) -= f * x(k, j);
+            }
+        }
+    }
+    return x;
 }
 
 /// A quadratic number as a ball of about `bits` bits.

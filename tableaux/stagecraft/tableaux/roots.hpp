@@ -129,9 +129,11 @@ inline ball certified(const std::vector<ball>& w, ball x, int bits) {
     }
     x = x.with_bits(bits).midpoint();
     const auto table = legendre_values(x, s, true);
+    const ball value = legendre_sum(w, table.value);
+    if (value.exactly_zero()) return x;  // a dyadic zero, met exactly
     const bound slope = legendre_sum(w, table.slope).lower_magnitude();
     if (!(slope > 0)) throw undecided("nodes: the slope at a zero is undecided");
-    bound r = upward(2 * legendre_sum(w, table.value).upper_magnitude() / slope);
+    bound r = upward(2 * value.upper_magnitude() / slope);
     for (int attempt = 0; attempt < 4; ++attempt, r *= 256) {
         const auto [m, e] = ball::bound_parts(r);
         const ball half(m, e, 0, bits);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/collocation.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/round.hpp>
 #include <stagecraft/tableaux/transformed.hpp>
 #include <stdexcept>
@@ -41,6 +43,21 @@ constexpr int target_bits() {
         return bits_for_digits(std::numeric_limits<Real>::digits10 + 3);
 }
 
+/// Where the exact entry is rational it takes the place of its enclosure: a zero of a user's rational nodes
+/// and a number half-way between two doubles are then decided.
+template <class Exact, class Enclosed>
+void sharpen(const Exact& exact, Enclosed& entries, int bits) {
+    for (Eigen::Index i = 0; i < exact.rows(); ++i)
+        for (Eigen::Index j = 0; j < exact.cols(); ++j)
+            if (exact(i, j).is_rational()) entries(i, j) = ball(exact(i, j).rational_part(), bits);
+}
+inline void sharpen_basic(const std::optional<tableau<quadratic>>& exact, tableau<ball>& t, int bits) {
+    if (!exact) return;
+    sharpen(exact->A, t.A, bits);
+    sharpen(exact->b, t.b, bits);
+    sharpen(exact->c, t.c, bits);
+}
+
 /// Every entry rounded; throws undecided, naming the entry, where one cannot be.
 template <class Real, class From, class To>
 void matrix(const From& from, To& to, const char* name) {
@@ -70,9 +87,12 @@ void basic(const tableau<ball>& from, tableau<Real>& to) {
 /// undecided (an entry half-way between two numbers, or an irrational way to write 0).
 template <class Real = double>
 tableau<Real> rounded(const nodal_polynomial& w, construction rule, const stagecraft::facts& known = {}) {
+    const auto exact = exact_tableau(w, rule);
     return widening(working_bits(rounding::target_bits<Real>(), w.degree()), [&](int bits) {
+        tableau<ball> from = enclose(w, rule, bits);
+        rounding::sharpen_basic(exact, from, bits);
         tableau<Real> t;
-        rounding::basic(enclose(w, rule, bits), t);
+        rounding::basic(from, t);
         t.facts = known;
         return t;
     });
@@ -91,8 +111,13 @@ template <class Real = double>
 transformed_tableau<Real> transformed(const nodal_polynomial& w, construction rule,
                                       const stagecraft::facts& known = {}) {
     inverse_form_of(w, rule);
+    const auto exact = exact_tableau(w, rule);
+    std::optional<tableau<quadratic>::matrix> inverse;
+    if (exact) inverse = exact_inverse(exact->A);
     return widening(working_bits(rounding::target_bits<Real>(), 2 * w.degree()), [&](int bits) {
-        const transformed_tableau<ball> from = enclose_transformed(w, rule, bits);
+        transformed_tableau<ball> from = enclose_transformed(w, rule, bits);
+        rounding::sharpen_basic(exact, from, bits);
+        if (inverse) rounding::sharpen(*inverse, from.A_inverse, bits);
         transformed_tableau<Real> t;
         rounding::basic<Real>(from, t);
         rounding::matrix<Real>(from.A_inverse, t.A_inverse, "A^-1");

@@ -1,0 +1,11 @@
+# cmake -D tool=... -D header=... -D scratch=... -P compare.cmake
+file(STRINGS ${header} lines LIMIT_COUNT 1)
+if(NOT lines MATCHES "written by: stagecraft (.*)$")
+    message(FATAL_ERROR "${header}: no command in its first line")
+endif()
+separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_1}")
+execute_process(COMMAND ${tool} ${arguments} OUTPUT_FILE ${scratch} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${header} ${scratch} RESULT_VARIABLE different)
+if(different)
+    message(FATAL_ERROR "${header} differs from what 'stagecraft ${CMAKE_MATCH_1}' writes (${scratch})")
+endif()

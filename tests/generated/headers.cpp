@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE headers
+#include <boost/test/unit_test.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/lobatto_iiia.hpp>
+#include <stagecraft/coefficients/lobatto_iiib.hpp>
+#include <stagecraft/coefficients/lobatto_iiic.hpp>
+#include <stagecraft/coefficients/radau_ia.hpp>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <type_traits>
+
+using namespace stagecraft;
+
+namespace {
+
+/// T^-1 A^-1 T has the eigenvalues in its blocks, A A^-1 = I, A 1 = c up to the rounding of doubles.
+template <int S>
+void expect_consistent(const transformed_tableau<double, S>& t) {
+    BOOST_TEST(t.stages() == S);
+    BOOST_TEST(t.gamma.size() + 2 * t.beta.size() == S);
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(S, S);
+    const auto real = t.gamma.size();
+    for (Eigen::Index k = 0; k < real; ++k) block(k, k) = t.gamma(k);
+    for (Eigen::Index k = 0; k < t.beta.size(); ++k) {
+        const auto at = real + 2 * k;
+        block(at, at) = block(at + 1, at + 1) = t.alpha(k);
+        block(at, at + 1) = t.beta(k);
+        block(at + 1, at) = -t.beta(k);
+    }
+    const Eigen::MatrixXd transformed = t.T_inverse * t.A_inverse * t.T;
+    const double scale = t.T_inverse.norm() * t.A_inverse.norm() * t.T.norm();
+    BOOST_TEST((transformed - block).norm() < 1e-15 * S * scale);
+    BOOST_TEST((t.A * t.A_inverse - Eigen::MatrixXd::Identity(S, S)).norm() <
+               1e-15 * S * t.A.norm() * t.A_inverse.norm());
+    BOOST_TEST((t.A.rowwise().sum() - t.c).norm() < 1e-15 * S);
+    BOOST_TEST(t.b.sum() == 1.0, boost::test_tools::tolerance(1e-15));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(arrays_are_unpacked_into_their_places) {
+    expect_consistent(gauss<1>());
+    expect_consistent(gauss<9>());
+    expect_consistent(radau_iia<2>());
+    expect_consistent(radau_iia<9>());
+    expect_consistent(radau_ia<6>());
+    expect_consistent(lobatto_iiic<5>());
+    BOOST_TEST(radau_iia<3>().gamma(0) == 3.637834252744496);
+    BOOST_TEST(radau_iia<3>().alpha(0) == 2.681082873627752);
+    BOOST_TEST(radau_iia<3>().beta(0) == 3.050430199247411);
+    static_assert(std::is_same_v<decltype(lobatto_iiia<3>()), tableau<double, 3>>);
+    BOOST_TEST(lobatto_iiia<3>().A(1, 2) == -1.0 / 24.0);
+    BOOST_TEST(lobatto_iiib<3>().A(1, 0) == 1.0 / 6.0);
+    BOOST_TEST(lobatto_iiib<3>().A(0, 2) == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(facts_are_those_of_the_families) {
+    static_assert(coefficients::radau_iia<5>::facts.order == 9);
+    static_assert(coefficients::gauss<4>::facts.symplectic && !coefficients::radau_iia<4>::facts.symplectic);
+    const facts iia = radau_iia<3>().facts;
+    BOOST_TEST(iia.order == 5);
+    BOOST_TEST(iia.stage_order == 3);
+    BOOST_TEST((iia.l_stable && iia.stiffly_accurate && iia.algebraically_stable && !iia.symmetric));
+    BOOST_TEST(iia.r_infinity == 0.0);
+    BOOST_TEST(gauss<3>().facts.r_infinity == -1.0);
+    BOOST_TEST((lobatto_iiia<4>().facts.symmetric && !lobatto_iiia<4>().facts.algebraically_stable));
+}
