@@ -85,6 +85,6 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_in_one_line_that_says_what_is_allowed)
     expect_refusal("tableau gauss 3 --format xml", "text, json, latex");
     expect_refusal("tableau gauss", "stages");
     expect_refusal("tableau gauss 3 4", "--digits");
-    expect_refusal("coefficients radau_i 3", "lobatto_iiic");
+    expect_refusal("coefficients radau 3", "lobatto_iiic");
     expect_refusal("coefficients gauss 0", "from 1");
 }

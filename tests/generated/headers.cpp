@@ -45,9 +45,10 @@ BOOST_AUTO_TEST_CASE(arrays_are_unpacked_into_their_places) {
     expect_consistent(radau_iia<9>());
     expect_consistent(radau_ia<6>());
     expect_consistent(lobatto_iiic<5>());
-    BOOST_TEST(radau_iia<3>().gamma(0) == 3.637834252744496);
-    BOOST_TEST(radau_iia<3>().alpha(0) == 2.681082873627752);
-    BOOST_TEST(radau_iia<3>().beta(0) == 3.050430199247411);
+    const auto close = boost::test_tools::tolerance(3e-16);  // REFERENCE has 16 digits
+    BOOST_TEST(radau_iia<3>().gamma(0) == 3.637834252744496, close);
+    BOOST_TEST(radau_iia<3>().alpha(0) == 2.681082873627752, close);
+    BOOST_TEST(radau_iia<3>().beta(0) == 3.050430199247411, close);
     static_assert(std::is_same_v<decltype(lobatto_iiia<3>()), tableau<double, 3>>);
     BOOST_TEST(lobatto_iiia<3>().A(1, 2) == -1.0 / 24.0);
     BOOST_TEST(lobatto_iiib<3>().A(1, 0) == 1.0 / 6.0);

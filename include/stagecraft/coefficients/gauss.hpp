@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients gauss 9
+// clang-format off
 #pragma once
 
 #include <stagecraft/coefficients/unpack.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients lobatto_iiib 6
+// clang-format off
 #pragma once
 
 #include <stagecraft/coefficients/unpack.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients radau_ia 6
+// clang-format off
 #pragma once
 
 #include <stagecraft/coefficients/unpack.hpp>

@@ -73,12 +73,13 @@ inline std::string coefficient_header(family f, int most,
     const std::string range = std::to_string(least_stages(f)) + " <= S <= " + std::to_string(most);
     const std::string type =
         std::string(has_regular_matrix(f) ? "transformed_tableau" : "tableau") + "<double, S>";
-    std::string out = "// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients " + id +
-                      " " + std::to_string(most) +
-                      "\n#pragma once\n\n#include <stagecraft/coefficients/unpack.hpp>\n\n"
-                      "namespace stagecraft {\nnamespace coefficients {\n\n"
-                      "template <int S>\nstruct " +
-                      id + ";\n";
+    std::string out =
+        "// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients " + id + " " +
+        std::to_string(most) +
+        "\n// clang-format off\n#pragma once\n\n#include <stagecraft/coefficients/unpack.hpp>\n\n"
+        "namespace stagecraft {\nnamespace coefficients {\n\n"
+        "template <int S>\nstruct " +
+        id + ";\n";
     for (int s = least_stages(f); s <= most; ++s) {
         out += "\ntemplate <>\nstruct " + id + "<" + std::to_string(s) + "> {\n";
         const auto basic = [&](const tableau<double>& t) {
