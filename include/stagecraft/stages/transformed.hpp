@@ -2,13 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <vector>
 
 #include <stagecraft/dense_output.hpp>
-#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/stages/lane_blocks.hpp>
+#include <stagecraft/stages/separate_blocks.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
@@ -52,7 +53,8 @@ class transformed_stages {
           D_(n, method.stages()),
           F_(n, method.stages()),
           yi_(n),
-          fi_(n) {
+          fi_(n),
+          blocks_(n, static_cast<int>(method.gamma.size()), static_cast<int>(method.alpha.size())) {
         const int s = method.stages(), real = static_cast<int>(method.gamma.size());
         if (real + 2 * static_cast<int>(method.alpha.size()) != s ||
             method.beta.size() != method.alpha.size())
@@ -60,8 +62,6 @@ class transformed_stages {
         if (Stages > 0 && real != s % 2)
             throw std::invalid_argument(
                 "integrate: method has several real eigenvalues; use run-time stages");
-        for (int k = 0; k < real; ++k) real_.emplace_back(n);
-        for (int k = 0; k < s / 2 - real / 2; ++k) complex_.emplace_back(n);
         T_ = make_workspace<Scalar, squared<Stages>>(s * s);
         T_inverse_ = T_;
         shift_ = make_workspace<Scalar, Stages>(s);
@@ -87,17 +87,12 @@ class transformed_stages {
     bool factor(const System& system, const Scalar& h) {
         const Scalar inverse = Scalar(1) / h;
         const int real = real_blocks();
-        for (int k = 0; k < real; ++k) {
-            shift_[k] = method_.gamma[k] * inverse;
-            if (!factor_shifted(real_[k], system.mass(), system.jacobian(), shift_[k])) return false;
+        for (int k = 0; k < real; ++k) shift_[k] = method_.gamma[k] * inverse;
+        for (int k = 0; 2 * k < stages() - real; ++k) {
+            shift_[real + 2 * k] = method_.alpha[k] * inverse;
+            shift_[real + 2 * k + 1] = -method_.beta[k] * inverse;
         }
-        for (int k = 0; k < complex_blocks(); ++k) {
-            const Scalar a = method_.alpha[k] * inverse, b = -method_.beta[k] * inverse;
-            shift_[real + 2 * k] = a;
-            shift_[real + 2 * k + 1] = b;
-            if (!factor_shifted(complex_[k], system.mass(), system.jacobian(), a, b)) return false;
-        }
-        return true;
+        return blocks_.factor(system, shift_.data());
     }
 
     /// Solves for Z (in: first guess) with the current factors.
@@ -117,7 +112,7 @@ class transformed_stages {
                 D_.col(i) = fi_;
             }
             residual(system.mass());
-            solve_blocks();
+            blocks_.solve(F_.data());
             ++solves;
             ++outcome.iterations;
             W_ += F_;
@@ -154,19 +149,12 @@ class transformed_stages {
     }
 
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
-    void filter(vector& x, vector& scratch) {
-        if (!real_.empty()) {
-            real_.front().solve(x.data());
-        } else {
-            using std::sqrt;
-            scratch.setZero();
-            complex_.front().solve(x.data(), scratch.data());
-            for (int i = 0; i < n_; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
-        }
-    }
+    void filter(vector& x, vector& scratch) { blocks_.filter(x, scratch); }
 
   private:
     using matrix = Eigen::Matrix<Scalar, N, Stages>;
+    static constexpr bool in_lanes = Stages > 1 && std::is_same_v<Blocks, dense_blocks<Scalar, N>>&& N >= 1 &&
+                                     N <= 16 && dense_blocks<Scalar, N>::built_in;
 
     int size() const {
         if constexpr (N >= 0)
@@ -179,9 +167,8 @@ class transformed_stages {
         if constexpr (Stages > 0)
             return Stages % 2;
         else
-            return static_cast<int>(real_.size());
+            return static_cast<int>(method_.gamma.size());
     }
-    int complex_blocks() const { return (stages() - real_blocks()) / 2; }
 
     static Scalar power(Scalar x, int k) {
         Scalar result = Scalar(1);
@@ -192,10 +179,20 @@ class transformed_stages {
     /// Column k of out := sum_j C_kj column j of in, C row by row.
     void mix(const Scalar* C, const Scalar* in, Scalar* out) const {
         const int n = size(), s = stages();
-        for (int k = 0; k < s; ++k, C += s, out += n) {
-            for (int i = 0; i < n; ++i) out[i] = C[0] * in[i];
-            for (int j = 1; j < s; ++j)
-                for (int i = 0; i < n; ++i) out[i] += C[j] * in[i + j * n];
+        if constexpr (N >= 0 && N <= 16) {  // the sum stays in registers
+            for (int k = 0; k < s; ++k, C += s, out += n) {
+                std::array<Scalar, N> sum;
+                for (int i = 0; i < n; ++i) sum[i] = C[0] * in[i];
+                for (int j = 1; j < s; ++j)
+                    for (int i = 0; i < n; ++i) sum[i] += C[j] * in[i + j * n];
+                for (int i = 0; i < n; ++i) out[i] = sum[i];
+            }
+        } else {
+            for (int k = 0; k < s; ++k, C += s, out += n) {
+                for (int i = 0; i < n; ++i) out[i] = C[0] * in[i];
+                for (int j = 1; j < s; ++j)
+                    for (int i = 0; i < n; ++i) out[i] += C[j] * in[i + j * n];
+            }
         }
     }
 
@@ -218,25 +215,15 @@ class transformed_stages {
         }
     }
 
-    void solve_blocks() {
-        const int n = size();
-        const int real = real_blocks();
-        for (int k = 0; k < real; ++k) real_[k].solve(F_.data() + n * k);
-        for (int k = 0; k < complex_blocks(); ++k) {
-            Scalar* x = F_.data() + n * (real + 2 * k);
-            complex_[k].solve(x, x + n);
-        }
-    }
-
     Scalar norm(const matrix& x, const vector& weights) const {
         using std::sqrt;
         const int n = size(), s = stages();
         Scalar sum = Scalar(0);
-        for (int j = 0; j < s; ++j)
-            for (int i = 0; i < n; ++i) {
-                const Scalar v = x(i, j) * weights[i];
-                sum += v * v;
-            }
+        for (int i = 0; i < n; ++i) {  // by components, so that the weights leave the inner loop
+            Scalar part = Scalar(0);
+            for (int j = 0; j < s; ++j) part += x(i, j) * x(i, j);
+            sum += part * (weights[i] * weights[i]);
+        }
         return n == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n * s)));
     }
 
@@ -244,10 +231,11 @@ class transformed_stages {
     workspace<Scalar, squared<Stages>> T_, T_inverse_;  // row by row
     workspace<Scalar, Stages> shift_;                   // gamma/h, then alpha/h and -beta/h pair by pair
     int n_;
-    std::vector<typename Blocks::real> real_;
-    std::vector<typename Blocks::complex> complex_;
     matrix W_, D_, F_;
     vector yi_, fi_;
+    std::conditional_t<in_lanes, lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1>,
+                       separate_blocks<Scalar, Blocks>>
+        blocks_;
 };
 
 }  // namespace stagecraft

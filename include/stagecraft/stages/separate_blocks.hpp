@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include <stagecraft/linear/dense_blocks.hpp>
+
+namespace stagecraft {
+
+/// The real and complex systems of a step, each with a solver of its own, in the order of the shifts: gamma/h
+/// for each real one, then alpha/h and -beta/h for each complex one.
+template <class Scalar, class Blocks>
+class separate_blocks {
+  public:
+    separate_blocks(int n, int real, int complex) : n_(n) {
+        for (int k = 0; k < real; ++k) real_.emplace_back(n);
+        for (int k = 0; k < complex; ++k) complex_.emplace_back(n);
+    }
+
+    /// Factors shift M - J for every shift; false if one is singular or not finite.
+    template <class System>
+    bool factor(const System& system, const Scalar* shift) {
+        for (auto& block : real_)
+            if (!factor_shifted(block, system.mass(), system.jacobian(), *shift++)) return false;
+        for (auto& block : complex_) {
+            if (!factor_shifted(block, system.mass(), system.jacobian(), shift[0], shift[1])) return false;
+            shift += 2;
+        }
+        return true;
+    }
+
+    /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
+    void solve(Scalar* x) {
+        for (auto& block : real_) {
+            block.solve(x);
+            x += n_;
+        }
+        for (auto& block : complex_) {
+            block.solve(x, x + n_);
+            x += 2 * n_;
+        }
+    }
+
+    /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
+    template <class Vector>
+    void filter(Vector& x, Vector& scratch) {
+        if (!real_.empty()) {
+            real_.front().solve(x.data());
+        } else {
+            using std::sqrt;
+            scratch.setZero();
+            complex_.front().solve(x.data(), scratch.data());
+            for (int i = 0; i < n_; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
+        }
+    }
+
+  private:
+    int n_;
+    std::vector<typename Blocks::real> real_;
+    std::vector<typename Blocks::complex> complex_;
+};
+
+}  // namespace stagecraft
