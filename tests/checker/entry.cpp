@@ -3,6 +3,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <stagecraft/tableaux/entry.hpp>
+#include <stagecraft/tableaux/polynomial_text.hpp>
 
 using namespace stagecraft::tableaux;
 
@@ -123,4 +124,17 @@ BOOST_AUTO_TEST_CASE(the_deepest_accepted_nesting_is_read) {
     std::string text = "1";
     for (int i = 0; i < 100; ++i) text = "(" + text + "+1)";
     BOOST_TEST(exact(text) == "101");
+}
+
+BOOST_AUTO_TEST_CASE(polynomials_are_read_exactly) {
+    using poly = polynomial<rational>;
+    const poly radau{rational(-1, 10), rational(9, 10), rational(-9, 5), 1};
+    BOOST_TEST((read_polynomial("x^3-9/5*x^2+9/10*x-1/10") == radau));
+    BOOST_TEST((read_polynomial("(x-1)*(x^2-4/5*x+1/10)") == radau));
+    BOOST_TEST((read_polynomial("(10*x^3-18*x^2+9*x-1)/sqrt(100)") == radau));
+    BOOST_TEST((read_polynomial("-x^2+2^-1") == poly{rational(1, 2), 0, -1}));
+    for (const auto* bad : {"y", "xx", "1/x", "x^x", "sqrt(x)", "x^65", "0.5*x", "sqrt(2)*x", "x/0", "x+",
+                            "2x", "x^(-1)", "x^(1/2)", "((x^64)^64)"})
+        BOOST_CHECK_THROW(read_polynomial(bad), std::invalid_argument);
+    BOOST_TEST(complaint("x") == "unknown symbol 'x'");
 }

@@ -4,6 +4,7 @@
 #include <stagecraft/theory/certify.hpp>
 #include <string>
 
+#include "certify_file.hpp"
 #include "command.hpp"
 
 namespace {
@@ -17,6 +18,13 @@ struct options {
 };
 
 void run(const options& o) {
+    if (o.stages.empty()) {
+        if (!o.family.ends_with(".json"))
+            throw std::invalid_argument("stages: missing after '" + o.family + "'; or give a file *.json");
+        const int code = tool::certify_file(o.family, o.json);
+        if (code != 0) throw CLI::RuntimeError(code);
+        return;
+    }
     const auto f = tableaux::family_from_name(o.family);
     const int s = tool::whole_number("stages", o.stages, tableaux::least_stages(f), 1000);
     const auto certificate = theory::certify(f, s);
@@ -29,10 +37,10 @@ void run(const options& o) {
 
 const tool::command certify{[](CLI::App& app) {
     static options o;
-    auto* sub =
-        app.add_subcommand("certify", "Prove order, stability and more of a family's member, exactly");
-    sub->add_option("FAMILY", o.family, "one of: " + tableaux::family_names())->required();
-    sub->add_option("S", o.stages, "number of stages")->required();
+    auto* sub = app.add_subcommand(
+        "certify", "Prove order, stability and more of a family's member or judge a tableau file, exactly");
+    sub->add_option("FAMILY", o.family, "FILE.json, or one of: " + tableaux::family_names())->required();
+    sub->add_option("S", o.stages, "number of stages, with a family");
     sub->add_flag("--json", o.json, "print JSON instead of text");
     sub->callback([] { run(o); });
 }};

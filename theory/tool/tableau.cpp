@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "tableau_text.hpp"
 
 namespace {
 
@@ -25,31 +26,7 @@ struct tableau_request {
     std::string format = "text";
 };
 
-/// c | A over b in columns as wide as their longest number.
-void print_text(const tableaux::decimal_tableau& t) {
-    std::size_t width = 0;
-    const auto widen = [&](const auto& row) {
-        for (const std::string& x : row) width = std::max(width, x.size());
-    };
-    widen(t.c);
-    widen(t.b);
-    std::for_each(t.A.begin(), t.A.end(), widen);
-    const auto print = [&](const std::string& x) {
-        std::cout << std::string(width - x.size() + 1, ' ') << x;
-    };
-    for (std::size_t i = 0; i < t.c.size(); ++i) {
-        print(t.c[i]);
-        std::cout << " |";
-        std::for_each(t.A[i].begin(), t.A[i].end(), print);
-        std::cout << "\n";
-    }
-    std::cout << std::string(width + 2, '-') << "+" << std::string((width + 1) * t.b.size(), '-') << "\n"
-              << std::string(width + 2, ' ') << "|";
-    std::for_each(t.b.begin(), t.b.end(), print);
-    std::cout << "\n";
-}
-
-/// The same as a LaTeX array.
+/// The tableau as a LaTeX array.
 void print_latex(const tableaux::decimal_tableau& t) {
     const auto print = [](const auto& row) {
         for (const std::string& x : row) {
@@ -78,7 +55,7 @@ void run(const tableau_request& request) {
     if (request.format != "text" && request.format != "json" && request.format != "latex")
         throw std::invalid_argument("--format: '" + request.format + "' unknown, allowed: text, json, latex");
     const auto t = tableaux::decimals(family, s, digits);
-    if (request.format == "text") return print_text(t);
+    if (request.format == "text") return stagecraft::tool::print_text(t);
     if (request.format == "latex") return print_latex(t);
     nlohmann::ordered_json out;
     out["family"] = request.family;

@@ -33,7 +33,7 @@ struct entry {
 namespace expression_grammar {
 
 /// One instruction of the stack machine that an expression compiles to: a literal or one of + - * / ^,
-/// 'n' (negate), 'r' (square root).
+/// 'n' (negate), 'r' (square root), 'x' (the variable of a polynomial).
 struct instruction {
     char code;
     std::string literal;
@@ -57,7 +57,8 @@ inline const x3::rule<struct signed_id> signed_power = "a number";
 inline const auto exponent = x3::char_("eE") >> -x3::char_("+-") >> +x3::digit;
 inline const auto literal =
     x3::raw[x3::lexeme[((+x3::digit >> -('.' >> *x3::digit)) | ('.' >> +x3::digit)) >> -exponent]];
-inline const auto primary = literal[emit_literal] | ('(' > sum > ')') |
+inline const auto variable = x3::lexeme[x3::lit('x') >> !x3::alnum];
+inline const auto primary = literal[emit_literal] | variable[emit<'x'>] | ('(' > sum > ')') |
                             (x3::lexeme["sqrt" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'r'>]);
 inline const auto signed_power_def =
     ('-' > signed_power)[emit<'n'>] | ('+' > signed_power) | (primary >> -('^' > signed_power)[emit<'^'>]);
@@ -228,6 +229,7 @@ inline entry run(const std::vector<instruction>& program) {
             stack.push_back(from_literal(literal));
             continue;
         }
+        if (code == 'x') throw std::invalid_argument("unknown symbol 'x'");
         entry y = std::move(stack.back());
         stack.pop_back();
         if (code == 'n') {
@@ -251,20 +253,25 @@ inline entry run(const std::vector<instruction>& program) {
 
 }  // namespace expression_grammar
 
-/// Reads one number: an exact expression in integers, + - * / ^, parentheses and sqrt(), or with decimals in
-/// it (a decimal point or an exponent marks rounded data). The minus sign may be U+2212, as printed in
-/// papers. Throws std::invalid_argument saying what is wrong: unknown symbol, division by zero, square root
-/// of a negative number, non-finite, a power too large (2^(10^9) is refused, not computed), nesting too deep.
-inline entry read_entry(std::string_view text) {
+/// The text with printed minus signs (U+2212) replaced by hyphens.
+inline std::string with_ascii_minus(std::string_view text) {
     std::string plain;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const bool typographic_minus = text.substr(i, 3) == "\xE2\x88\x92";
         plain += typographic_minus ? '-' : text[i];
         i += typographic_minus ? 2 : 0;
     }
+    return plain;
+}
+
+/// Reads one number: an exact expression in integers, + - * / ^, parentheses and sqrt(), or with decimals in
+/// it (a decimal point or an exponent marks rounded data). The minus sign may be U+2212, as printed in
+/// papers. Throws std::invalid_argument saying what is wrong: unknown symbol, division by zero, square root
+/// of a negative number, non-finite, a power too large (2^(10^9) is refused, not computed), nesting too deep.
+inline entry read_entry(std::string_view text) {
     entry e;
     try {
-        e = expression_grammar::run(expression_grammar::compile(plain));
+        e = expression_grammar::run(expression_grammar::compile(with_ascii_minus(text)));
     } catch (const std::domain_error&) {
         throw std::invalid_argument("division by zero");
     }

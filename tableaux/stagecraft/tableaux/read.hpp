@@ -376,14 +376,16 @@ inline tableau_file read_tableau(std::string_view text) {
     return file;
 }
 
-/// Reads the file at `path`. Throws unusable_input, also where it cannot be opened.
+/// Reads the file at `path`. Throws unusable_input that names it, also where it cannot be opened.
 inline tableau_file read_tableau_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw unusable_input("cannot open " + path);
     std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) throw unusable_input("cannot read " + path);
-    return read_tableau(text.str());
+    if (!in || !(text << in.rdbuf())) throw unusable_input("cannot read " + path);
+    try {
+        return read_tableau(text.str());
+    } catch (const unusable_input& e) {
+        throw unusable_input(path + ": " + e.what());
+    }
 }
 
 }  // namespace stagecraft::tableaux

@@ -5,19 +5,9 @@
 #include <string>
 
 #include "stagecraft/theory/certificate.hpp"
+#include "stagecraft/theory/verdict_json.hpp"
 
 namespace stagecraft::theory {
-
-/// {"verdict": "proved" | "refuted" | "consistent", "reason": ...}, with residual and bound where consistent.
-inline nlohmann::ordered_json to_json(const verdict& v) {
-    nlohmann::ordered_json j{{"verdict", name(v.standing())}};
-    if (v.is_consistent()) {
-        j["residual"] = v.residual();
-        j["bound"] = v.bound();
-    }
-    j["reason"] = v.reason();
-    return j;
-}
 
 /// The certificate as JSON. Rationals are strings "p/q", polynomials arrays of them, ascending; R_infinity is
 /// "infinity" where R has a pole there, and a maximal C or D that every k satisfies is "infinity".

@@ -102,10 +102,7 @@ inline file_certificate certify(const tableaux::tableau_file& file) {
 inline int certify_text(std::string_view text, bool as_json, std::ostream& out, std::ostream& err) {
     try {
         const auto certificate = certify(tableaux::read_tableau(text));
-        if (as_json)
-            out << to_json(certificate).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-        else
-            out << to_text(certificate);
+        out << (as_json ? json_text(certificate) : to_text(certificate));
         return certificate.exit_code();
     } catch (const tableaux::unusable_input& e) {
         err << e.what() << '\n';

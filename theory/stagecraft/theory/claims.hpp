@@ -48,9 +48,10 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
         if (which != "b") condition.replace(condition.find("dot(b,"), 6, "dot(" + which + ",");
         failures.push_back({std::move(condition), bracket(tree), shown(residual), in_words(residual)});
     }
-    if (!claimed) return f;
-    f.claimed = std::to_string(*claimed);
-    if (*f.value < *claimed) {
+    if (claimed) f.claimed = std::to_string(*claimed);
+    auto& judged = claimed ? f.judgement : f.truth;
+    const int order = claimed.value_or(*f.value);
+    if (*f.value < order) {
         std::string why = "order " + std::to_string(*f.value);
         if (*f.value < found.order)
             why += ": c is not A*1, and a non-autonomous problem sees it";
@@ -58,11 +59,11 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
             why += ", the most that " + std::to_string(s.stages()) + " stages can have";
         else
             why += ": " + failures[first].condition + " leaves " + failures[first].in_words;
-        f.judgement = verdict::refuted(std::move(why));
+        judged = verdict::refuted(std::move(why));
     } else if constexpr (exact_scalar<K>) {
-        f.judgement = verdict::proved("every condition up to order " + std::to_string(*claimed) + " holds");
+        judged = verdict::proved("every condition up to order " + std::to_string(order) + " holds");
     } else {
-        f.judgement = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
+        judged = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
     }
     return f;
 }

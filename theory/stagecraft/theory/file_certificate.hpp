@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stagecraft/theory/verdict.hpp>
+#include <stagecraft/theory/verdict_json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,19 +77,6 @@ struct file_certificate {
     }
 };
 
-namespace detail {
-
-inline nlohmann::ordered_json to_json(const verdict& v) {
-    nlohmann::ordered_json j{{"verdict", name(v.standing())}, {"reason", v.reason()}};
-    if (v.is_consistent()) {
-        j["residual"] = v.residual();
-        j["bound"] = v.bound();
-    }
-    return j;
-}
-
-}  // namespace detail
-
 /// The certificate as JSON: name, source, data, stages, verdict; one object for each finding with `value` for
 /// orders, `verdict` on the statement (for orders: on the one claimed), `claimed` and the verdict `claim` on
 /// that; failures, suspects and nearest.
@@ -102,9 +90,9 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
         nlohmann::ordered_json entry = nlohmann::ordered_json::object();
         if (f.value) entry["value"] = *f.value;
         if (f.truth)
-            entry.update(detail::to_json(*f.truth));
+            entry.update(to_json(*f.truth));
         else if (f.judgement)
-            entry.update(detail::to_json(*f.judgement));
+            entry.update(to_json(*f.judgement));
         if (f.claimed) {
             entry["claimed"] = nlohmann::ordered_json::parse(*f.claimed);
             entry["claim"] = name(f.judgement->standing());
@@ -124,6 +112,11 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
                         {"error", c.nearest->error},
                         {"entry", c.nearest->entry}};
     return j;
+}
+
+/// to_json, written out; what is not UTF-8 in a name is replaced.
+inline std::string json_text(const file_certificate& c) {
+    return to_json(c).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 /// The certificate for a reader, several lines.
