@@ -60,9 +60,15 @@ Real nearest(const integer& n, long e) {
     return n < 0 ? -value : value;
 }
 
+/// Bits of Real's significand; for a decimal type, bits that hold all its digits.
+template <class Real>
+inline constexpr int significand_bits = std::numeric_limits<Real>::radix == 2
+                                            ? std::numeric_limits<Real>::digits
+                                            : bits_for_digits(std::numeric_limits<Real>::max_digits10);
+
 /// The Real nearest to every number in the ball, or nothing where its ends round differently or their signs
 /// differ. A zero needs an exact ball: no enclosure of positive width proves it. For a class type (a
-/// multiprecision float) the midpoint, once it is known to four units of its last place.
+/// multiprecision float) the midpoint, once it is known beyond its last place.
 template <class Real>
 std::optional<Real> nearest(const ball& x) {
     if (x.exactly_zero()) return Real(0);
@@ -73,13 +79,7 @@ std::optional<Real> nearest(const ball& x) {
         if (low != nearest<Real>(e.upper, e.exponent)) return {};
         return low;
     } else {
-        const bound width = std::ldexp(x.magnitude_below(), -std::numeric_limits<Real>::digits * 10 / 3 - 4);
-        if constexpr (std::numeric_limits<Real>::radix == 2) {
-            if (x.radius() > std::ldexp(x.magnitude_below(), -std::numeric_limits<Real>::digits - 2))
-                return {};
-        } else if (x.radius() > width) {
-            return {};
-        }
+        if (x.radius() > downward(std::ldexp(x.magnitude_below(), -significand_bits<Real> - 2))) return {};
         using std::ldexp;
         return ldexp(static_cast<Real>(integer(x.digits())), static_cast<int>(x.exponent()));
     }

@@ -35,14 +35,6 @@ inline int working_bits(int target, int s) { return target + 32 + 3 * s / 2; }
 
 namespace rounding {
 
-template <class Real>
-constexpr int target_bits() {
-    if constexpr (std::numeric_limits<Real>::radix == 2)
-        return std::numeric_limits<Real>::digits;
-    else
-        return bits_for_digits(std::numeric_limits<Real>::digits10 + 3);
-}
-
 /// Where the exact entry is rational it takes the place of its enclosure: a zero of a user's rational nodes
 /// and a number half-way between two doubles are then decided.
 template <class Exact, class Enclosed>
@@ -88,7 +80,7 @@ void basic(const tableau<ball>& from, tableau<Real>& to) {
 template <class Real = double>
 tableau<Real> rounded(const nodal_polynomial& w, construction rule, const stagecraft::facts& known = {}) {
     const auto exact = exact_tableau(w, rule);
-    return widening(working_bits(rounding::target_bits<Real>(), w.degree()), [&](int bits) {
+    return widening(working_bits(significand_bits<Real>, w.degree()), [&](int bits) {
         tableau<ball> from = enclose(w, rule, bits);
         rounding::sharpen_basic(exact, from, bits);
         tableau<Real> t;
@@ -114,7 +106,7 @@ transformed_tableau<Real> transformed(const nodal_polynomial& w, construction ru
     const auto exact = exact_tableau(w, rule);
     std::optional<tableau<quadratic>::matrix> inverse;
     if (exact) inverse = exact_inverse(exact->A);
-    return widening(working_bits(rounding::target_bits<Real>(), 2 * w.degree()), [&](int bits) {
+    return widening(working_bits(significand_bits<Real>, 2 * w.degree()), [&](int bits) {
         transformed_tableau<ball> from = enclose_transformed(w, rule, bits);
         rounding::sharpen_basic(exact, from, bits);
         if (inverse) rounding::sharpen(*inverse, from.A_inverse, bits);
