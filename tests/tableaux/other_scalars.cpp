@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stagecraft/tableaux/rounded.hpp>
+#include <vector>
 
 using namespace stagecraft::tableaux;
 using boost::multiprecision::cpp_bin_float_50;
@@ -81,15 +82,19 @@ BOOST_AUTO_TEST_CASE(long_double_entries_are_the_nearest_ones) {
 }
 
 BOOST_AUTO_TEST_CASE(nodes_of_a_user_give_a_transformed_tableau_with_any_eigenvalues) {
-    // c = 1/8, 1/4, 3/8, 1: two real eigenvalues and a pair; zero weights and dyadic nodes are no obstacle
-    const auto w =
-        nodal_polynomial::from_nodes({rational(1, 8), rational(1, 4), rational(3, 8), rational(1)});
-    const auto t = transformed<double>(w, construction::collocation);
-    BOOST_TEST(t.gamma.size() + 2 * t.beta.size() == 4);
-    BOOST_TEST(residual(t) < 1e-11);
-    const auto third =
-        transformed<double>(nodal_polynomial::from_nodes({rational(1, 3), rational(2, 3), rational(1)}),
-                            construction::collocation);
+    const auto own = [](const std::vector<rational>& nodes) {
+        return transformed<double>(nodal_polynomial::from_nodes(nodes), construction::collocation);
+    };
+    const auto two = own({rational(1, 10), rational(1)});  // two real eigenvalues
+    BOOST_REQUIRE_EQUAL(two.gamma.size(), 2);
+    BOOST_TEST(two.beta.size() == 0);
+    BOOST_TEST(two.gamma(0) < two.gamma(1));
+    BOOST_TEST(two.gamma(0) * two.gamma(1) == 20.0, boost::test_tools::tolerance(1e-15));  // 2 / (c_1 c_2)
+    BOOST_TEST(residual(two) < 1e-13);
+    const auto dyadic = own({rational(1, 8), rational(1, 4), rational(3, 8), rational(1)});
+    BOOST_TEST(dyadic.gamma.size() + 2 * dyadic.beta.size() == 4);
+    BOOST_TEST(residual(dyadic) < 1e-11);
+    const auto third = own({rational(1, 3), rational(2, 3), rational(1)});
     BOOST_TEST(third.b(1) == 0.0);  // exactly: 3/4, 0, 1/4
     BOOST_TEST(third.b(0) == 0.75);
     BOOST_TEST(residual(third) < 1e-14);
