@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "page.hpp"
+
+namespace thesis {
+
+/// The experiments of the thesis' chapter 4, in its order.
+outcome solution();  ///< figures 4.2-4.6: solution, energy, constraint with and without index reduction
+outcome orders_of_convergence();  ///< figures 4.7-4.12: equal steps, Radau IIA with 3, 1 and 2 stages
+outcome regularisation_error();   ///< figures 4.13-4.16: distance to the index-2 solution as eps -> 0
+outcome transformation();         ///< figure 4.17: transformed against untransformed principal damping
+outcome boundary_layers();        ///< figures 4.18-4.21: a perturbed lambda(0)
+outcome regularised_runs();       ///< figures 4.22-4.25: constraint violation and step sizes at eps = 1e-8
+outcome run_times();              ///< figure 4.26: cost of every form against eps
+
+}  // namespace thesis

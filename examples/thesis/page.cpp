@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "page.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace thesis {
+
+namespace {
+
+std::string formatted(const char* format, double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, x);
+    return text;
+}
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    return out;
+}
+
+const char* const prologue = R"(set encoding utf8
+set terminal svg size 920,520 dynamic enhanced font 'Helvetica,15' background '#ffffff' linewidth 1.6
+set border 3 lc rgb '#444444'
+set tics nomirror out textcolor rgb '#333333'
+set grid lc rgb '#e4e4e4' lt 1 lw 0.7
+set key outside right top Left reverse samplen 2 spacing 1.15
+array colour[8] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#777777', '#e69f00', '#000000']
+)";
+
+// The inside of a single-quoted string of gnuplot.
+std::string plain(const std::string& text) {
+    std::string out;
+    for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+    return out;
+}
+
+// Tables of all curves and the commands that draw them.
+void write_figure(const std::string& directory, const figure& f, std::ostream& script) {
+    script << "set output '" << f.name << ".svg'\nset xlabel '" << plain(f.x_label) << "'\nset ylabel '"
+           << plain(f.y_label) << "'\nset title '" << plain(f.title)
+           << "'\nunset logscale\nset format '%g'\n";
+    if (f.log_x) script << "set logscale x\nset format x '10^{%T}'\n";
+    if (f.log_y) script << "set logscale y\nset format y '10^{%T}'\n";
+    script << "plot ";
+    for (std::size_t k = 0; k < f.curves.size(); ++k) {
+        const curve& c = f.curves[k];
+        const std::string file = f.name + "_" + std::to_string(k + 1) + ".dat";
+        std::ofstream out(directory + "/" + file);
+        out << "# " << c.title << '\n' << std::setprecision(12);
+        for (std::size_t i = 0; i < c.x.size(); ++i) out << c.x[i] << ' ' << c.y[i] << '\n';
+        if (!out.flush()) throw std::runtime_error("cannot write " + directory + "/" + file);
+        script << (k > 0 ? ", " : "") << "'" << file << "' using 1:2 with "
+               << (c.points ? "linespoints pt 7 ps 0.5" : "lines") << " lc rgb colour[" << k % 8 + 1
+               << "] title '" << plain(c.title) << "'";
+    }
+    script << '\n';
+}
+
+}  // namespace
+
+std::string scientific(double x) { return formatted("%.2e", x); }
+std::string decimal(double x) { return formatted("%.2f", x); }
+
+std::string table(const std::vector<finding>& findings) {
+    const std::vector<std::string> head{"experiment", "printed", "here", "theory", "verdict"};
+    std::vector<std::vector<std::string>> rows{head};
+    for (const auto& f : findings)
+        rows.push_back({f.experiment, f.printed, f.ours, f.theory, f.agrees ? "agrees" : "DIFFERS"});
+    std::vector<std::size_t> width(head.size(), 0);
+    for (const auto& row : rows)
+        for (std::size_t j = 0; j < row.size(); ++j) width[j] = std::max(width[j], row[j].size());
+    std::ostringstream out;
+    for (const auto& row : rows) {
+        for (std::size_t j = 0; j < row.size(); ++j)
+            out << (j > 0 ? "  " : "") << row[j] << std::string(width[j] - row[j].size(), ' ');
+        out << '\n';
+    }
+    return out.str();
+}
+
+void write_pages(const std::string& directory, const std::vector<outcome>& outcomes) {
+    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
+        throw std::runtime_error("no pictures without gnuplot; please install it (package gnuplot-nox)");
+    std::filesystem::create_directories(directory);
+    std::ofstream script(directory + "/figures.gp");
+    script << prologue;
+    for (const auto& o : outcomes)
+        for (const auto& f : o.figures) write_figure(directory, f, script);
+    if (!script.flush()) throw std::runtime_error("cannot write " + directory + "/figures.gp");
+    std::string quoted = "'";
+    for (const char c : directory) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    if (std::system(("cd " + quoted + "' && gnuplot figures.gp").c_str()) != 0)
+        throw std::runtime_error("gnuplot could not draw the figures");
+
+    std::ofstream page(directory + "/index.html");
+    page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta "
+            "charset=\"utf-8\">\n<title>Experiments</title>\n<style>"
+            "body{font:17px/1.5 Helvetica,Arial,sans-serif;color:#222;max-width:980px;margin:2em "
+            "auto;padding:0 1em}"
+            "pre{font:13px/1.35 'DejaVu Sans Mono',monospace;background:#f6f6f4;padding:1em;overflow-x:auto}"
+            "img{width:100%}</style>\n</head>\n<body>\n<h1>The rolling disc: numerical experiments</h1>\n";
+    std::vector<finding> all;
+    for (const auto& o : outcomes) {
+        page << "<h2>" << escaped(o.title) << "</h2>\n<pre>" << escaped(o.text) << "</pre>\n";
+        for (const auto& f : o.figures)
+            page << "<img src=\"" << f.name << ".svg\" alt=\"" << escaped(f.title) << "\">\n";
+        all.insert(all.end(), o.findings.begin(), o.findings.end());
+    }
+    page << "<h2>Summary</h2>\n<pre>" << escaped(table(all)) << "</pre>\n</body>\n</html>\n";
+    if (!page.flush()) throw std::runtime_error("cannot write " + directory + "/index.html");
+}
+
+}  // namespace thesis

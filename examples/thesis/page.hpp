@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace thesis {
+
+/// One curve of a figure.
+struct curve {
+    std::string title;
+    std::vector<double> x, y;
+    bool points = false;  ///< markers at the values, as for measured errors
+};
+
+/// One figure: `name` is the file name without ".svg".
+struct figure {
+    std::string name, title, x_label, y_label;
+    bool log_x = false, log_y = true;
+    std::vector<curve> curves;
+};
+
+/// One line of the closing table.
+struct finding {
+    std::string experiment, printed, ours, theory;
+    bool agrees;
+};
+
+/// What an experiment has to say: a page of text, figures, and lines for the closing table.
+struct outcome {
+    std::string title, text;
+    std::vector<figure> figures;
+    std::vector<finding> findings;
+};
+
+/// "1.23e-04" and "4.82".
+std::string scientific(double x);
+std::string decimal(double x);
+
+/// The closing table.
+std::string table(const std::vector<finding>& findings);
+
+/// Writes the tables, the pictures (SVG by gnuplot) and index.html into `directory`.
+/// Throws std::runtime_error if that fails, naming what to install if gnuplot is missing.
+void write_pages(const std::string& directory, const std::vector<outcome>& outcomes);
+
+}  // namespace thesis

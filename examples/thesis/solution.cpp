@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.hpp"
+#include "solve.hpp"
+
+namespace thesis {
+
+outcome solution() {
+    outcome o{"Solution, energy, constraint (figures 4.2 to 4.6)", {}, {}, {}};
+    const trajectory dae = solve(disc_dae(), {.tolerance = 1e-12}),
+                     ode = solve(disc_reduced(), {.tolerance = 1e-12});
+
+    const char* const names[] = {"x [m]", "y [m]", "α", "β", "γ"};
+    figure state{"fig_4_2", "4.2 Solution of the index-2 system", "t [s]", "coordinates", false, false, {}};
+    for (int i = 0; i < 5; ++i) {
+        curve c{names[i], {}, {}, false};
+        for (const auto& p : dae.path) c.x.push_back(p.t), c.y.push_back(p.y[i]);
+        state.curves.push_back(c);
+    }
+    curve total{"total", {}, {}, false}, kinetic{"kinetic", {}, {}, false},
+        potential{"potential", {}, {}, false};
+    curve violation{"index-2 system", {}, {}, true}, drift{"index-reduced", {}, {}, true},
+        steps{"tol 10^{-12}", {}, {}, false};
+    const double energy0 = disc_energy(dae.path.front().y);
+    double worst_energy = 0, worst_violation = 0, worst_drift = 0, smallest = 1, largest = 0;
+    for (const auto& p : dae.path) {
+        total.x.push_back(p.t);
+        total.y.push_back(disc_energy(p.y));
+        kinetic.x.push_back(p.t);
+        kinetic.y.push_back(disc_kinetic_energy(p.y));
+        potential.x.push_back(p.t);
+        potential.y.push_back(total.y.back() - kinetic.y.back());
+        worst_energy = std::max(worst_energy, std::abs(total.y.back() - energy0));
+        const double u = disc_constraint(p.y).cwiseAbs().maxCoeff();
+        worst_violation = std::max(worst_violation, u);
+        violation.x.push_back(p.t);
+        violation.y.push_back(std::max(u, 1e-17));
+        if (p.h == 0) continue;
+        steps.x.push_back(p.t);
+        steps.y.push_back(p.h);
+        smallest = std::min(smallest, p.h);
+        largest = std::max(largest, p.h);
+    }
+    for (const auto& p : ode.path) {
+        const double u = disc_constraint(p.y).cwiseAbs().maxCoeff();
+        worst_drift = std::max(worst_drift, u);
+        drift.x.push_back(p.t);
+        drift.y.push_back(std::max(u, 1e-17));
+    }
+    o.figures = {state,
+                 {"fig_4_3", "4.3 Energy", "t [s]", "energy [J]", false, false, {total, kinetic, potential}},
+                 {"fig_4_4",
+                  "4.4 and 4.5 Constraint violation, tol 10^{-12}",
+                  "t [s]",
+                  "max |G q'| [m/s]",
+                  false,
+                  true,
+                  {violation, drift}},
+                 {"fig_4_6", "4.6 Step sizes of the reference run", "t [s]", "h [s]", false, true, {steps}}};
+    const double end_drift = disc_constraint(ode.path.back().y).cwiseAbs().maxCoeff();
+    o.text = "Radau IIA-3, tol 1e-12, " + std::to_string(dae.report.steps) + " steps\n" +
+             "largest change of the energy       " + scientific(worst_energy) + " J\n" +
+             "largest max|G q'|, index-2 system  " + scientific(worst_violation) + " m/s\n" +
+             "largest max|G q'|, index-reduced   " + scientific(worst_drift) + " m/s, at the end " +
+             scientific(end_drift) + "\nstep sizes " + scientific(smallest) + " to " + scientific(largest) +
+             " s\n";
+    o.findings = {
+        {"4.3 energy constant, change", "0 (plot)", scientific(worst_energy), "0", worst_energy < 1e-9},
+        {"4.4 constraint, index-2 system", "<= 1e-10", scientific(worst_violation), "rounding",
+         worst_violation < 1e-12},
+        {"4.5 constraint drifts after index reduction", "drift", scientific(end_drift), "> index-2 system",
+         end_drift > 10 * worst_violation},
+        {"4.6 step sizes", "1e-4 ... 1e-3", scientific(smallest) + " ... " + scientific(largest), "",
+         smallest > 1e-5 && largest < 1e-2}};
+    return o;
+}
+
+}  // namespace thesis
