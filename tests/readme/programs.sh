@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# programs.sh COMPILER SOURCE BUILD INCLUDE...: every C++ block of the README compiles as shown and runs; where a text
+# block follows it, that is what it prints. The first one gets along with include/ and Eigen.
+set -euo pipefail
+compiler=$1 source=$2 work=$3/readme
+shift 3
+rm -rf "$work"
+mkdir -p "$work"
+awk -v dir="$work" '
+    /^```cpp$/ { ++n; file = dir "/program" n ".cpp"; next }
+    /^```text$/ { file = dir "/program" n ".txt"; next }
+    /^```/ { file = ""; next }
+    file != "" { print >file }' "$source/README.md"
+test -s "$work/program1.cpp" && test -s "$work/program1.txt"
+roots=(-I"$source/include")
+for program in "$work"/program*.cpp; do
+    name=${program%.cpp}
+    "$compiler" -std=c++20 -O1 "${roots[@]}" "${@/#/-I}" "$program" -o "$name"
+    "$name" >"$name.printed"
+    [ ! -e "$name.txt" ] || diff "$name.txt" "$name.printed"
+    roots=(-I"$source/include" -I"$source/tableaux" -I"$source/theory")
+done
