@@ -34,9 +34,9 @@ polynomial<K> in_square(const polynomial<K>& even) {
 /// multiplicity of E.
 template <class K>
 verdict i_stable(const stability_function<K>& r) {
-    const auto e = in_square(e_polynomial(r));
-    const auto bad = tableaux::negative_point_from_zero(e);
-    if (!bad) return verdict::proved("E(y) = " + to_string(e_polynomial(r), "y") + " >= 0");
+    const auto e = e_polynomial(r);
+    const auto bad = tableaux::negative_point_from_zero(in_square(e));
+    if (!bad) return verdict::proved("E(y) = " + to_string(e, "y") + (e.is_zero() ? "" : " >= 0"));
     return verdict::refuted("|R(iy)| > 1 at y^2 = " + bad->str());
 }
 

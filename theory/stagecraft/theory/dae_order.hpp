@@ -154,7 +154,8 @@ inline bool all_proved(const std::vector<hypothesis>& list) {
     return std::all_of(list.begin(), list.end(), [](const auto& h) { return h.verdict.is_proved(); });
 }
 
-/// The applicable prediction with the largest (y, z); where none applies, one that says so.
+/// The applicable prediction with the largest (y, z); where none applies, one that
+/// says so and lists every hypothesis that fails.
 inline order_prediction best_of(const std::vector<order_prediction>& all) {
     const order_prediction* best = nullptr;
     for (const auto& p : all) {
@@ -166,8 +167,10 @@ inline order_prediction best_of(const std::vector<order_prediction>& all) {
     none.theorem = "none";
     for (const auto& p : all) {
         for (const auto& h : p.hypotheses) {
+            const auto known = [&](const auto& other) { return other.name == h.name; };
             if (!h.verdict.is_refuted()) continue;
-            none.hypotheses.push_back({p.theorem + ": " + h.name, h.verdict});
+            if (std::none_of(none.hypotheses.begin(), none.hypotheses.end(), known))
+                none.hypotheses.push_back(h);
         }
     }
     none.note = "no theorem applies";
@@ -240,7 +243,7 @@ std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition
     }
     {
         order_prediction p;
-        p.theorem = "thesis, Theorem 5 and Corollary 2 (HLR89, Theorem 4.9)";
+        p.theorem = "thesis, Theorem 5 and Corollary 2 (Hairer-Wanner II, Theorem VII.4.9)";
         p.hypotheses = {detail::regular(m),
                         detail::is_collocation(m),
                         detail::stiff(m),

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE report
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <stagecraft/theory/stability_report.hpp>
+
+#include "methods.hpp"
+
+using namespace stagecraft;
+using namespace stagecraft::theory;
+
+namespace {
+
+/// The line "  statement  verdict: ..." that begins with `statement`, or nothing.
+std::string line(const std::string& text, const std::string& statement) {
+    const auto at = text.find("\n  " + statement);
+    if (at == std::string::npos) return {};
+    return text.substr(at + 3, text.find('\n', at + 1) - at - 3);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_report_states_every_decision_with_its_reason) {
+    const auto report = text(stability_report(methods::radau_iia3()));
+    BOOST_TEST(line(report, "L-stable") ==
+               "L-stable  proved: E(y) = 1/3600*y^6 >= 0, poles in the right half-plane, R(inf) = 0");
+    BOOST_TEST(line(report, "R approximates").starts_with("R approximates e^z to order 5"));
+    BOOST_TEST(line(report, "index 2") ==
+               "index 2: y O(h^5), z O(h^3)  proved: thesis, Theorem 5 and Corollary 2 (Hairer-Wanner II, "
+               "Theorem VII.4.9)");
+    BOOST_TEST(line(report, "singular perturbation")
+                   .starts_with("singular perturbation: y O(h^5) + O(eps h^4), lambda O(h^5) + O(eps h^3)"));
+    BOOST_TEST(line(report, "A(alpha)") == "A(alpha)-stable up to 90 degrees  proved: A-stable");
+    BOOST_TEST(line(report, "real stability interval").starts_with("real stability interval infinite"));
+}
+
+BOOST_AUTO_TEST_CASE(the_report_says_where_no_theorem_applies_and_covers_the_embedded_method) {
+    auto t = methods::rk4();
+    t.b_embedded.resize(4);
+    t.b_embedded << methods::q(0), methods::q(1), methods::q(0), methods::q(0);
+    const auto sections = stability_report(t);
+    BOOST_TEST(sections.back().title == "embedded method: stability function");
+    const auto report = text(sections);
+    BOOST_TEST(
+        line(report, "index 1") ==
+        "index 1: a theorem on the order applies  refuted: not: A is regular (det A = 0); not: |R(inf)| "
+        "<= 1 (R(inf) is infinite)");
+    BOOST_TEST(line(report, "real stability interval").starts_with("real stability interval 2.785293563405"));
+    BOOST_TEST(line(report, "A-stable").starts_with("A-stable  refuted: |R(iy)| > 1"));
+    BOOST_TEST(line(text({sections.back()}), "R approximates").starts_with("R approximates e^z to order 2"));
+    t.b_embedded.resize(0);
+    BOOST_TEST(stability_report(t).size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(sectors_are_printed_to_thirteen_places) {
+    const auto claims = function_claims(pade<methods::rational>(0, 5));
+    const auto found = std::find_if(claims.begin(), claims.end(), [](const claim& c) {
+        return c.statement.starts_with("A(alpha)-stable up to 79.11386457319");
+    });
+    BOOST_TEST((found != claims.end()));
+}
