@@ -43,6 +43,14 @@ class fixed_rational {
     constexpr fixed_rational& operator+=(const fixed_rational& o) {
         if (o.numerator_ == 0) return *this;
         if (numerator_ == 0) return *this = o;
+        if (denominator_ == o.denominator_) {
+            int128 sum = 0;
+            if (__builtin_add_overflow(numerator_, o.numerator_, &sum)) overflow();
+            const int128 common = gcd(sum, denominator_);
+            numerator_ = sum / common;
+            denominator_ /= common;
+            return *this;
+        }
         const int128 g = gcd(denominator_, o.denominator_);
         int128 left = 0, right = 0, sum = 0;
         if (__builtin_mul_overflow(numerator_, o.denominator_ / g, &left) ||

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "stagecraft/theory/fixed_buffer.hpp"
+
 namespace stagecraft::theory {
 
 /// A square matrix over K that is zero outside `lower` diagonals below and `upper` above the main one
@@ -18,7 +20,7 @@ class band_matrix {
           lower_(lower < size ? lower : size - 1),
           upper_(upper < size ? upper : size - 1),
           width_(lower_ + upper_ + 1),
-          entries_(static_cast<std::size_t>(size_ * width_)) {}
+          entries_(size_ * width_) {}
 
     constexpr int size() const { return size_; }
     constexpr int lower() const { return lower_; }
@@ -31,14 +33,16 @@ class band_matrix {
 
     /// Entry (i, j), zero outside the band.
     constexpr K operator()(int i, int j) const {
-        if (j < first_column(i) || j >= end_column(i)) return K(0);
-        return row(i)[j];
+        const int k = j - i + lower_;
+        if (k < 0 || k >= width_ || j < 0 || j >= size_) return K(0);
+        return entries_.data()[i * width_ + k];
     }
     /// Entry (i, j) to write to. Throws std::logic_error outside the band.
     constexpr K& entry(int i, int j) {
-        if (j < first_column(i) || j >= end_column(i))
+        const int k = j - i + lower_;
+        if (k < 0 || k >= width_ || j < 0 || j >= size_)
             throw std::logic_error("band_matrix: entry outside the band");
-        return entries_.data()[i * width_ + lower_ - i + j];
+        return entries_.data()[i * width_ + k];
     }
     /// row(i)[j] is entry (i, j) for j in the band of row i.
     constexpr const K* row(int i) const { return entries_.data() + (i * width_ + lower_ - i); }
@@ -55,13 +59,17 @@ class band_matrix {
     /// Matrix product. O(size * width * width) operations.
     friend constexpr band_matrix operator*(const band_matrix& a, const band_matrix& b) {
         band_matrix product(a.size_, a.lower_ + b.lower_, a.upper_ + b.upper_);
-        for (int i = 0; i < a.size_; ++i)
-            for (int k = a.first_column(i); k < a.end_column(i); ++k) {
+        for (int i = 0; i < a.size_; ++i) {
+            const int end = a.end_column(i);
+            for (int k = a.first_column(i); k < end; ++k) {
                 const K& f = a.row(i)[k];
                 if (f == K(0)) continue;
-                for (int j = b.first_column(k); j < b.end_column(k); ++j)
-                    product.entry(i, j) += f * b.row(k)[j];
+                const K* const factors = b.row(k);
+                const int last = b.end_column(k);
+                for (int j = b.first_column(k); j < last; ++j)
+                    if (!(factors[j] == K(0))) product.entry(i, j) += f * factors[j];
             }
+        }
         return product;
     }
 
@@ -81,7 +89,7 @@ class band_matrix {
     int lower_ = 0;
     int upper_ = 0;
     int width_ = 1;
-    std::vector<K> entries_;
+    fixed_buffer<K> entries_;
 };
 
 }  // namespace stagecraft::theory

@@ -165,16 +165,16 @@ class legendre_model {
     constexpr band_matrix<K> integration() const {
         const int s = stages();
         band_matrix<K> j(s, 1, std::max(1, s - 1 - exactness_));
-        j.entry(0, 0) = fraction(1, 2);
         for (int k = 0; k < s; ++k) {
             const K f = fraction(1, 2 * (2 * k + 1));
-            if (k > 0) j.entry(k - 1, k) -= f;
             if (k + 1 < s) {
-                j.entry(k + 1, k) += f;
+                j.entry(k + 1, k) = f;
             } else {
-                for (int i = exactness_; i < s; ++i) j.entry(i, k) -= f * w_[at(i)];
+                for (int i = exactness_; i < s; ++i) j.entry(i, k) = -(f * w_[at(i)]);
             }
+            if (k > 0) j.entry(k - 1, k) -= f;
         }
+        j.entry(0, 0) += fraction(1, 2);
         return j;
     }
 

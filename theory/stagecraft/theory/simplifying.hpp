@@ -34,26 +34,20 @@ constexpr int maximal_c(const legendre_model<K>& m) {
     return m.stages() == 1 && a(0, 0) == K(0) ? every : m.stages();
 }
 
-/// Entry (i, j) of G A + J^T G - e_0 e_0^T, J the integration matrix: <u, A v> + <J u, v> - <1, u><1, v> for
-/// u = P_i, v = P_j. Where all entries of the first r rows vanish, there D(r) holds.
-template <class K>
-constexpr K adjoint_defect(const legendre_model<K>& m, int i, int j) {
-    K defect = m.gram_A()(i, j);
-    defect += m.gram_integration()(j, i);
-    if (i == 0 && j == 0) defect -= K(1);
-    return defect;
-}
-
-/// The largest r with D(r): sum_i b_i c_i^{k-1} a_ij = b_j (1 - c_j^k) / k for k <= r. At most s for distinct
-/// nodes, except that c = 1, A = 0 has every one. O(s) operations for the families.
+/// The largest r with D(r): sum_i b_i c_i^{k-1} a_ij = b_j (1 - c_j^k) / k for k <= r, the first r rows of
+/// G A + J^T G = e_0 e_0^T with J the integration matrix: <u, A v> + <J u, v> = <1, u><1, v>. At most s for
+/// distinct nodes, except that c = 1, A = 0 has every one. O(s) operations for the families.
 template <class K>
 constexpr int maximal_d(const legendre_model<K>& m) {
     const auto& a = m.gram_A();
     const auto& j = m.gram_integration();
     for (int i = 0; i < m.stages(); ++i) {
         const int end = std::max(a.end_column(i), j.end_row(i));
-        for (int l = std::min(a.first_column(i), j.first_row(i)); l < end; ++l)
-            if (!(adjoint_defect(m, i, l) == K(0))) return i;
+        for (int l = std::min(a.first_column(i), j.first_row(i)); l < end; ++l) {
+            K sum = a(i, l);
+            sum += j(l, i);
+            if (!(sum == K(i == 0 && l == 0 ? 1 : 0))) return i;
+        }
     }
     return m.stages() == 1 && m.A()(0, 0) == K(0) ? every : m.stages();
 }
