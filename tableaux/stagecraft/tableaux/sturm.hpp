@@ -24,18 +24,75 @@ constexpr int sign_at_infinity(const polynomial<K>& p, int side) {
     return p.degree() % 2 != 0 ? side * sign_of(p.leading()) : sign_of(p.leading());
 }
 
+namespace detail {
+
+/// Fractions of big integers: their polynomials are kept primitive, with coprime integer coefficients.
+template <class K>
+concept big_fraction = requires(const K& a) {
+    K(gcd(a.numerator(), a.numerator()));
+    K(lcm(a.denominator(), a.denominator()));
+};
+
+/// p times a positive number that keeps the coefficients small; p must not be zero.
+template <class K>
+constexpr polynomial<K> positively_scaled(const polynomial<K>& p) {
+    if constexpr (big_fraction<K>) {
+        auto common = p.leading().denominator();
+        for (const K& a : p.coefficients()) common = lcm(common, a.denominator());
+        auto content = K(p.leading() * K(common)).numerator();
+        for (const K& a : p.coefficients()) content = gcd(content, K(a * K(common)).numerator());
+        const K factor = K(common) / K(content);
+        return p * polynomial<K>(sign_of(factor) < 0 ? K(0) - factor : factor);
+    } else {
+        const K size = sign_of(p.leading()) < 0 ? K(0) - p.leading() : p.leading();
+        return p * polynomial<K>(K(1) / size);
+    }
+}
+
+/// A positive multiple of -(f mod g); for big fractions by pseudo-division, which needs no fractions.
+template <class K>
+constexpr polynomial<K> negative_remainder(const polynomial<K>& f, const polynomial<K>& g) {
+    if constexpr (big_fraction<K>) {
+        std::vector<K> r = f.coefficients();
+        const K head = sign_of(g.leading()) < 0 ? K(0) - g.leading() : g.leading();
+        const bool flip = sign_of(g.leading()) < 0;
+        for (int k = f.degree() - g.degree(); k >= 0; --k) {
+            const K top = r[static_cast<std::size_t>(k + g.degree())];
+            for (int j = 0; j < k + g.degree(); ++j) {
+                auto& a = r[static_cast<std::size_t>(j)];
+                a = a * head;
+                if (j < k) continue;
+                const K product = top * g.coefficients()[static_cast<std::size_t>(j - k)];
+                if (flip) {
+                    a = a + product;
+                } else {
+                    a = a - product;
+                }
+            }
+        }
+        if (f.degree() >= g.degree()) r.resize(static_cast<std::size_t>(g.degree()), K(0));
+        return -polynomial<K>(std::move(r));
+    } else {
+        return -(f % g);
+    }
+}
+
+}  // namespace detail
+
 /// The signed remainder sequence f, g, -(f mod g), ..., every member scaled by a positive number: the
 /// Cauchy index of g/f over (a, b) is variations(a) - variations(b).
 template <class K>
 class remainder_chain {
   public:
-    constexpr remainder_chain(polynomial<K> f, polynomial<K> g) {
-        while (!f.is_zero()) {
-            polynomial<K> r;
-            if (!g.is_zero()) r = -(f % g);
-            chain_.push_back(scaled(f));
-            f = std::move(g);
-            g = std::move(r);
+    constexpr remainder_chain(const polynomial<K>& first, const polynomial<K>& second) {
+        if (!first.is_zero()) chain_.push_back(detail::positively_scaled(first));
+        if (first.is_zero() || second.is_zero()) return;
+        chain_.push_back(detail::positively_scaled(second));
+        for (;;) {
+            const auto next =
+                detail::negative_remainder(chain_[chain_.size() - 2], chain_[chain_.size() - 1]);
+            if (next.is_zero()) return;
+            chain_.push_back(detail::positively_scaled(next));
         }
     }
 
@@ -53,10 +110,6 @@ class remainder_chain {
     constexpr const std::vector<polynomial<K>>& members() const { return chain_; }
 
   private:
-    static constexpr polynomial<K> scaled(const polynomial<K>& p) {
-        const K size = sign_of(p.leading()) < 0 ? K(0) - p.leading() : p.leading();
-        return p * polynomial<K>(K(1) / size);
-    }
     template <class Sign>
     constexpr int count(Sign sign) const {
         int variations = 0;
@@ -230,16 +283,21 @@ constexpr std::optional<isolated_root<K>> first_sign_loss(const polynomial<K>& p
     int lowest = 0;
     while (p[lowest] == K(0)) ++lowest;
     if (p[lowest] < K(0)) return isolated_root<K>{K(0), K(0), 1};
-    if (is_nonnegative_from_zero(p)) return {};
-    const auto odd = odd_part(p);
-    for (auto root : isolate_real_roots(odd)) {
-        if (root.low < K(0) && K(0) < root.high) {  // which side?
-            if (sign_of(odd(K(0))) == 0) continue;
-            (sign_of(odd(K(0))) == sign_of(odd(root.high)) ? root.high : root.low) = K(0);
-        }
-        if (root.exact() ? K(0) < root.low : K(0) < root.high) return refine(odd, root, width);
+    auto rest = p / polynomial<K>::monomial(lowest);
+    remainder_chain<K> chain(rest, derivative(rest));
+    if (chain.members().back().degree() > 0) {
+        rest = odd_part(rest);
+        chain = remainder_chain<K>(rest, derivative(rest));
     }
-    return {};
+    const int at_zero = chain.variations(K(0));
+    if (at_zero == chain.variations_at_infinity(1)) return {};
+    isolated_root<K> root{K(0), root_bound(rest), 1};
+    while (at_zero - chain.variations(root.high) > 1) {  // the smallest one; none up to root.low
+        const K middle = (root.low + root.high) / K(2);
+        (chain.variations(middle) < at_zero ? root.high : root.low) = middle;
+    }
+    if (sign_of(rest(root.high)) == 0) return isolated_root<K>{root.high, root.high, 1};
+    return refine(rest, root, width);
 }
 
 /// A point x >= 0 with p(x) < 0, or nothing if p >= 0 there: an exact decision.
@@ -247,20 +305,14 @@ template <class K>
 constexpr std::optional<K> negative_point_from_zero(const polynomial<K>& p) {
     if (p.is_zero()) return {};
     const auto negative = [&](const K& x) { return sign_of(p(x)) < 0; };
+    if (K x = root_bound(p); negative(x)) return x;
     auto loss = first_sign_loss(p, K(1));
     if (!loss) return {};
-    // A simple sign change: right of it p < 0 up to the next root.
-    K x = loss->high == K(0) ? root_bound(p) : loss->high;
-    if (negative(x)) return x;
-    if (loss->high == K(0)) {
-        while (!negative(x)) x = x / K(2);
-        return x;
-    }
-    const auto odd = odd_part(p);
+    // A sign change: right of it p < 0 up to the next root (or a touching one at its upper end).
     for (K step(1);; step = step / K(2)) {
-        *loss = refine(odd, *loss, step);
-        if (negative(loss->high)) return loss->high;
-        if (loss->exact() && negative(loss->high + step)) return loss->high + step;
+        const K x = loss->exact() ? loss->high + step : loss->high;
+        if (negative(x)) return x;
+        if (!loss->exact()) loss = first_sign_loss(p, step);
     }
 }
 
