@@ -56,8 +56,9 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
 ///          coefficients/radau_iia.hpp, with stages known at compile time or at run time, or a variable_order
 ///          set.
 /// problem  anything with problem(t, y, f). Detected members: jacobian(t, y, J), mass(), index(),
-///          constant_jacobian() (problem/capabilities.hpp); a generic right-hand side without jacobian() is
-///          differentiated automatically, any other by finite differences. problem/with.hpp equips lambdas.
+///          constant_jacobian(), second_order_components, bandwidth(), sparsity() (problem/capabilities.hpp);
+///          a generic right-hand side without jacobian() is differentiated automatically, any other by finite
+///          differences. problem/with.hpp equips lambdas.
 /// y0       an Eigen column vector, fixed or dynamic size, of the same scalar type as the method.
 /// options  tolerances, steps and limits (control/options.hpp); options.fixed_step > 0 runs equal steps
 /// without
@@ -91,6 +92,8 @@ typename Derived::PlainObject >
                     run.stop();
         }
         ended = run.status();
+    } catch (const bad_problem&) {
+        throw;
     } catch (const size_change&) {
         ended = status::size_changed;
     } catch (...) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <stagecraft/linear/complex_number.hpp>
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/mass.hpp>
 #include <vector>
 
@@ -150,6 +151,11 @@ struct banded_blocks {
     static void add_mass_to(banded_lu<T>& lu, const entry_mass<Scalar>& mass, const T& shift, int) {
         for (const auto& e : mass.entries()) lu(e.row, e.column) = lu(e.row, e.column) + T(e.value) * shift;
     }
+};
+
+template <class Scalar>
+struct default_blocks<banded_matrix<Scalar>> {
+    using type = banded_blocks<Scalar>;
 };
 
 }  // namespace stagecraft

@@ -27,27 +27,56 @@ struct dense_blocks {
                                               dense_complex_lu<Scalar>>>;
 };
 
-/// Factors shift M - J; false if singular or not finite.
+/// The same for a system of second order with `Positions` position components.
+template <class Scalar, int N, int Positions>
+struct second_order_blocks : dense_blocks<Scalar, N> {
+    static constexpr int positions = Positions;
+};
+template <class Blocks>
+inline constexpr int positions_of = [] {
+    if constexpr (requires { Blocks::positions; })
+        return static_cast<int>(Blocks::positions);
+    else
+        return 0;
+}();
+
+/// Factors shift M - J of a dense block; false if singular or not finite. The solvers of other structures
+/// (banded_blocks, sparse_blocks) have a member factor_shifted instead.
 template <class Block, class Mass, class Matrix, class Scalar>
 bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scalar& shift) {
-    const int n = static_cast<int>(J.rows());
-    Scalar* a = block.entries();
-    const Scalar* j = J.data();
-    for (int i = 0; i < n * n; ++i) a[i] = -j[i];
-    add_mass(mass, shift, a, n);
-    return block.factor();
+    if constexpr (requires { block.factor_shifted(mass, J, shift); }) {
+        return block.factor_shifted(mass, J, shift);
+    } else {
+        const int n = static_cast<int>(J.rows());
+        Scalar* a = block.entries();
+        const Scalar* j = J.data();
+        for (int i = 0; i < n * n; ++i) a[i] = -j[i];
+        add_mass(mass, shift, a, n);
+        return block.factor();
+    }
 }
 
-/// Factors (re + i im) M - J.
+/// Factors (re + i im) M - J, likewise.
 template <class Block, class Mass, class Matrix, class Scalar>
 bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scalar& re, const Scalar& im) {
-    const int n = static_cast<int>(J.rows());
-    Scalar *a = block.real_entries(), *b = block.imaginary_entries();
-    const Scalar* j = J.data();
-    for (int i = 0; i < n * n; ++i) a[i] = -j[i], b[i] = Scalar(0);
-    add_mass(mass, re, a, n);
-    add_mass(mass, im, b, n);
-    return block.factor();
+    if constexpr (requires { block.factor_shifted(mass, J, re, im); }) {
+        return block.factor_shifted(mass, J, re, im);
+    } else {
+        const int n = static_cast<int>(J.rows());
+        Scalar *a = block.real_entries(), *b = block.imaginary_entries();
+        const Scalar* j = J.data();
+        for (int i = 0; i < n * n; ++i) a[i] = -j[i], b[i] = Scalar(0);
+        add_mass(mass, re, a, n);
+        add_mass(mass, im, b, n);
+        return block.factor();
+    }
 }
+
+/// The solvers a Jacobian matrix type is served by, unless the problem names its own: dense ones here, those
+/// of other structures beside their solvers.
+template <class Matrix>
+struct default_blocks {
+    using type = dense_blocks<typename Matrix::Scalar, Matrix::RowsAtCompileTime>;
+};
 
 }  // namespace stagecraft

@@ -4,7 +4,11 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#include <cmath>
 #include <complex>
+#include <limits>
+#include <memory>
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/mass.hpp>
 #include <type_traits>
 #include <vector>
@@ -25,16 +29,16 @@ struct sparse_blocks {
         /// Factors shift M - J; false if it is singular or not finite.
         template <class Mass>
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& shift) {
-            return refactor(solver_, a_, nonzeros_, mass, J, shift);
+            return refactor(*solver_, a_, nonzeros_, mass, J, shift);
         }
         void solve(Scalar* x) {
             Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> map(x, x_.size());
             x_ = map;
-            map = solver_.solve(x_);
+            map = solver_->solve(x_);
         }
 
       private:
-        RealSolver solver_;
+        std::unique_ptr<RealSolver> solver_ = std::make_unique<RealSolver>();  // the solvers cannot be moved
         Eigen::SparseMatrix<Scalar> a_;
         Eigen::Index nonzeros_ = -1;
         Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
@@ -49,17 +53,17 @@ struct sparse_blocks {
         template <class Mass>
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& re,
                             const Scalar& im) {
-            return refactor(solver_, a_, nonzeros_, mass, J, number(re, im));
+            return refactor(*solver_, a_, nonzeros_, mass, J, number(re, im));
         }
         void solve(Scalar* x, Scalar* y) {
             const Eigen::Index n = z_.size();
             for (Eigen::Index i = 0; i < n; ++i) z_[i] = number(x[i], y[i]);
-            w_ = solver_.solve(z_);
+            w_ = solver_->solve(z_);
             for (Eigen::Index i = 0; i < n; ++i) x[i] = w_[i].real(), y[i] = w_[i].imag();
         }
 
       private:
-        ComplexSolver solver_;
+        std::unique_ptr<ComplexSolver> solver_ = std::make_unique<ComplexSolver>();
         Eigen::SparseMatrix<number> a_;
         Eigen::Index nonzeros_ = -1;
         Eigen::Matrix<number, Eigen::Dynamic, 1> z_, w_;
@@ -93,6 +97,11 @@ struct sparse_blocks {
         solver.factorize(a);
         return solver.info() == Eigen::Success;
     }
+};
+
+template <class Scalar, int Options, class Index>
+struct default_blocks<Eigen::SparseMatrix<Scalar, Options, Index>> {
+    using type = sparse_blocks<Scalar>;
 };
 
 }  // namespace stagecraft

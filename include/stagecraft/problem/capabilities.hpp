@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/linear/banded_matrix.hpp>
+
 namespace stagecraft {
 
 /// The one thing a problem must bring: `problem(t, y, f)` writes f(t, y) into f, which arrives with the size
@@ -20,6 +22,31 @@ concept right_hand_side = Eigen::MatrixBase<Vector>::ColsAtCompileTime == 1 &&
 template <class Problem, class Vector, class Matrix>
 concept has_jacobian = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y, Matrix& J) {
     p.jacobian(t, y, J);
+};
+
+/// Optional: `problem.bandwidth()` returns the stagecraft::bandwidth of df/dy; jacobian(t, y, J), if there is
+/// one, then writes into a banded_matrix. Include linear/banded_blocks.hpp.
+template <class Problem>
+concept has_bandwidth = requires(Problem& p) {
+    { p.bandwidth() } -> std::convertible_to<bandwidth>;
+};
+
+/// Optional: `problem.sparsity()` returns an Eigen::SparseMatrix with the pattern of df/dy (values do not
+/// matter); jacobian(t, y, J), if there is one, then writes into a sparse matrix that arrives with that
+/// pattern. Include linear/sparse_blocks.hpp.
+template <class Problem>
+concept has_sparsity = requires(Problem& p) {
+    p.sparsity().nonZeros();
+};
+
+/// Optional: a member type `linear_solver` names the solvers for shift M - J to use instead of the built-in
+/// ones: a type with members `real` and `complex`, each constructible from n, with factor_shifted(mass, J,
+/// shift) or factor_shifted(mass, J, re, im) returning false for a singular or non-finite matrix, and
+/// solve(x) or solve(re, im) in place on n contiguous numbers.
+template <class Problem>
+concept has_linear_solver = requires {
+    typename Problem::linear_solver::real;
+    typename Problem::linear_solver::complex;
 };
 
 /// Optional: `problem.mass()` returns the constant matrix M (dense or Eigen::DiagonalMatrix), singular
@@ -43,6 +70,14 @@ concept has_index = requires(Problem& p) {
 template <class Problem>
 concept has_constant_jacobian = requires(Problem& p) {
     { p.constant_jacobian() } -> std::convertible_to<bool>;
+};
+
+/// Optional: `static constexpr int second_order_components = m`: the problem is a system of second order,
+/// the first m components are positions q, the next m their velocities v, with q' = v and mass one in these
+/// rows and columns. Fixed sizes to 16 then factor matrices of size n - m.
+template <class Problem>
+concept has_second_order_components = requires {
+    { Problem::second_order_components } -> std::convertible_to<int>;
 };
 
 }  // namespace stagecraft

@@ -25,16 +25,31 @@ class entry_mass {
         Scalar value;
     };
 
+    /// From a dense, diagonal or sparse matrix of Eigen's.
     template <class Matrix>
     explicit entry_mass(const Matrix& m) {
-        for (int j = 0; j < m.cols(); ++j)
-            for (int i = 0; i < m.rows(); ++i)
-                if (!(m(i, j) == Scalar(0))) entries_.push_back({i, j, m(i, j)});
+        if constexpr (requires {
+                          typename Matrix::InnerIterator;
+                          m.isCompressed();
+                      }) {
+            for (Eigen::Index k = 0; k < m.outerSize(); ++k)
+                for (typename Matrix::InnerIterator it(m, k); it; ++it)
+                    add(static_cast<int>(it.row()), static_cast<int>(it.col()), it.value());
+        } else if constexpr (
+            requires { m.diagonal(); } && !requires { m(0, 0); }) {
+            for (int i = 0; i < m.rows(); ++i) add(i, i, m.diagonal()[i]);
+        } else {
+            for (int j = 0; j < m.cols(); ++j)
+                for (int i = 0; i < m.rows(); ++i) add(i, j, m(i, j));
+        }
     }
 
     const std::vector<entry>& entries() const { return entries_; }
 
   private:
+    void add(int i, int j, const Scalar& value) {
+        if (!(value == Scalar(0))) entries_.push_back({i, j, value});
+    }
     std::vector<entry> entries_;
 };
 
@@ -63,7 +78,7 @@ void add_mass(const entry_mass<Scalar>& m, const Scalar& factor, Scalar* a, int 
 template <class Scalar, class Problem>
 auto make_mass(Problem& problem, Eigen::Index n) {
     if constexpr (has_mass<Problem>) {
-        const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> m = problem.mass();
+        const auto& m = problem.mass();
         if (m.rows() != n || m.cols() != n)
             throw std::invalid_argument("integrate: problem.mass() must be n x n with n the size of y0");
         entry_mass<Scalar> result(m);

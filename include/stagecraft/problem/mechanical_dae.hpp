@@ -129,6 +129,8 @@ class index_2_dae {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
 
+    static constexpr int second_order_components = n;
+
     explicit index_2_dae(Model model) : model_(std::move(model)) {}
 
     template <class S>

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/jacobian/coloured.hpp>
 #include <stagecraft/jacobian/finite_difference.hpp>
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/mass.hpp>
 #include <stagecraft/report.hpp>
@@ -16,6 +18,42 @@ namespace stagecraft {
 /// Thrown inside a run when a callable resized its output; integrate() turns it into status::size_changed.
 struct size_change {};
 
+namespace detail {
+
+/// Where the Jacobian of a problem is kept: dense, banded or sparse.
+template <class Problem, class Vector>
+auto make_jacobian(Problem& problem, int n) {
+    using scalar = typename Vector::Scalar;
+    using dense = Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
+    if constexpr (has_bandwidth<Problem>) {
+        return banded_matrix<scalar>(n, problem.bandwidth());
+    } else if constexpr (has_sparsity<Problem>) {
+        auto J = problem.sparsity();
+        if (J.rows() != n || J.cols() != n)
+            throw std::invalid_argument("integrate: problem.sparsity() must be n x n with n the size of y0");
+        J.makeCompressed();
+        return J;
+    } else {
+        return dense(dense::Zero(n, n));
+    }
+}
+
+template <class Problem, class Matrix>
+struct blocks_for : default_blocks<Matrix> {};
+template <class Problem, class Matrix>
+requires(has_second_order_components<Problem> && !has_linear_solver<Problem> && !has_bandwidth<Problem> &&
+         !has_sparsity<Problem>) struct blocks_for<Problem, Matrix> {
+    using type = second_order_blocks<typename Matrix::Scalar, Matrix::RowsAtCompileTime,
+                                     Problem::second_order_components>;
+};
+template <class Problem, class Matrix>
+requires has_linear_solver<Problem>
+struct blocks_for<Problem, Matrix> {
+    using type = typename Problem::linear_solver;
+};
+
+}  // namespace detail
+
 /// A problem as the steppers see it: counted evaluations, the best Jacobian it can give (its own member, else
 /// automatic differentiation, else finite differences), the mass matrix, the index flags.
 template <class Problem, class Vector>
@@ -23,11 +61,13 @@ class system {
   public:
     using scalar = typename Vector::Scalar;
     static constexpr int size_at_compile_time = Vector::RowsAtCompileTime;
-    using matrix = Eigen::Matrix<scalar, size_at_compile_time, size_at_compile_time>;
+    using matrix = decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0));
+    using blocks = typename detail::blocks_for<std::remove_const_t<Problem>, matrix>::type;
     using mass_type = decltype(make_mass<scalar>(std::declval<Problem&>(), 0));
+    static constexpr bool structured = has_bandwidth<Problem> || has_sparsity<Problem>;
     static constexpr bool analytic = has_jacobian<Problem, Vector, matrix>;
     static constexpr bool automatic =
-        !analytic && automatically_differentiable<Problem, scalar, size_at_compile_time>;
+        !analytic && !structured && automatically_differentiable<Problem, scalar, size_at_compile_time>;
     static constexpr bool finite_difference = !analytic && !automatic;
 
     system(Problem& problem, const Vector& y0, report<scalar>& r)
@@ -36,7 +76,24 @@ class system {
           n_(static_cast<int>(y0.size())),
           mass_(make_mass<scalar>(problem, n_)),
           engine_(n_),
-          J_(matrix::Zero(n_, n_)) {
+          J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
+        if constexpr (structured && finite_difference) engine_.group(J_);
+        if constexpr (has_second_order_components<Problem>) {
+            constexpr int m = Problem::second_order_components;
+            if (m < 0 || 2 * m > n_)
+                throw std::invalid_argument(
+                    "integrate: problem.second_order_components must be at most n / 2");
+            if constexpr (!mass_type::identity) {
+                int ones = 0;
+                for (const auto& e : mass_.entries())
+                    if (e.row < m || e.column < m)
+                        ones += e.row == e.column && e.value == scalar(1) ? 1 : 2 * n_;
+                if (ones != m)
+                    throw std::invalid_argument(
+                        "integrate: problem.mass() must be one in the rows and columns of "
+                        "second_order_components");
+            }
+        }
         if constexpr (has_index<Problem>) {
             const auto& flags = problem.index();
             if (static_cast<int>(flags.size()) != n_)
@@ -101,10 +158,11 @@ class system {
     struct raised {
         int component, power;
     };
-    using engine =
-        std::conditional_t<analytic, no_engine,
-                           std::conditional_t<automatic, automatic_jacobian<scalar, size_at_compile_time>,
-                                              finite_difference_jacobian<scalar, size_at_compile_time>>>;
+    using engine = std::conditional_t<
+        analytic, no_engine,
+        std::conditional_t<automatic, automatic_jacobian<scalar, size_at_compile_time>,
+                           std::conditional_t<structured, coloured_jacobian<Vector>,
+                                              finite_difference_jacobian<scalar, size_at_compile_time>>>>;
 
     Problem& problem_;
     report<scalar>& report_;

@@ -12,9 +12,16 @@ namespace stagecraft {
 /// The systems of a step as lanes of one factorisation, the real one (odd number of stages) in lane 0 with
 /// imaginary part zero; the number of lanes is even, those left over repeat lane 0. Same members as
 /// separate_blocks.
-template <class Scalar, int N, int Stages>
+///
+/// With Positions = m > 0 the first m equations are q' = v, v being the next m components: q is eliminated
+/// from shift q - v = r_q, so that matrices of size N - m are factored, shift M_22 - J_22 - J_21 / shift (in
+/// the columns of v).
+template <class Scalar, int N, int Stages, int Positions = 0>
 class lane_blocks {
     static constexpr int real = Stages % 2, used = real + Stages / 2, lanes = used + used % 2;
+    static constexpr int m = Positions, R = N - m;
+    using lu_type = lane_lu<Scalar, R, lanes>;
+    using pack = typename lu_type::pack;
 
   public:
     lane_blocks(int, int, int) {}
@@ -22,28 +29,37 @@ class lane_blocks {
     template <class System>
     bool factor(const System& system, const Scalar* shift) {
         const auto& J = system.jacobian();
-        using pack = typename lane_lu<Scalar, N, lanes>::pack;
         pack re, im;
         for (int l = 0; l < lanes; ++l) {
             const int k = l >= used ? 0 : l < real ? l : 2 * l - real;
             re[l] = shift[k];
             im[l] = l < real || (l >= used && real == 1) ? Scalar(0) : shift[k + 1];
         }
-        for (int j = 0; j < N; ++j)
-            for (int i = 0; i < N; ++i) {
-                lu_.real(i, j) = pack::Constant(-J(i, j));
+        for (int j = 0; j < R; ++j)
+            for (int i = 0; i < R; ++i) {
+                lu_.real(i, j) = pack::Constant(-J(m + i, m + j));
                 lu_.imaginary(i, j) = pack::Zero();
             }
         if constexpr (System::mass_type::identity) {
-            for (int i = 0; i < N; ++i) {
+            for (int i = 0; i < R; ++i) {
                 lu_.real(i, i) += re;
                 lu_.imaginary(i, i) += im;
             }
         } else {
             for (const auto& e : system.mass().entries()) {
-                lu_.real(e.row, e.column) += e.value * re;
-                lu_.imaginary(e.row, e.column) += e.value * im;
+                if (e.row < m) continue;
+                lu_.real(e.row - m, e.column - m) += e.value * re;
+                lu_.imaginary(e.row - m, e.column - m) += e.value * im;
             }
+        }
+        if constexpr (m > 0) {
+            for (int l = 0; l < lanes; ++l) reciprocal(re[l], im[l], inverse_re_[l], inverse_im_[l]);
+            for (int j = 0; j < m; ++j)
+                for (int i = 0; i < R; ++i) {
+                    coupling_[i + j * R] = J(m + i, j);
+                    lu_.real(i, j) -= J(m + i, j) * inverse_re_;
+                    lu_.imaginary(i, j) -= J(m + i, j) * inverse_im_;
+                }
         }
         return lu_.factor();
     }
@@ -54,24 +70,61 @@ class lane_blocks {
         for (int l = 0; l < used; ++l) {
             re[l] = x + N * (l < real ? l : 2 * l - real);
             im[l] = l < real ? zero.data() : re[l] + N;
+            eliminate(re[l], im[l], l);
+            re[l] += m;
+            im[l] += m;
         }
         lu_.solve(re, im, used);
+        for (int l = 0; l < used; ++l) recover(re[l] - m, im[l] - m, l);
     }
 
     template <class Vector>
     void filter(Vector& x, Vector& scratch) {
+        scratch.setZero();
+        eliminate(x.data(), scratch.data(), 0);
         if constexpr (real == 1) {
-            lu_.solve_real(x.data());
+            lu_.solve_real(x.data() + m);
         } else {
+            lu_.solve(std::array<Scalar*, 1>{x.data() + m}, std::array<Scalar*, 1>{scratch.data() + m}, 1);
+        }
+        recover(x.data(), scratch.data(), 0);
+        if constexpr (real == 0) {
             using std::sqrt;
-            scratch.setZero();
-            lu_.solve(std::array<Scalar*, 1>{x.data()}, std::array<Scalar*, 1>{scratch.data()}, 1);
             for (int i = 0; i < N; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
         }
     }
 
   private:
-    lane_lu<Scalar, N, lanes> lu_;
+    /// q := r_q / shift, and J_21 q joins the other right-hand sides.
+    void eliminate(Scalar* x, Scalar* y, int lane) const {
+        if constexpr (m > 0) {
+            const Scalar a = inverse_re_[lane], b = inverse_im_[lane];
+            for (int j = 0; j < m; ++j) {
+                const Scalar r = x[j] * a - y[j] * b, s = x[j] * b + y[j] * a;
+                x[j] = r;
+                y[j] = s;
+                for (int i = 0; i < R; ++i) {
+                    x[m + i] += coupling_[i + j * R] * r;
+                    y[m + i] += coupling_[i + j * R] * s;
+                }
+            }
+        }
+    }
+    /// q += v / shift.
+    void recover(Scalar* x, Scalar* y, int lane) const {
+        if constexpr (m > 0) {
+            const Scalar a = inverse_re_[lane], b = inverse_im_[lane];
+            for (int j = 0; j < m; ++j) {
+                const Scalar v = x[m + j], w = y[m + j];
+                x[j] += v * a - w * b;
+                y[j] += v * b + w * a;
+            }
+        }
+    }
+
+    lu_type lu_;
+    std::array<Scalar, static_cast<std::size_t>(R* m)> coupling_;
+    pack inverse_re_, inverse_im_;
 };
 
 }  // namespace stagecraft

@@ -40,7 +40,7 @@ struct newton_limits {
 /// simplified Newton in the variables W = (T^-1 (x) I) Z, where they fall into one real system per real
 /// eigenvalue of A^-1 and one complex system per pair (Hairer-Wanner II.IV.8). Each block is factored once
 /// per (J, h). All storage is taken in the constructor.
-template <class Scalar, int N, int Stages, class Blocks = dense_blocks<Scalar, N>>
+template <class Scalar, int N, int Stages, class Blocks>
 class transformed_stages {
   public:
     using vector = Eigen::Matrix<Scalar, N, 1>;
@@ -153,6 +153,7 @@ class transformed_stages {
 
   private:
     using matrix = Eigen::Matrix<Scalar, N, Stages>;
+    static constexpr int positions = positions_of<Blocks>;
     static constexpr bool in_lanes = Stages > 1 && std::is_same_v<Blocks, dense_blocks<Scalar, N>>&& N >= 1 &&
                                      N <= 16 && dense_blocks<Scalar, N>::built_in;
 
@@ -233,7 +234,8 @@ class transformed_stages {
     int n_;
     matrix W_, D_, F_;
     vector yi_, fi_;
-    std::conditional_t<in_lanes, lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1>,
+    std::conditional_t<in_lanes,
+                       lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1, in_lanes ? positions : 0>,
                        separate_blocks<Scalar, Blocks>>
         blocks_;
 };

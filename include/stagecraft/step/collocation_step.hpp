@@ -41,7 +41,7 @@ int quadrature_order(const tableau<Scalar, Stages>& m) {
 /// eigenvalue of A^-1; where there is none (even s) the modulus of the complex block of smallest beta takes
 /// its place, which costs no factorisation and vanishes for no J. For c_1 = 0 (Lobatto IIIC, Radau IA) it is
 /// the jump z_1 = Y_1 - y of the stage polynomial, O(h^s), damped at infinity by the method itself.
-template <class Scalar, int N, int Stages, int MaxStages>
+template <class Scalar, int N, int Stages, int MaxStages, class Blocks>
 class collocation_step {
   public:
     using vector = Eigen::Matrix<Scalar, N, 1>;
@@ -82,7 +82,7 @@ class collocation_step {
         }
     }
 
-    transformed_stages<Scalar, N, Stages>& stages() { return stages_; }
+    transformed_stages<Scalar, N, Stages, Blocks>& stages() { return stages_; }
     int count() const { return stages_.stages(); }
     int order() const { return order_; }
     /// The estimate is O(h^q) with this q.
@@ -208,7 +208,7 @@ class collocation_step {
         add_mass_times(system.mass(), Scalar(-1), scratch_.data(), error.data(), system.size());
     }
 
-    transformed_stages<Scalar, N, Stages> stages_;
+    transformed_stages<Scalar, N, Stages, Blocks> stages_;
     interpolation_nodes<Scalar, MaxStages> nodes_;
     Eigen::Matrix<Scalar, Stages, 1> update_, defect_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // filled when the order is chosen step by step

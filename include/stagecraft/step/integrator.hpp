@@ -18,6 +18,11 @@
 
 namespace stagecraft {
 
+/// A problem that is not what it claims to be, seen at the first evaluation.
+struct bad_problem : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
+
 /// A run that is advanced step by step: while (run.step()) use run.t(), run.y(), run.output().
 /// Construction checks every argument (std::invalid_argument names the bad one) and takes all storage; a step
 /// allocates nothing. What a callable throws passes through step(), with t() and y() at the last accepted
@@ -27,7 +32,7 @@ class integrator {
   public:
     using scalar = typename Vector::Scalar;
     using steps = detail::steps_of<std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>,
-                                   Vector::RowsAtCompileTime>;
+                                   Vector::RowsAtCompileTime, typename system<Problem, Vector>::blocks>;
     using output_type = dense_output<Vector, steps::max_stages>;
     static_assert(std::is_same_v<scalar, typename steps::scalar>,
                   "method and state must have the same scalar type");
@@ -156,10 +161,15 @@ class integrator {
         visit_current([&](auto& m) { left = m.needs_left_value(); });
         need_left_ =
             (!fixed() && (left || options_.initial_step == scalar(0))) || system_type::finite_difference;
-        if (need_left_) {
+        if (need_left_ || has_second_order_components<Problem>) {
             system_(t_, y_, f0_);
             const scalar size = norm(f0_, scale_);
             if (!(size - size == scalar(0))) return end(status::non_finite) == attempt_end::accepted;
+            if constexpr (has_second_order_components<Problem>)
+                for (int i = 0, m = Problem::second_order_components; i < m; ++i)
+                    if (!(f0_[i] == y_[m + i]))
+                        throw bad_problem(
+                            "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
         }
         if (fixed()) return true;
         const scalar span = abs(t1_ - t_);

@@ -34,19 +34,19 @@ constexpr int stages_of(const transformed_tableau<Scalar, Stages>*) {
     return Stages;
 }
 
-template <class Tuple, int N>
+template <class Tuple, int N, class Blocks>
 struct steps_of;
-template <class First, class... Rest, int N>
-struct steps_of<std::tuple<First, Rest...>, N> {
+template <class First, class... Rest, int N, class Blocks>
+struct steps_of<std::tuple<First, Rest...>, N, Blocks> {
     using scalar = typename First::scalar;
     static constexpr int first_stages = stages_of(static_cast<First*>(nullptr));
     static constexpr bool any_dynamic =
         first_stages < 0 || ((stages_of(static_cast<Rest*>(nullptr)) < 0) || ...);
     static constexpr int max_stages =
         any_dynamic ? dynamic : std::max({first_stages, stages_of(static_cast<Rest*>(nullptr))...});
-    using type =
-        std::tuple<collocation_step<scalar, N, first_stages, max_stages>,
-                   collocation_step<scalar, N, stages_of(static_cast<Rest*>(nullptr)), max_stages>...>;
+    using type = std::tuple<
+        collocation_step<scalar, N, first_stages, max_stages, Blocks>,
+        collocation_step<scalar, N, stages_of(static_cast<Rest*>(nullptr)), max_stages, Blocks>...>;
     static type make(const std::tuple<First, Rest...>& methods, int n) {
         return std::apply([n](const auto&... m) { return type(make_one(m, n)...); }, methods);
     }
@@ -54,7 +54,7 @@ struct steps_of<std::tuple<First, Rest...>, N> {
   private:
     template <int Stages>
     static auto make_one(const transformed_tableau<scalar, Stages>& m, int n) {
-        return collocation_step<scalar, N, Stages, max_stages>(m, n);
+        return collocation_step<scalar, N, Stages, max_stages, Blocks>(m, n);
     }
 };
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stagecraft/linear/banded_matrix.hpp>
+#include <vector>
+
+namespace stagecraft {
+
+/// Calls f(i, entry) for every entry of column j that a banded or column-major sparse matrix stores.
+template <class Scalar, class F>
+void for_each_in_column(banded_matrix<Scalar>& J, int j, F&& f) {
+    for (int i = std::max(0, j - J.upper()); i <= std::min(J.size() - 1, j + J.lower()); ++i) f(i, J(i, j));
+}
+template <class Sparse, class F>
+requires requires(Sparse& m) {
+    typename Sparse::InnerIterator;
+    m.outerIndexPtr();
+}
+void for_each_in_column(Sparse& J, int j, F&& f) {
+    static_assert(!Sparse::IsRowMajor, "problem.sparsity() must be column-major");
+    for (typename Sparse::InnerIterator it(J, j); it; ++it) f(static_cast<int>(it.row()), it.valueRef());
+}
+
+/// df/dy of known structure by forward differences, one evaluation of f per group of columns that share no
+/// row (Curtis, Powell and Reid 1974, columns taken in their order): lower + upper + 1 groups for a band.
+template <class Vector>
+class coloured_jacobian {
+  public:
+    using scalar = typename Vector::Scalar;
+
+    explicit coloured_jacobian(Eigen::Index n) : y_(n), f_(n), step_(n) {}
+
+    /// Finds the groups for the pattern of J.
+    template <class Matrix>
+    void group(Matrix& J) {
+        const int n = static_cast<int>(J.cols());
+        std::vector<std::vector<int>> columns_of_row(n);
+        for (int j = 0; j < n; ++j)
+            for_each_in_column(J, j, [&](int i, const scalar&) { columns_of_row[i].push_back(j); });
+        std::vector<int> colour(n, -1), used_by(n, -1);
+        groups_.clear();
+        for (int j = 0; j < n; ++j) {
+            for_each_in_column(J, j, [&](int i, const scalar&) {
+                for (const int k : columns_of_row[i])
+                    if (colour[k] >= 0) used_by[colour[k]] = j;
+            });
+            int c = 0;
+            while (c < static_cast<int>(groups_.size()) && used_by[c] == j) ++c;
+            if (c == static_cast<int>(groups_.size())) groups_.emplace_back();
+            groups_[c].push_back(j);
+            colour[j] = c;
+        }
+    }
+
+    int groups() const { return static_cast<int>(groups_.size()); }
+
+    /// Writes J, given f0 = f(t, y) and what counts as negligible in every component; returns the
+    /// evaluations.
+    template <class Problem, class Matrix>
+    int operator()(Problem& problem, const scalar& t, const Vector& y, const Vector& f0,
+                   const Vector& negligible, Matrix& J) {
+        using std::abs;
+        using std::sqrt;
+        const scalar root = sqrt(std::numeric_limits<scalar>::epsilon());
+        y_ = y;
+        for (const auto& columns : groups_) {
+            for (const int j : columns) {
+                const scalar size = abs(y[j]) > negligible[j] ? abs(y[j]) : negligible[j];
+                y_[j] = y[j] + root * (f0[j] < scalar(0) ? scalar(-size) : size);
+                step_[j] = y_[j] - y[j];
+            }
+            problem(t, y_, f_);
+            for (const int j : columns) {
+                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = (f_[i] - f0[i]) / step_[j]; });
+                y_[j] = y[j];
+            }
+        }
+        return groups();
+    }
+
+  private:
+    Vector y_, f_, step_;
+    std::vector<std::vector<int>> groups_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE variable_order
+#include <boost/test/unit_test.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
+
+#include "problems.hpp"
+
+namespace sc = stagecraft;
+
+namespace {
+
+const Eigen::Vector2d vdp0(2, -0.66);
+const Eigen::Vector3d rober0(1, 0, 0);
+
+template <class Method>
+auto robertson(const Method& method, double tol) {
+    return sc::integrate(method, problems::robertson{}, rober0, 0, 1e11, {.rtol = tol, .atol = 1e-6 * tol});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(variable_order_solves_to_tolerance) {
+    const Eigen::VectorXd vdp = problems::reference("vdpol"), rober = problems::reference("rober");
+    for (const double tol : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+        BOOST_TEST_CONTEXT("tol = " << tol) {
+            const auto v = sc::integrate(sc::radau_iia_variable(), problems::van_der_pol{}, vdp0, 0, 2,
+                                         {.rtol = tol, .atol = tol});
+            BOOST_TEST(v.ok());
+            BOOST_TEST(problems::error(v.y, vdp, 1) < 10 * tol);
+            const auto r = robertson(sc::radau_iia_variable(), tol);
+            BOOST_TEST(r.ok());
+            BOOST_TEST(problems::error(r.y, rober, 1e-6) < 10 * tol);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_tight_tolerance_raises_the_order_and_saves_work) {
+    const auto fixed = robertson(sc::radau_iia<3>(), 1e-11);
+    const auto chosen = robertson(sc::radau_iia_variable(), 1e-11);
+    BOOST_TEST(chosen.report.largest_stages == 7);
+    BOOST_TEST(chosen.report.smallest_stages == 3);
+    BOOST_TEST(4 * chosen.report.steps < fixed.report.steps);
+    BOOST_TEST(2 * chosen.report.f < fixed.report.f);
+}
+
+BOOST_AUTO_TEST_CASE(a_loose_tolerance_does_not_take_the_highest_order) {
+    const auto chosen = robertson(sc::radau_iia_variable(), 1e-3);
+    BOOST_TEST(chosen.report.largest_stages < 7);
+}
+
+BOOST_AUTO_TEST_CASE(the_family_may_be_any_list_of_stages) {
+    const auto r = robertson(sc::radau_iia_variable<1, 2, 3, 4, 5>(), 1e-8);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(r.report.largest_stages > 3);
+    BOOST_TEST(problems::error(r.y, problems::reference("rober"), 1e-6) < 1e-7);
+}
