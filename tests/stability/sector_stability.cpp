@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE sector_stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <complex>
 #include <random>
 #include <stagecraft/theory/sector_stability.hpp>
 
@@ -111,4 +112,55 @@ BOOST_AUTO_TEST_CASE(an_angle_with_vanishing_chebyshev_polynomial_is_counted_rig
     BOOST_TEST(detail::roots_in_sector(shift(-1) * shift(2) * shift(3), u) == 2);
     BOOST_TEST(detail::roots_in_sector(shift(-1) * shift(-2) * shift(3), u) == 1);
     BOOST_TEST(detail::roots_in_sector(shift(-1) * shift(-2) * shift(-3), u) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(verdicts_on_random_functions_agree_with_samples_of_the_left_half_plane) {
+    // A proof that a sample contradicts, or a sector larger than a sampled one, would show here.
+    std::mt19937 random(11);
+    const auto number = [&](int low, int high) {
+        return std::uniform_int_distribution<int>(low, high)(random);
+    };
+    int stable = 0, sectors = 0, unstable = 0;
+    for (int trial = 0; trial < 150; ++trial) {
+        const int degree = number(2, 4);
+        poly bottom(rational(1));
+        for (int k = 0; k < degree; ++k) bottom *= poly{1, -q(number(1, 8), 8)};
+        std::vector<rational> top{1};
+        const int top_degree = number(1, degree);
+        for (int k = 0; k < top_degree; ++k) top.push_back(q(number(-6, 6), 8 << k));
+        const auto r = stability_function<rational>::reduced(poly(top), bottom);
+        const auto modulus = [&](double size, double angle) {  // |R| at arg(-z) = angle
+            const std::complex<double> z = -std::polar(size, angle);
+            const auto value = [&](const poly& p) {
+                std::complex<double> sum = 0;
+                for (int k = p.degree(); k >= 0; --k) sum = sum * z + p[k].to<double>();
+                return std::abs(sum);
+            };
+            return value(r.numerator) / value(r.denominator);
+        };
+        const auto largest = [&](double angle) {
+            double found = 0;
+            for (int k = -200; k <= 200; ++k) found = std::max(found, modulus(std::exp(0.05 * k), angle));
+            return found;
+        };
+        const auto s = largest_sector(r);
+        const double right = std::acos(0.0);
+        if (a_stable(r).is_proved()) {
+            ++stable;
+            for (int k = 0; k <= 8; ++k) BOOST_TEST(largest(right * k / 8) <= 1 + 1e-12, r.text());
+        } else if (s.exists) {
+            ++sectors;
+            const double inside = s.degrees_low / 90 * right;
+            for (int k = 0; k <= 8; ++k) BOOST_TEST(largest(inside * k / 8) <= 1 + 1e-12, r.text());
+        } else if (a0_stable(r).is_refuted()) {
+            ++unstable;
+            const auto interval = real_stability_interval(r);
+            const double end = interval.low.to<double>();
+            for (int k = 1; k <= 50; ++k) BOOST_TEST(modulus(end * k / 50, 0) <= 1 + 1e-12, r.text());
+            BOOST_TEST(!interval.infinite, r.text());
+        }
+    }
+    BOOST_TEST(stable > 15);
+    BOOST_TEST(sectors > 5);
+    BOOST_TEST(unstable > 15);
 }
