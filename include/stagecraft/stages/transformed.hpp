@@ -154,8 +154,10 @@ class transformed_stages {
   private:
     using matrix = Eigen::Matrix<Scalar, N, Stages>;
     static constexpr int positions = positions_of<Blocks>;
-    static constexpr bool in_lanes = Stages > 1 && std::is_same_v<Blocks, dense_blocks<Scalar, N>>&& N >= 1 &&
-                                     N <= 16 && dense_blocks<Scalar, N>::built_in;
+    // Dense problems of small fixed size, unless the problem brings a solver of its own.
+    static constexpr bool dense = std::is_base_of_v<dense_blocks<Scalar, N>, Blocks>;
+    static constexpr bool in_lanes =
+        dense && dense_blocks<Scalar, N>::built_in && Stages > 1 && N >= 1 && N <= 16;
 
     int size() const {
         if constexpr (N >= 0)
