@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
 #include <stagecraft/theory/matrix_model.hpp>
@@ -233,6 +236,30 @@ BOOST_AUTO_TEST_CASE(a_lone_wrong_surd_or_decimal_is_repaired_exactly) {
         BOOST_TEST(suspected(gauss(wrong), "A[2][1]", "1/4+1/6*sqrt(3)"));
     const auto rational = rk4("0.51", R"({"order":4})", R"("c":["0","1/2","1/2","1"],)");
     BOOST_TEST(suspected(rational, "A[3][2]", "1/2"));
+}
+
+BOOST_AUTO_TEST_CASE(rounded_data_name_the_family_they_come_from) {
+    const auto radau = radau_iia<3>();
+    nlohmann::json file{{"claims", {{"order", 5}, {"stage_order", 3}, {"L_stable", true}}}};
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) file["A"][i][j] = radau.A(i, j);
+        file["b"][i] = radau.b(i);
+        file["c"][i] = radau.c(i);
+    }
+    file["c"][2] = 1;
+    const auto c = judged(file.dump());
+    BOOST_TEST((c.overall() == standing::consistent));
+    BOOST_REQUIRE(c.nearest.has_value());
+    BOOST_TEST(c.nearest->family == "radau_iia");
+    BOOST_TEST(c.nearest->stages == 3);
+    BOOST_TEST(std::stod(c.nearest->error) <= 0.5);
+    file["A"][0][1] = radau.A(0, 1) * (1 + 8 * std::numeric_limits<double>::epsilon());
+    const auto wrong = judged(file.dump());
+    BOOST_TEST(wrong.nearest->entry == "A[1][2]");
+    BOOST_TEST(std::stod(wrong.nearest->error) > 7);
+    BOOST_TEST(std::stod(wrong.nearest->error) < 17);
+    BOOST_TEST(!misprint("tsitouras_off_by_1e_8").nearest.has_value());  // explicit: in no family
+    BOOST_TEST(!rk4("1/2", "{}").nearest.has_value());                   // exact data need no neighbour
 }
 
 BOOST_AUTO_TEST_CASE(the_command_gives_0_1_or_2) {

@@ -6,6 +6,7 @@
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/claims.hpp>
 #include <stagecraft/theory/file_certificate.hpp>
+#include <stagecraft/theory/nearest.hpp>
 #include <stagecraft/theory/subject.hpp>
 #include <stagecraft/theory/suspects.hpp>
 #include <string>
@@ -81,8 +82,8 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
 }  // namespace detail
 
 /// Judges a tableau file: order, stage order, row sums, every property claimed; where something claimed is
-/// refuted, the failing conditions and the suspects. Exact data are decided; rounded and enclosed data are
-/// refuted or found consistent.
+/// refuted, the failing conditions and the suspects; for rounded data the nearest family. Exact data are
+/// decided; rounded and enclosed data are refuted or found consistent.
 inline file_certificate certify(const tableaux::tableau_file& file) {
     file_certificate certificate;
     certificate.name = file.name;
@@ -93,6 +94,7 @@ inline file_certificate certify(const tableaux::tableau_file& file) {
         judge(detail::exact_subject(file), file.claims, certificate);
     else
         judge(detail::enclosed_subject(file), file.claims, certificate);
+    certificate.nearest = nearest(file);
     if (certificate.overall() == standing::refuted) detail::find_suspects(file, certificate);
     return certificate;
 }

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE fuzz_certify
+// Mutated tableau files through the function behind `stagecraft certify FILE.json`. Arguments after "--":
+// number of files (default 300) and seed: `test_fuzz_certify -- 100000 1`, best built with the preset
+// `sanitize`.
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cstdint>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "certify_once.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> seeds() {
+    std::vector<std::filesystem::path> paths;
+    const std::filesystem::path root = STAGECRAFT_SOURCE_DIR;
+    for (const auto* folder : {"tableaux/catalogue", "tests/data/misprints"})
+        for (const auto& f : std::filesystem::directory_iterator(root / folder)) paths.push_back(f.path());
+    std::sort(paths.begin(), paths.end());
+    std::vector<std::string> texts;
+    for (const auto& p : paths) {
+        std::ifstream in(p);
+        std::ostringstream text;
+        text << in.rdbuf();
+        texts.push_back(text.str());
+    }
+    return texts;
+}
+
+class mutator {
+  public:
+    explicit mutator(std::uint64_t seed) : random_(seed), seeds_(seeds()) {}
+
+    std::string next() {
+        std::string text = pick(seeds_);
+        const auto kind = below(10);
+        if (kind < 2) text = restructured(text);
+        if (kind == 1 || kind > 2)
+            for (auto n = 1 + below(4); n > 0; --n) edit(text);
+        return text;
+    }
+
+  private:
+    std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+    template <class T>
+    const T& pick(const std::vector<T>& all) {
+        return all[below(all.size())];
+    }
+    std::string nasty() {
+        static const std::vector<std::string> all{
+            "1/0",
+            "sqrt(-1)",
+            "2^(10^9)",
+            "1e999",
+            "1e-999",
+            "nan",
+            "inf",
+            "0.0",
+            "-0",
+            "1e5",
+            "sqrt(2)",
+            "sqrt(sqrt(3))",
+            "sqrt(2)+sqrt(3)",
+            "9^9^9",
+            "0^0",
+            "0^-1",
+            "(((1)))",
+            "",
+            " ",
+            "1 2",
+            "x",
+            "-",
+            "1/3.0",
+            "1e99999999999",
+            "123456789012345678901234567890/987654321098765432109876543211",
+            "(1+sqrt(5))/2",
+            "1/(1-1)",
+            "0.3333333333333333",
+            "1/(sqrt(2)-sqrt(2))",
+            "--1",
+            "1/-2",
+            "2^-0.5",
+            "sqrt(1e-300)",
+            "10^290",
+            "10^310",
+            "1/10^400"};
+        switch (below(12)) {
+            case 0:
+                return std::string(below(6000), '(');
+            case 1:
+                return std::string(below(6000), '9');
+            case 2:
+                return "1" + std::string(below(300), '0') + "/" + std::string(1 + below(300), '7');
+            default:
+                return pick(all);
+        }
+    }
+    json value() {
+        switch (below(9)) {
+            case 0:
+                return nullptr;
+            case 1:
+                return json::array();
+            case 2:
+                return json::object();
+            case 3:
+                return static_cast<double>(random_()) / 1e19;
+            case 4:
+                return static_cast<std::int64_t>(random_());
+            case 5:
+                return below(2) == 0;
+            case 6:
+                return static_cast<int>(below(16));
+            default:
+                return nasty();
+        }
+    }
+    // A change that leaves JSON: entries, rows, keys, claims.
+    std::string restructured(const std::string& text) {
+        json j = json::parse(text);
+        for (auto n = 1 + below(3); n > 0; --n) {
+            static const std::vector<std::string> keys{"A", "b", "c", "b_embedded", "claims", "name"};
+            static const std::vector<std::string> claims{
+                "order",      "embedded_order", "stage_order",
+                "A_stable",   "L_stable",       "algebraically_stable",
+                "symplectic", "symmetric",      "stiffly_accurate"};
+            switch (below(8)) {
+                case 0:
+                    j.erase(pick(keys));
+                    break;
+                case 1:
+                    j[pick(keys)] = value();
+                    break;
+                case 2:
+                    if (j["claims"].is_object()) j["claims"][pick(claims)] = value();
+                    break;
+                case 3:
+                    if (j["claims"].is_object()) j["claims"]["order"] = below(15);
+                    break;
+                case 4:
+                    if (j["claims"].is_object()) j["claims"][pick(claims)] = below(2) == 0;
+                    break;
+                case 5:
+                    if (j["b"].is_array() && !j["b"].empty()) j["b"][below(j["b"].size())] = value();
+                    break;
+                default:
+                    if (j["A"].is_array() && !j["A"].empty()) {
+                        auto& row = j["A"][below(j["A"].size())];
+                        if (row.is_array() && !row.empty()) row[below(row.size())] = value();
+                    }
+            }
+        }
+        return j.dump();
+    }
+    // A change of bytes.
+    void edit(std::string& text) {
+        if (text.empty()) return;
+        const std::size_t at = below(text.size());
+        static const std::string symbols = "0123456789+-*/^().,:\"[]{}esqrt \n\\\xff";
+        switch (below(8)) {
+            case 0:
+                text[at] = static_cast<char>(random_());
+                break;
+            case 1:
+                text.erase(at, 1 + below(4));
+                break;
+            case 2:
+                text.insert(at, 1, symbols[below(symbols.size())]);
+                break;
+            case 3:
+                text[at] = symbols[below(symbols.size())];
+                break;
+            case 4:
+                text.insert(at, text.substr(below(text.size()), below(60)));
+                break;
+            case 5:
+                text.insert(at, nasty());
+                break;
+            case 6: {  // a digit, so that the file stays a tableau
+                const auto digit = text.find_first_of("0123456789", at);
+                if (digit != std::string::npos) text[digit] = static_cast<char>('0' + below(10));
+                break;
+            }
+            default:
+                if (below(4) == 0)
+                    text.resize(at);
+                else
+                    std::swap(text[at], text[below(text.size())]);
+        }
+    }
+
+    std::mt19937_64 random_;
+    std::vector<std::string> seeds_;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(mutated_files_end_with_0_1_or_2_in_time) {
+    const auto& suite = boost::unit_test::framework::master_test_suite();
+    const long files = suite.argc > 1 ? std::stol(suite.argv[1]) : 300;
+    mutator source(suite.argc > 2 ? std::stoull(suite.argv[2]) : 20240229);
+    std::array<long, 3> ends{};
+    double slowest = 0;
+    for (long i = 0; i < files; ++i) {
+        const std::string text = source.next();
+        std::string out, err;
+        const std::clock_t start = std::clock();
+        int code = -1;
+        try {
+            code = certify_once::exit_code(text, i % 2 == 0, out, err);
+        } catch (const std::exception& e) {
+            BOOST_ERROR("file " << i << " ends with an exception: " << e.what() << "\n" << text);
+            continue;
+        }
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        if (seconds > slowest) {
+            slowest = seconds;
+            if (seconds > 1) std::ofstream("fuzz_slowest.json") << text;
+        }
+        if (code < 0 || code > 2) {
+            BOOST_ERROR("file " << i << " ends with " << code << "\n" << text);
+            continue;
+        }
+        ++ends[static_cast<std::size_t>(code)];
+        // Unusable input is explained in one line; a judgement is printed.
+        const bool one_line = std::count(err.begin(), err.end(), '\n') == 1 && out.empty();
+        if (code == 2 ? !one_line : out.empty() || !err.empty())
+            BOOST_ERROR("file " << i << ": " << err << "\n" << text);
+        if (code != 2 && i % 2 == 0 && !json::accept(out)) BOOST_ERROR("file " << i << ": not JSON: " << out);
+    }
+    std::cout << files << " files: " << ends[0] << " accepted, " << ends[1] << " refuted, " << ends[2]
+              << " unusable; slowest " << slowest << " s of processor time\n";
+    BOOST_TEST(ends[2] > 0);
+    BOOST_TEST(ends[0] + ends[1] > 0);
+    BOOST_TEST(slowest < 10,
+               "a file took " << slowest << " s");  // a hang; the bar of 1 s is for idle machines
+}
