@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
         {"transformation", transformation},
         {"layers", boundary_layers},
         {"regularised", regularised_runs},
-        {"times", run_times}};
+        {"times", run_times},
+        {"methods", other_methods}};
     CLI::App app{"The rolling disc as index-2 system and regularised: the experiments, one page each."};
     bool all = false;
     std::string directory;
