@@ -85,7 +85,7 @@ class integrator {
         failures_ = 0;
         obstacle_ = status::step_underflow;
         for (;;) {
-            const attempt_end ended = visit_current([this](auto& method) { return attempt(method); });
+            const attempt_end ended = visit_current([this](auto& method) { return this->attempt(method); });
             if (ended != attempt_end::change_method) return ended == attempt_end::accepted;
         }
     }
