@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <compare>
 #include <concepts>
@@ -80,10 +81,22 @@ class rational {
         return out;
     }
 
-    /// Nearest value of a floating type (double or a Boost.Multiprecision float), by one division there.
+    /// The value as a floating type (double or a Boost.Multiprecision float), by one division there. Numbers
+    /// too long for a built-in type lose what both have beyond 960 bits first: the value does not overflow
+    /// with them.
     template <class Real>
     Real to() const {
-        return static_cast<Real>(numerator()) / static_cast<Real>(denominator());
+        integer n = boost::multiprecision::abs(numerator()), d = denominator();
+        if constexpr (std::floating_point<Real>) {
+            if (n == 0) return Real(0);
+            const auto longest = std::max(msb(n), msb(d));
+            if (longest > 960) {
+                n >>= longest - 960;
+                d >>= longest - 960;
+            }
+        }
+        const Real size = static_cast<Real>(n) / static_cast<Real>(d);
+        return value_ < 0 ? Real(-size) : size;
     }
 
   private:
