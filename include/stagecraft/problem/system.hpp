@@ -18,6 +18,11 @@ namespace stagecraft {
 /// Thrown inside a run when a callable resized its output; integrate() turns it into status::size_changed.
 struct size_change {};
 
+/// A problem that is not what it claims to be, seen at the first evaluation.
+struct bad_problem : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
+
 namespace detail {
 
 /// Where the Jacobian of a problem is kept: dense, banded or sparse.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/control/order.hpp>
 #include <stagecraft/control/predictive.hpp>
@@ -17,11 +18,6 @@
 #include <stagecraft/step/method_set.hpp>
 
 namespace stagecraft {
-
-/// A problem that is not what it claims to be, seen at the first evaluation.
-struct bad_problem : std::invalid_argument {
-    using std::invalid_argument::invalid_argument;
-};
 
 /// A run that is advanced step by step: while (run.step()) use run.t(), run.y(), run.output().
 /// Construction checks every argument (std::invalid_argument names the bad one) and takes all storage; a step
@@ -173,24 +169,8 @@ class integrator {
         }
         if (fixed()) return true;
         const scalar span = abs(t1_ - t_);
-        if (options_.initial_step > scalar(0)) {
-            h_ = options_.initial_step;
-        } else {
-            // A step that changes the solution by about one per cent; rows of M scale f to a derivative.
-            error_ = f0_;
-            if constexpr (!system_type::mass_type::identity) {
-                Vector row = Vector::Zero(n_);
-                for (const auto& e : system_.mass().entries())
-                    if (abs(e.value) > row[e.row]) row[e.row] = abs(e.value);
-                for (int i = 0; i < n_; ++i)
-                    error_[i] = row[i] > scalar(0) ? scalar(f0_[i] / row[i]) : scalar(0);
-            }
-            scalar size = norm(y_, scale_);
-            const scalar slope = norm(error_, scale_);
-            if (size < scalar(1)) size = scalar(1);
-            h_ =
-                slope * span * scalar(1000) > size ? scalar(size / slope / scalar(100)) : scalar(span / 1000);
-        }
+        h_ = options_.initial_step > scalar(0) ? options_.initial_step
+                                               : first_step(system_.mass(), y_, f0_, scale_, span);
         if (h_ > span) h_ = span;
         if (options_.max_step > scalar(0) && h_ > options_.max_step) h_ = options_.max_step;
         if (h_ < options_.min_step) h_ = options_.min_step;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+
+#include <stagecraft/problem/mass.hpp>
+
+namespace stagecraft {
+
+/// A first step that changes the solution by about one per cent in the norm of the weights, at most a
+/// thousandth of the span where the solution hardly moves. Rows of M scale f to a derivative; those of
+/// algebraic equations say nothing. The error test corrects what this guesses.
+template <class Mass, class Vector>
+typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vector& f, const Vector& weights,
+                                   const typename Vector::Scalar& span) {
+    using scalar = typename Vector::Scalar;
+    using std::abs;
+    using std::sqrt;
+    const int n = static_cast<int>(y.size());
+    if (n == 0) return span;
+    Vector slope = f;
+    if constexpr (!Mass::identity) {
+        Vector row = Vector::Zero(n);
+        for (const auto& e : mass.entries())
+            if (abs(e.value) > row[e.row]) row[e.row] = abs(e.value);
+        for (int i = 0; i < n; ++i) slope[i] = row[i] > scalar(0) ? scalar(f[i] / row[i]) : scalar(0);
+    }
+    scalar size(0), change(0);
+    for (int i = 0; i < n; ++i) {
+        const scalar a = y[i] * weights[i], b = slope[i] * weights[i];
+        size += a * a;
+        change += b * b;
+    }
+    size = sqrt(size / scalar(n));
+    change = sqrt(change / scalar(n));
+    if (size < scalar(1)) size = scalar(1);
+    return change * span * scalar(1000) > size ? scalar(size / change / scalar(100)) : scalar(span / 1000);
+}
+
+}  // namespace stagecraft
