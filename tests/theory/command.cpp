@@ -74,6 +74,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_on_stderr_and_exit_2) {
     refused("certify gauss 3x", "stagecraft: stages: '3x' is not a whole number from 1 to 1000");
     refused("certify gauss 99999999999999999999",
             "stagecraft: stages: '99999999999999999999' is not a whole number from 1 to 1000");
+    refused("certify gauss",
+            "stagecraft: stages: missing after gauss; allowed: a whole number from 1 to 1000");
     refused("certify lobatto_iiic 1", "stagecraft: stages: '1' is not a whole number from 2 to 1000");
     for (const char* arguments : {"", "no_such_thing", "families x", "certify gauss 3 --yaml"}) {
         const result r = run(arguments, true);

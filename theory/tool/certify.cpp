@@ -19,8 +19,12 @@ struct options {
 
 void run(const options& o) {
     if (o.stages.empty()) {
-        if (!o.family.ends_with(".json"))
-            throw std::invalid_argument("stages: missing after '" + o.family + "'; or give a file *.json");
+        if (!o.family.ends_with(".json")) {
+            const auto f = tableaux::family_from_name(o.family);
+            throw std::invalid_argument("stages: missing after " + o.family +
+                                        "; allowed: a whole number from " +
+                                        std::to_string(tableaux::least_stages(f)) + " to 1000");
+        }
         const int code = tool::certify_file(o.family, o.json);
         if (code != 0) throw CLI::RuntimeError(code);
         return;
