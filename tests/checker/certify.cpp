@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/tableaux/entry.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
 #include <stagecraft/theory/matrix_model.hpp>
@@ -81,6 +84,36 @@ BOOST_AUTO_TEST_CASE(a_misprint_of_1e_8_in_decimals_is_refuted) {
     BOOST_TEST(c.exit_code() == 1);
     BOOST_TEST(c.suspects.size() == 1u);
     BOOST_TEST(suspected(c, "A[5][2]", "-11.7488835640628278777471703398"));
+}
+
+BOOST_AUTO_TEST_CASE(every_misprint_is_refuted_and_the_wrong_entry_is_named_with_the_right_value) {
+    const std::regex form("wrong: (\\S+) = ([^;]*); right: ([^;]*).*");
+    int entries = 0, claims = 0;
+    for (const auto& f : std::filesystem::directory_iterator(source / "tests/data/misprints")) {
+        std::ifstream in(f.path());
+        const std::string note = nlohmann::json::parse(in)["note"];
+        std::smatch parts;
+        BOOST_REQUIRE(std::regex_match(note, parts, form));
+        const std::string entry = parts[1];
+        const auto c = certify_once::certify_file(f.path());
+        BOOST_TEST(c.exit_code() == 1, f.path());
+        if (entry.starts_with("claims.")) {
+            ++claims;
+            BOOST_TEST(c.find(entry.substr(7))->judgement->is_refuted(), note);
+            continue;
+        }
+        ++entries;
+        const auto named = std::find_if(c.suspects.begin(), c.suspects.end(),
+                                        [&](const auto& s) { return s.entry == entry; });
+        BOOST_REQUIRE_MESSAGE(named != c.suspects.end(), note);
+        const auto right = tableaux::read_entry(parts[3].str());
+        const auto suggested = tableaux::read_entry(named->suggest);
+        BOOST_TEST((right.exact ? suggested.exact == right.exact
+                                : right.enclosure.contains(suggested.enclosure.middle())),
+                   note << " but suggested " << named->suggest);
+    }
+    BOOST_TEST(entries >= 14);
+    BOOST_TEST(claims >= 5);
 }
 
 BOOST_AUTO_TEST_CASE(order_1_labelled_2_is_refuted_and_no_single_entry_repairs_it) {

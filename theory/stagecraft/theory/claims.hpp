@@ -15,13 +15,12 @@
 
 namespace stagecraft::theory {
 
-/// Orders searched for: over exact fields up to the barrier or 14; enclosures stop at 10 (1205 conditions),
-/// or at the order claimed.
+/// Orders searched for: up to one beyond the barrier, which settles the order, or 14 over exact fields;
+/// enclosures stop at 10 (1205 conditions), or at the order claimed.
 template <class K>
 int search_limit(const subject<K>& s, std::optional<int> claimed) {
-    const int reach = exact_scalar<K> ? tableaux::largest_order : 10;
-    return std::min(tableaux::largest_order,
-                    std::max(std::min(order_barrier(s) + 1, reach), claimed.value_or(0)));
+    const int reach = exact_scalar<K> ? tableaux::largest_order : std::max(10, claimed.value_or(0));
+    return std::min(order_barrier(s) + 1, reach);
 }
 
 /// A file that gives c claims c = A*1, unless it states stage order 0.

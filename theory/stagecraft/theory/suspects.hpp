@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/claims.hpp>
 #include <stagecraft/theory/file_certificate.hpp>
@@ -154,17 +155,11 @@ std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims&
     return repairs;
 }
 
-/// The rational with the smallest denominator in [lower, upper] (Stern-Brocot).
+/// The rational with the smallest denominator in the interval.
 inline tableaux::rational simplest_in(const tableaux::range& r) {
-    using tableaux::rational;
-    if (r.lower <= 0 && r.upper >= 0) return 0;
-    if (r.upper < 0) return -simplest_in({-r.upper, -r.lower});
-    const tableaux::integer n = floor(r.lower);
-    if (rational(n) == r.lower) return rational(n);
-    if (rational(tableaux::integer(n + 1)) <= r.upper) return rational(tableaux::integer(n + 1));
-    const rational whole(n);
-    return whole +
-           rational(1) / simplest_in({rational(1) / (r.upper - whole), rational(1) / (r.lower - whole)});
+    if (r.contains(0)) return 0;
+    return r.upper < 0 ? -tableaux::simplest_between(-r.upper, -r.lower)
+                       : tableaux::simplest_between(r.lower, r.upper);
 }
 
 namespace detail {
