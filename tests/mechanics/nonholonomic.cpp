@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE nonholonomic
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <stagecraft/problem/holonomic.hpp>
+#include <stagecraft/problem/model_assumptions.hpp>
+
+#include "../../examples/rolling_disc/disc.hpp"
+#include "../../examples/thesis/nonholonomic.hpp"
+#include "../../examples/thesis/solve.hpp"
+
+using namespace stagecraft;
+using thesis::vector;
+using vector3 = Eigen::Vector3d;
+
+namespace {
+
+template <class Problem>
+thesis::trajectory run(const Problem& problem, const vector& y0, double end, double tolerance) {
+    return thesis::solve({thesis::erased(problem), y0, {}}, {.tolerance = tolerance, .end = end});
+}
+
+// Largest change of the energy over a run whose states begin with (q, v).
+template <class Model>
+double drift(const Model& model, const thesis::trajectory& r) {
+    constexpr int n = Model::coordinates;
+    const auto energy = [&](const vector& y) {
+        return total_energy<double>(model, y.head<n>(), y.segment<n>(n));
+    };
+    double worst = 0;
+    for (const auto& p : r.path) worst = std::max(worst, std::abs(energy(p.y) - energy(r.path.front().y)));
+    return worst;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_knife_edge_moves_on_its_cycloid) {
+    const thesis::knife_edge model;
+    const double omega = 2, t = 3, k = model.fall / (2 * omega * omega);
+    const auto dae = index_2(model);
+    const auto r = run(dae, dae.initial_state(vector3(0, 0, 0), vector3(0, 0, omega)), t, 1e-11);
+    const vector& y = r.path.back().y;
+    BOOST_TEST(std::abs(y[0] - k * std::pow(std::sin(omega * t), 2)) < 1e-8);
+    BOOST_TEST(std::abs(y[1] - k * (omega * t - std::sin(2 * omega * t) / 2)) < 1e-8);
+    BOOST_TEST(std::abs(y[2] - omega * t) < 1e-10);
+    BOOST_TEST(drift(model, r) < 1e-8);
+    for (const auto& p : r.path) {
+        const vector3 q = p.y.head<3>(), v = p.y.segment<3>(3);
+        BOOST_TEST(constraint_violation(model, q, v) < 1e-11);  // Newton stops at a fraction of the tolerance
+    }
+    // The same by index reduction, whose Jacobian differentiates G twice automatically.
+    vector start(6);
+    start << 0, 0, 0, 0, 0, omega;
+    const vector reduced = run(index_reduced(model), start, t, 1e-11).path.back().y;
+    BOOST_TEST((reduced - y.head(6)).norm() < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(the_chaplygin_sleigh_keeps_its_energy_and_straightens) {
+    const thesis::chaplygin_sleigh model;
+    const auto dae = index_2(model);
+    const double u0 = 0.5, w0 = 3;
+    const auto r = run(dae, dae.initial_state(vector3(0, 0, 0), vector3(u0, 0, w0)), 12, 1e-10);
+    BOOST_TEST(drift(model, r) < 1e-8);
+    // u' = a w^2, w' = -m a u w/(J + m a^2) for the speed u along the blade: w decays, all energy ends in u.
+    const vector& y = r.path.back().y;
+    const double u = std::cos(y[2]) * y[3] + std::sin(y[2]) * y[4];
+    const double all = model.mass * u0 * u0 + (model.inertia + model.mass * model.a * model.a) * w0 * w0;
+    BOOST_TEST(std::abs(y[5]) < 1e-2 * w0);
+    BOOST_TEST(u == std::sqrt(all / model.mass), boost::test_tools::tolerance(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE(gear_gupta_leimkuhler_keeps_both_constraints_of_the_pendulum) {
+    const thesis::pendulum model;
+    const double tolerance = 1e-9, t = 5;
+    vector start(5);
+    start << 1, 0, 0, 0, 0;  // horizontal, at rest: lambda = 0
+    vector stabilised(6);
+    stabilised << start, 0;
+    const auto ggl = run(stabilised_index_2(model), stabilised, t, tolerance);
+    const auto third = run(index_3(model), start, t, tolerance);
+    const auto second = run(index_2(model), start, t, tolerance);
+    const auto length_error = [](const thesis::trajectory& r) {
+        double worst = 0;
+        for (const auto& p : r.path) worst = std::max(worst, std::abs(p.y.head(2).norm() - 1));
+        return worst;
+    };
+    const auto speed_error = [](const thesis::trajectory& r) {
+        double worst = 0;
+        for (const auto& p : r.path) worst = std::max(worst, std::abs(p.y.head(2).dot(p.y.segment(2, 2))));
+        return worst;
+    };
+    BOOST_TEST(length_error(ggl) < tolerance);
+    BOOST_TEST(speed_error(ggl) < tolerance);
+    BOOST_TEST(length_error(third) < tolerance);
+    BOOST_TEST(speed_error(third) > 10 * speed_error(ggl));     // index 3 keeps the position only
+    BOOST_TEST(length_error(second) > 10 * length_error(ggl));  // index 2 the velocity only: it drifts
+    BOOST_TEST((ggl.path.back().y.head(4) - second.path.back().y.head(4)).norm() < 1e-5);
+    BOOST_TEST((ggl.path.back().y.head(4) - third.path.back().y.head(4)).norm() < 1e-5);
+    BOOST_TEST(drift(model, ggl) < 1e-6);
+    BOOST_TEST(std::abs(ggl.path.back().y[5]) < 1e-6);  // mu
+}
+
+BOOST_AUTO_TEST_CASE(model_assumptions_hold_along_the_disc_and_fail_when_it_lies_flat) {
+    const rolling_disc::disc<> body;
+    const auto dae = index_2(body);
+    const auto r = run(
+        dae, dae.initial_state(rolling_disc::initial_position(), rolling_disc::initial_velocity()), 1, 1e-8);
+    for (const auto& p : r.path) {
+        const auto a = check_assumptions(body, Eigen::Matrix<double, 5, 1>(p.y.head<5>()));
+        BOOST_TEST(a.hold());
+        BOOST_TEST(a.inertia_condition < 3.1);  // diag(3, 5/(5 - 4 cos^2 beta)) lies between 1 and 5
+    }
+    Eigen::Matrix<double, 5, 1> flat = rolling_disc::initial_position();
+    flat[3] = std::numbers::pi / 2;
+    const auto a = check_assumptions(body, flat);
+    BOOST_TEST(!a.hold());
+    BOOST_TEST(a.singular == "beta = +-pi/2: the disc lies flat");
+}
