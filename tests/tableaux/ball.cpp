@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(chains_of_operations_and_products_of_vectors_enclose) {
             exact_chain = exact_chain * x.value + y.value;
             chain = chain * x.enclosure + y.enclosure;
         }
-        BOOST_REQUIRE(dot(a, b).contains(exact_dot));
+        BOOST_REQUIRE(dot(ball::row(a), ball::row(b)).contains(exact_dot));
         BOOST_REQUIRE(chain.contains(exact_chain));
     }
 }

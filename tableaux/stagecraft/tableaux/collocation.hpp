@@ -63,7 +63,8 @@ inline std::vector<lagrange_form> lagrange_forms(const nodal_polynomial& w, cons
 inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int bits) {
     const int s = w.degree();
     const std::vector<ball> nodes = enclose_nodes(w, bits);
-    std::vector<std::vector<ball>> p, integrals;
+    std::vector<std::vector<ball>> p;
+    std::vector<ball::row> integrals, shapes;
     for (const ball& c : nodes) {
         p.push_back(legendre_values(c, s).value);
         const auto& value = p.back();
@@ -76,9 +77,10 @@ inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int b
             const auto last = static_cast<std::size_t>(s) - 1;
             row[last] = (value[last] - value[last - 1]).over(2 * (s - 1));
         }
-        integrals.push_back(std::move(row));
+        integrals.emplace_back(std::move(row));
     }
     const auto lagrange = lagrange_forms(w, nodes, p, bits);
+    for (const lagrange_form& form : lagrange) shapes.emplace_back(form.shape);
     tableau<ball> t;
     t.A.resize(s, s);
     t.b.resize(s);
@@ -91,14 +93,14 @@ inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int b
     for (int i = 0; i < s; ++i)
         for (int j = 0; j < s; ++j) {
             const bool adjoint = rule == construction::adjoint;
-            const auto& u = integrals[static_cast<std::size_t>(adjoint ? j : i)];
-            const auto& v = lagrange[static_cast<std::size_t>(adjoint ? i : j)].shape;
-            const ball sum = dot(u, v);
+            const auto node = static_cast<std::size_t>(adjoint ? j : i);
+            const auto basis = static_cast<std::size_t>(adjoint ? i : j);
+            const ball sum = dot(integrals[node], shapes[basis]);
             const bool at_one = compare(t.c(j), ball(1)) == std::partial_ordering::equivalent;
             if (!adjoint)
-                t.A(i, j) = lagrange[static_cast<std::size_t>(j)].factor * sum;
+                t.A(i, j) = lagrange[basis].factor * sum;
             else
-                t.A(i, j) = at_one ? ball(0) : t.b(j) * (ball(1) - sum / v[0]);
+                t.A(i, j) = at_one ? ball(0) : t.b(j) * (ball(1) - sum / lagrange[basis].shape[0]);
         }
     return t;
 }

@@ -85,15 +85,6 @@ std::optional<Real> nearest(const ball& x) {
     }
 }
 
-/// n / d rounded to the nearest integer, ties to even; n >= 0, d > 0.
-inline integer nearest_integer(const integer& n, const integer& d) {
-    integer q, r;
-    divide_qr(n, d, q, r);
-    r *= 2;
-    if (r > d || (r == d && bit_test(q, 0))) ++q;
-    return q;
-}
-
 /// A positive rational n/d as digits times a power of ten: the nearest integer of exactly `digits` digits.
 struct decimal {
     std::string digits;
@@ -105,16 +96,20 @@ inline decimal nearest_decimal(const integer& n, const integer& d, int digits) {
     int scale = digits - 1 - static_cast<int>(std::floor(log10));  // digits before the point of x 10^scale
     for (;; --scale) {
         const integer ten = pow(integer(10), static_cast<unsigned>(std::abs(scale)));
-        const integer up = scale >= 0 ? integer(n * ten) : n;
         const integer down = scale >= 0 ? d : integer(d * ten);
-        if (up / down < pow(integer(10), static_cast<unsigned>(digits - 1))) {
+        integer q, rest;
+        divide_qr(scale >= 0 ? integer(n * ten) : n, down, q, rest);
+        const int size = static_cast<int>(q.str().size());
+        if (q == 0 || size < digits) {
             scale += 2;
             continue;
         }
-        std::string text = nearest_integer(up, down).str();
-        if (static_cast<int>(text.size()) == digits) return {text, -scale};
-        if (up / down < pow(integer(10), static_cast<unsigned>(digits)))  // 99...9.7 became 100...0
-            return {text.substr(0, static_cast<std::size_t>(digits)), 1 - scale};
+        if (size > digits) continue;
+        rest *= 2;
+        if (rest > down || (rest == down && bit_test(q, 0))) ++q;  // ties to even
+        std::string text = q.str();
+        if (static_cast<int>(text.size()) == digits) return {std::move(text), -scale};
+        return {text.substr(0, static_cast<std::size_t>(digits)), 1 - scale};  // 99...9.7 became 100...0
     }
 }
 
