@@ -12,7 +12,7 @@ namespace problems {
 struct rolling_disc {
     using dae = decltype(stagecraft::index_2(::rolling_disc::disc<>{}));
     static constexpr const char* name = "disc";
-    static constexpr int size = dae::size, second_order = dae::n;
+    static constexpr int size = dae::size, second_order_components = dae::n;
     static constexpr double t0 = 0, t1 = 1, atol_scale = 1;
     dae system = stagecraft::index_2(::rolling_disc::disc<>{});
 

@@ -2,11 +2,10 @@
 // stagecraft's own entrants: Radau IIA with order control, and with a fixed number of stages.
 #pragma once
 
-#include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/banded_blocks.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
-#include <tuple>
+#include <stagecraft/radau_iia_variable.hpp>
 #include <vector>
 
 #include "measure.hpp"
@@ -30,8 +29,8 @@ outcome run_ours(const Method& method, const Problem& problem, double tol) {
 template <class Problem>
 std::vector<entrant> our_entrants(const Problem& problem) {
     using stagecraft::radau_iia;
-    const stagecraft::variable_order variable{std::tuple{radau_iia<3>(), radau_iia<5>(), radau_iia<7>()}};
-    return {{"stagecraft", [=](double tol) { return run_ours(variable, problem, tol); }},
-            {"stagecraft s=3", [=](double tol) { return run_ours(radau_iia<3>(), problem, tol); }},
-            {"stagecraft s=5", [=](double tol) { return run_ours(radau_iia<5>(), problem, tol); }}};
+    return {
+        {"stagecraft", [=](double tol) { return run_ours(stagecraft::radau_iia_variable(), problem, tol); }},
+        {"stagecraft s=3", [=](double tol) { return run_ours(radau_iia<3>(), problem, tol); }},
+        {"stagecraft s=5", [=](double tol) { return run_ours(radau_iia<5>(), problem, tol); }}};
 }

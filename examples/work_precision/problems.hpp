@@ -157,7 +157,7 @@ struct transistor_amplifier {
 /// Kepler's problem, eccentricity 0.6, as q' = v, v' = -q/|q|^3.
 struct kepler {
     static constexpr const char* name = "kepler";
-    static constexpr int size = 4, second_order = 2;  // q' = v for the first two components
+    static constexpr int size = 4, second_order_components = 2;
     static constexpr double t0 = 0, t1 = 20, atol_scale = 1;
     static vec<double, 4> initial() { return {0.4, 0, 0, 2}; }
 

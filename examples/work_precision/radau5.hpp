@@ -47,7 +47,8 @@ outcome radau5(const Problem& problem, double rtol) {
     if constexpr (requires { problem.index(); })
         for (int i = 0; i < n; ++i)
             if (problem.index()[i] > 1) --index[0], ++index[problem.index()[i] - 1];
-    if constexpr (requires { Problem::second_order; }) first_row = Problem::second_order;
+    if constexpr (requires { Problem::second_order_components; })
+        first_row = Problem::second_order_components;
 
     const auto f = [](int* n, double* t, double* y, double* f, double*, int*) {
         thread_local state_of<Problem> in, out;
