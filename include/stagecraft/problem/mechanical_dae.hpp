@@ -128,7 +128,6 @@ template <mechanical_model Model, class Scalar = double>
 class index_2_dae {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
-
     static constexpr int second_order_components = n;
 
     explicit index_2_dae(Model model) : model_(std::move(model)) {}
@@ -204,6 +203,7 @@ template <mechanical_model Model, class Scalar = double>
 class index_reduced_ode {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n;
+    static constexpr int second_order_components = n;
 
     index_reduced_ode(Model model, Scalar r) : model_(std::move(model)), r_(std::move(r)) {}
 

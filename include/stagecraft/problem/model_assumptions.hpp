@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <string>
 
 #include <stagecraft/problem/mechanical.hpp>

@@ -49,6 +49,7 @@ template <mechanical_model Model, class Scalar = double>
 class regularised_problem {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + 2 * m;
+    static constexpr int second_order_components = n;
 
     regularised_problem(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
 
@@ -132,6 +133,7 @@ template <mechanical_model Model, class Scalar = double>
 class multiplier_form {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
+    static constexpr int second_order_components = n;
 
     multiplier_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
 
@@ -193,6 +195,7 @@ template <mechanical_model Model, class Scalar = double>
 class creep_form {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
+    static constexpr int second_order_components = n;
 
     creep_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
 
@@ -257,6 +260,7 @@ template <mechanical_model Model, class Scalar = double>
 class transformed_form {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + 2 * m;
+    static constexpr int second_order_components = n;
 
     transformed_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {
         using std::sqrt;
