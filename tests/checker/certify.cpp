@@ -225,10 +225,15 @@ BOOST_AUTO_TEST_CASE(row_sums_count_as_claimed_where_nodes_are_given) {
     BOOST_TEST(wrong.suspects.size() == 1u);
     BOOST_TEST(suspected(wrong, "c[3]", "1/2"));
     // Lobatto IIIB with two stages: C(1) does not hold, and the file says so.
-    const std::string iiib =
-        R"({"A":[["1/2","0"],["1/2","0"]],"b":["1/2","1/2"],"c":["0","1"],"claims":{"order":2)";
-    BOOST_TEST(judged(iiib + R"(,"stage_order":0}})").exit_code() == 0);
-    BOOST_TEST(judged(iiib + "}}").exit_code() == 1);
+    const auto iiib = [](const std::string& c2, const std::string& claims) {
+        return judged(R"({"A":[["1/2","0"],["1/2","0"]],"b":["1/2","1/2"],"c":["0",")" + c2 +
+                      R"("],"claims":{)" + claims + "}}");
+    };
+    BOOST_TEST(iiib("1", R"("order":2,"stage_order":0)").exit_code() == 0);
+    BOOST_TEST(iiib("1", R"("order":2)").exit_code() == 1);
+    const auto moved = iiib("1001/1000", R"("order":2,"stage_order":0)");
+    BOOST_TEST(moved.exit_code() == 1);
+    BOOST_TEST(suspected(moved, "c[2]", "1"));
 }
 
 BOOST_AUTO_TEST_CASE(claims_of_properties_are_judged_both_ways) {

@@ -150,14 +150,17 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
 /// fails.
 template <class K>
 bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims) {
-    if (claims_row_sums(s, claims))
-        for (const K& defect : row_sum_defects(s))
-            if (certainly_nonzero(defect)) return true;
-    if (claims.order && *claims.order > 0 && find_order(s, s.t.b, *claims.order).order < *claims.order)
-        return true;
-    if (claims.embedded_order && *claims.embedded_order > 0 &&
-        find_order(s, s.t.b_embedded, *claims.embedded_order).order < *claims.embedded_order)
-        return true;
+    bool row_sums_fail = false;
+    if (s.nodes_given)
+        for (const K& defect : row_sum_defects(s)) row_sums_fail = row_sums_fail || certainly_nonzero(defect);
+    if (row_sums_fail && claims_row_sums(s, claims)) return true;
+    const auto falls_short = [&](const auto& weights, int claimed) {
+        if (claimed < 1) return false;
+        if (find_order(s, weights, claimed).order < claimed) return true;
+        return row_sums_fail && non_autonomous_order(s, weights, std::min(claimed, 8)) < std::min(claimed, 8);
+    };
+    if (falls_short(s.t.b, claims.order.value_or(0))) return true;
+    if (claims.embedded_order && falls_short(s.t.b_embedded, *claims.embedded_order)) return true;
     if (claims.stage_order && find_stage_order(s, *claims.stage_order).stage_order < *claims.stage_order)
         return true;
     return false;

@@ -62,7 +62,7 @@ std::optional<std::uint32_t> affine_condition(const std::array<subject<K>, 3>& p
 
 /// What determines the value of an entry, given all others.
 struct determination {
-    enum class kind { row_sum, order_condition, embedded_condition, stiff_accuracy } by;
+    enum class kind { row_sum, node_quadrature, order_condition, embedded_condition, stiff_accuracy } by;
     std::uint32_t tree = 0;  ///< row of the table, for conditions
 };
 
@@ -83,6 +83,10 @@ std::optional<determination> determined_by(const subject<K>& s, const place& p,
     using kind = determination::kind;
     if (claims_row_sums(s, claims) && (p.part == part::A || p.part == part::c))
         return determination{kind::row_sum};
+    if (p.part == part::c) {  // only non-autonomous problems see it, first by b^T c = 1/2
+        if (claims.order.value_or(0) < 2 || !certainly_nonzero(s.t.b(p.row))) return std::nullopt;
+        return determination{kind::node_quadrature};
+    }
     std::array<subject<K>, 3> probes{s, s, s};
     for (int x = 0; x < 3; ++x) put(probes[static_cast<std::size_t>(x)], p, K(x));
     for (const auto& [by, claimed] : {std::pair(kind::order_condition, claims.order),
@@ -112,6 +116,11 @@ std::optional<K> determined_value(const subject<K>& s, const place& p, const det
     if (d.by == kind::row_sum) {
         const K defect = row_sum_defects(changed)[static_cast<std::size_t>(p.row)];
         return p.part == part::c ? defect : -defect;
+    }
+    if (d.by == kind::node_quadrature) {
+        K twice = K(1);
+        for (int i = 0; i < s.stages(); ++i) twice = twice - K(2) * changed.t.b(i) * changed.t.c(i);
+        return twice / (K(2) * s.t.b(p.row));
     }
     const K at_zero = residual_of_row(changed, weights_of(changed, d.by), trees, d.tree);
     put(changed, p, K(1));
