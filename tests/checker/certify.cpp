@@ -250,6 +250,13 @@ BOOST_AUTO_TEST_CASE(claims_of_properties_are_judged_both_ways) {
     BOOST_TEST(judged(midpoint + R"({"stage_order":2}})").exit_code() == 1);
 }
 
+BOOST_AUTO_TEST_CASE(weights_that_are_all_zero_are_judged_too) {
+    const auto c = judged(R"({"A":[["1/2"]],"b":["0"],"claims":{"order":1,"symmetric":true}})");
+    BOOST_TEST(c.find("order")->value.value() == 0);
+    BOOST_TEST(c.find("symmetric")->judgement->is_proved());  // y_1 = y_0
+    BOOST_TEST(suspected(c, "b[1]", "1"));
+}
+
 BOOST_AUTO_TEST_CASE(several_surds_are_enclosed_refuted_or_consistent_but_never_proved) {
     // SDIRK with gamma = 1 - sqrt(2)/2 and an idle stage with another surd.
     const auto file = [](const std::string& weight) {
@@ -274,6 +281,17 @@ BOOST_AUTO_TEST_CASE(a_lone_wrong_surd_or_decimal_is_repaired_exactly) {
         BOOST_TEST(suspected(gauss(wrong), "A[2][1]", "1/4+1/6*sqrt(3)"));
     const auto rational = rk4("0.51", R"({"order":4})", R"("c":["0","1/2","1/2","1"],)");
     BOOST_TEST(suspected(rational, "A[3][2]", "1/2"));
+}
+
+BOOST_AUTO_TEST_CASE(enormous_fractions_are_judged_by_enclosures_where_exact_stability_would_take_seconds) {
+    const auto c = judged(
+        R"({"A":[["1/2+10^-400"]],"b":["1"],"claims":{"order":1,"A_stable":true,"symplectic":false}})");
+    BOOST_TEST(c.find("order")->judgement->is_proved());
+    BOOST_TEST(c.find("symplectic")->truth->is_refuted());  // still exact: M = 2e-400
+    BOOST_TEST(c.find("A_stable")->truth->is_consistent());
+    BOOST_TEST(judged(R"({"A":[["1/2"]],"b":["1"],"claims":{"A_stable":true}})")
+                   .find("A_stable")
+                   ->truth->is_proved());
 }
 
 BOOST_AUTO_TEST_CASE(rounded_data_name_the_family_they_come_from) {

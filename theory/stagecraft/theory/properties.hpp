@@ -52,8 +52,11 @@ verdict property_of(const subject<K>& s, std::string_view property) {
     const auto& t = s.t;
     if constexpr (exact_scalar<K>) {
         if (property == "stiffly_accurate") return stiffly_accurate(t);
-        if (property == "symplectic") return symplectic(t);
-        if (property == "symmetric") return symmetric(t);
+        if (property == "symplectic" || property == "symmetric") {
+            const bool idle = std::all_of(t.b.begin(), t.b.end(), [](const K& b) { return b == K(0); });
+            if (idle) return verdict::proved("b = 0: y_1 = y_0 for every problem");
+            return property == "symplectic" ? symplectic(t) : symmetric(t);
+        }
         if (property == "algebraically_stable") return algebraically_stable(t);
         if (property == "A_stable" || property == "L_stable") {
             if (s.strictly_lower && certainly_nonzero(t.b.sum()))
