@@ -211,8 +211,7 @@ class integrator {
             const scalar last = outputs_[current_].step();
             const scalar ahead = (abs(h) < abs(last) ? h : last) * 2 / 5;
             outputs_[current_].evaluate(t_ + ahead, y1_);
-            if constexpr (system_type::finite_difference) system_(t_ + ahead, y1_, error_);
-            system_.evaluate_jacobian(t_ + ahead, y1_, error_, negligible_);
+            system_.evaluate_jacobian(t_ + ahead, y1_, f0_, negligible_);
         } else {
             system_.evaluate_jacobian(t_, y_, f0_, negligible_);
         }
