@@ -90,8 +90,10 @@ class collocation_step {
     /// True if the estimate uses f at the left end of the step.
     bool needs_left_value() const { return !jump_; }
 
-    /// First guess: the polynomial of the step before, extrapolated; zero if there is none.
-    void guess(const output* before, const vector& y, const Scalar& h, output& now) const {
+    /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
+    /// in that step this one starts: at its end (1), or together with it (0).
+    void guess(const output* before, const vector& y, const Scalar& h, output& now,
+               const Scalar& from = Scalar(1)) const {
         const int s = count();
         auto& Z = now.z_;
         if (before == nullptr) {
@@ -102,7 +104,7 @@ class collocation_step {
         const auto& old = *before->nodes_;
         basis_values<Scalar, MaxStages> l(old.size);
         for (int i = 0; i < s; ++i) {
-            old.basis(Scalar(1) + stages_.method().c[i] * ratio, l.data());
+            old.basis(from + stages_.method().c[i] * ratio, l.data());
             Z.col(i) = before->y0_ - y;
             for (int j = 0; j < old.size; ++j) Z.col(i) += l[j] * before->z_.col(old.first_column + j);
         }

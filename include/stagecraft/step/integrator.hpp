@@ -15,6 +15,7 @@
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/status.hpp>
+#include <stagecraft/step/continuation.hpp>
 #include <stagecraft/step/method_set.hpp>
 
 namespace stagecraft {
@@ -285,6 +286,9 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
                                            report_.solves);
         }
+        if (fixed() && fresh_jacobian_ && newton.end != newton_end::converged)
+            factored_ |= solve_by_continuation(method, system_, t_, y_, h, weights_, newton_limits_for(s),
+                                               now, report_, newton);
         if (!factored_ || newton.end != newton_end::converged) {
             obstacle_ = !factored_                             ? status::singular_matrix
                         : newton.end == newton_end::non_finite ? status::non_finite
