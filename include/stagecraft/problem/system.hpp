@@ -146,6 +146,22 @@ class system {
         }
     }
 
+    /// The weights of those components whose order reduction the step control can follow: all of them to
+    /// index 2, those of index 1 in a problem of index 3. (There the estimates of the others carry violations
+    /// of hidden constraints by earlier steps, divided by h and h^2, which smaller steps do not reduce.)
+    const Vector& weights_to_follow(const Vector& weights) {
+        if constexpr (has_index<Problem>) {
+            bool three = false;
+            for (const auto& r : raised_) three = three || r.power == 2;
+            if (three) {
+                followed_ = weights;
+                for (const auto& r : raised_) followed_[r.component] = scalar(0);
+                return followed_;
+            }
+        }
+        return weights;
+    }
+
     /// True if the norms depend on the step (some component has index 2 or 3).
     bool has_raised_index() const { return has_index<Problem> && !raised_.empty(); }
 
@@ -176,6 +192,7 @@ class system {
     [[no_unique_address]] engine engine_;
     matrix J_;
     std::vector<raised> raised_;
+    [[no_unique_address]] std::conditional_t<has_index<Problem>, Vector, no_engine> followed_{n_};
 };
 
 }  // namespace stagecraft

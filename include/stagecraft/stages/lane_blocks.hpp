@@ -79,15 +79,21 @@ class lane_blocks {
     }
 
     template <class Vector>
-    void filter(Vector& x, Vector& scratch) {
-        scratch.setZero();
-        eliminate(x.data(), scratch.data(), 0);
+    void solve_first(Vector& x, Vector& y) {
+        if constexpr (real == 1) y.setZero();
+        eliminate(x.data(), y.data(), 0);
         if constexpr (real == 1) {
             lu_.solve_real(x.data() + m);
         } else {
-            lu_.solve(std::array<Scalar*, 1>{x.data() + m}, std::array<Scalar*, 1>{scratch.data() + m}, 1);
+            lu_.solve(std::array<Scalar*, 1>{x.data() + m}, std::array<Scalar*, 1>{y.data() + m}, 1);
         }
-        recover(x.data(), scratch.data(), 0);
+        recover(x.data(), y.data(), 0);
+    }
+
+    template <class Vector>
+    void filter(Vector& x, Vector& scratch) {
+        scratch.setZero();
+        solve_first(x, scratch);
         if constexpr (real == 0) {
             using std::sqrt;
             for (int i = 0; i < N; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);

@@ -42,15 +42,23 @@ class separate_blocks {
         }
     }
 
+    /// Solves with the first block alone: the real one (y is not touched), else the first complex one for x
+    /// + i y.
+    template <class Vector>
+    void solve_first(Vector& x, Vector& y) {
+        if (!real_.empty())
+            real_.front().solve(x.data());
+        else
+            complex_.front().solve(x.data(), y.data());
+    }
+
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
     template <class Vector>
     void filter(Vector& x, Vector& scratch) {
-        if (!real_.empty()) {
-            real_.front().solve(x.data());
-        } else {
+        scratch.setZero();
+        solve_first(x, scratch);
+        if (real_.empty()) {
             using std::sqrt;
-            scratch.setZero();
-            complex_.front().solve(x.data(), scratch.data());
             for (int i = 0; i < n_; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
         }
     }

@@ -151,6 +151,19 @@ class transformed_stages {
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
     void filter(vector& x, vector& scratch) { blocks_.filter(x, scratch); }
 
+    /// x := x - (gamma/h M - J)^-1 gamma/h M x = -(gamma/h M - J)^-1 J x, the real part of it where gamma is
+    /// complex: what of x stiff components carry. In a mode of eigenvalue lambda the factor is z / (z -
+    /// gamma), z = h lambda: nearly one where z is large, O(h) where it is small.
+    template <class System>
+    void stiff_part(const System& system, vector& x, vector& re, vector& im) {
+        re.setZero();
+        im.setZero();
+        add_mass_times(system.mass(), shift_[0], x.data(), re.data(), size());
+        if (real_blocks() == 0) add_mass_times(system.mass(), shift_[1], x.data(), im.data(), size());
+        blocks_.solve_first(re, im);
+        x -= re;
+    }
+
   private:
     using matrix = Eigen::Matrix<Scalar, N, Stages>;
     static constexpr int positions = positions_of<Blocks>;

@@ -205,7 +205,8 @@ class integrator {
                 negligible_[i] = moved > small ? moved : small;
             }
         }
-        if (!system_type::finite_difference && has_output_ && failures_ == 0 && !fixed()) {
+        ahead_ = !system_type::finite_difference && has_output_ && failures_ == 0 && !fixed();
+        if (ahead_) {
             // Two fifths into the step the Jacobian serves all stages best; not further than the last step
             // was long, as that is where the state comes from. (Differences need f there as well: they stay
             // at the left end, where it is known.)
@@ -240,7 +241,7 @@ class integrator {
     int factored_order_ = 0, iterations_ = 0, failures_ = 0;
     long equal_steps_ = 0, attempts_ = 0;
     bool started_ = false, need_left_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
-         fresh_jacobian_ = false, last_was_rejected_ = false;
+         fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 
@@ -302,6 +303,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             }
             if (fixed()) return end(obstacle_);
             h_ = h / 2;
+            want_jacobian_ = ahead_;  // where the extrapolation went astray the Jacobian did
             if constexpr (variable)
                 if (failures_ > 1 && order_.newton_failed()) return attempt_end::change_method;
             continue;
@@ -313,12 +315,19 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         if (fixed()) return accept(method, h, t_next, now);
 
         method.estimate(system_, h, f0_, now, error_);
-        scalar err = norm(error_, weights_) * ratio_[order_.current()];
+        const auto size = [this](const Vector& x, bool reduced) {
+            return norm(x, reduced ? system_.weights_to_follow(weights_) : weights_);
+        };
+        const scalar ratio = ratio_[order_.current()];
+        const auto error_size = [&] {
+            return method.error_size(system_, now, ratio, error_, report_.error_solves, size);
+        };
+        scalar err = error_size();
         if (err >= scalar(1) && (report_.steps == 0 || last_was_rejected_)) {
             ++report_.error_solves;
             method.estimate_again(system_, t_, y_, h, now, y1_, error_);
             method.advance(y_, now, y1_);
-            err = norm(error_, weights_) * ratio_[order_.current()];
+            err = error_size();
         }
         ++report_.error_solves;
         if (err < scalar(1)) {
