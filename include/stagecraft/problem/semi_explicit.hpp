@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <stagecraft/problem/parts.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+template <class S, int N>
+using column = Eigen::Matrix<S, N, 1>;
+
+/// f(t, y, z, out)
+template <class F, class T, class S, class Sizes>
+concept differential_equations = requires(const F& f, const T& t, const column<S, Sizes::first>& y,
+                                          const column<S, Sizes::second>& z, column<S, Sizes::first>& out) {
+    f(t, y, z, out);
+};
+/// g(t, y, out): the constraint of a problem of index 2
+template <class G, class T, class S, class Sizes>
+concept constraint_without_z = requires(const G& g, const T& t, const column<S, Sizes::first>& y,
+                                        column<S, Sizes::second>& out) {
+    g(t, y, out);
+};
+/// g(t, y, z, out): that of a problem of index 1
+template <class G, class T, class S, class Sizes>
+concept constraint_with_z = requires(const G& g, const T& t, const column<S, Sizes::first>& y,
+                                     const column<S, Sizes::second>& z, column<S, Sizes::second>& out) {
+    g(t, y, z, out);
+};
+template <class G, class T, class S, class Sizes>
+concept constraint_equations = constraint_without_z<G, T, S, Sizes> || constraint_with_z<G, T, S, Sizes>;
+
+/// f.jacobian(t, y, z, f_y, f_z)
+template <class F, class S, class Sizes>
+concept differential_jacobian = requires(const F& f, const S& t, const column<S, Sizes::first>& y,
+                                         const column<S, Sizes::second>& z,
+                                         Eigen::Matrix<S, Sizes::first, Sizes::first>& f_y,
+                                         Eigen::Matrix<S, Sizes::first, Sizes::second>& f_z) {
+    f.jacobian(t, y, z, f_y, f_z);
+};
+/// g.jacobian(t, y, g_y) or g.jacobian(t, y, z, g_y, g_z)
+template <class G, class S, class Sizes>
+concept constraint_jacobian_without_z = requires(const G& g, const S& t, const column<S, Sizes::first>& y,
+                                                 Eigen::Matrix<S, Sizes::second, Sizes::first>& g_y) {
+    g.jacobian(t, y, g_y);
+};
+template <class G, class S, class Sizes>
+concept constraint_jacobian_with_z = requires(const G& g, const S& t, const column<S, Sizes::first>& y,
+                                              const column<S, Sizes::second>& z,
+                                              Eigen::Matrix<S, Sizes::second, Sizes::first>& g_y,
+                                              Eigen::Matrix<S, Sizes::second, Sizes::second>& g_z) {
+    g.jacobian(t, y, z, g_y, g_z);
+};
+template <class G, class S, class Sizes>
+concept constraint_jacobian =
+    constraint_jacobian_without_z<G, S, Sizes> || constraint_jacobian_with_z<G, S, Sizes>;
+
+}  // namespace detail
+
+/// The semi-explicit (Hessenberg) system
+///
+///     y' = f(t, y, z),   0 = g(t, y, z)   index 1 where g_z is regular, or
+///     y' = f(t, y, z),   0 = g(t, y)      index 2 where g_y f_z is regular (Hairer-Wanner II.VI.1, HLR89
+///     section 1)
+///
+/// in the state (y; z), M = diag(I, 0), ready for `integrate`. The form of g decides the index, and with it
+/// the flags of z. Made by `semi_explicit`; Sizes is a part_sizes<n, m>.
+template <class Sizes, class F, class G>
+class semi_explicit_problem {
+    static constexpr bool sees_z = detail::constraint_with_z<G, double, double, Sizes>;
+    static_assert(detail::differential_equations<F, double, double, Sizes>,
+                  "semi_explicit: f must be callable as f(t, y, z, out)");
+    static_assert(detail::constraint_equations<G, double, double, Sizes>,
+                  "semi_explicit: g must be callable as g(t, y, out) or g(t, y, z, out)");
+    static_assert(!(sees_z && detail::constraint_without_z<G, double, double, Sizes>),
+                  "semi_explicit: g must be callable in one of its two forms, not in both");
+
+    template <class T, class S>
+    static constexpr bool callable =
+        detail::differential_equations<F, T, S, Sizes>&& detail::constraint_equations<G, T, S, Sizes>;
+    static constexpr bool analytic_f = detail::differential_jacobian<F, double, Sizes>;
+    static constexpr bool analytic_g = detail::constraint_jacobian<G, double, Sizes>;
+
+  public:
+    static constexpr int size = Sizes::size;
+    /// The differentiation index, if the block named above is regular.
+    static constexpr int index_of_z = sees_z ? 1 : 2;
+    template <class S>
+    using state_vector = Eigen::Matrix<S, size, 1>;
+
+    semi_explicit_problem(F f, G g, int n, int m) : f_(std::move(f)), g_(std::move(g)), parts_(n, m) {
+        if (n < 0 || m < 0) throw std::invalid_argument("semi_explicit: n and m must not be negative");
+    }
+
+    /// (f; g) at x = (y; z). Run-time sizes: a const problem allocates, another one does not.
+    template <class T, class S>
+    requires(callable<T, S>) void operator()(const T& t, const state_vector<S>& x, state_vector<S>& out) {
+        auto&& parts = parts_.template get<S>();
+        evaluate(t, x, parts, out);
+    }
+    template <class T, class S>
+    requires(callable<T, S>) void operator()(const T& t, const state_vector<S>& x,
+                                             state_vector<S>& out) const {
+        auto parts = parts_.template get<S>();
+        evaluate(t, x, parts, out);
+    }
+
+    /// Exists where f or g brings its derivatives: f.jacobian(t, y, z, f_y, f_z), g.jacobian(t, y, g_y) or
+    /// g.jacobian(t, y, z, g_y, g_z). The other one is differentiated automatically and must be generic.
+    template <class S, class Matrix>
+    requires(analytic_f || analytic_g) void jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
+        const int n = parts_.first(), m = parts_.second();
+        using number = dual<S, size>;
+        const Eigen::Matrix<S, Sizes::first, 1> y = x.head(n);
+        const Eigen::Matrix<S, Sizes::second, 1> z = x.tail(m);
+        if constexpr (analytic_f) {
+            Eigen::Matrix<S, Sizes::first, Sizes::first> f_y(n, n);
+            Eigen::Matrix<S, Sizes::first, Sizes::second> f_z(n, m);
+            f_.jacobian(t, y, z, f_y, f_z);
+            J.topLeftCorner(n, n) = f_y;
+            J.topRightCorner(n, m) = f_z;
+        } else {
+            static_assert(detail::differential_equations<F, S, number, Sizes> ||
+                              detail::differential_equations<F, number, number, Sizes>,
+                          "semi_explicit: g brings a Jacobian; f must bring one as well or be generic");
+            const auto call = [&](const auto& a, const auto& b) {
+                Eigen::Matrix<number, Sizes::first, 1> out(n);
+                if constexpr (detail::differential_equations<F, number, number, Sizes>)
+                    f_(detail::constant_dual<number>(t), a, b, out);
+                else
+                    f_(t, a, b, out);
+                return out;
+            };
+            detail::differentiate_parts<Sizes, S>(n, m, x, n, call, J.topRows(n));
+        }
+        auto bottom = J.bottomRows(m);
+        if constexpr (analytic_g) {
+            Eigen::Matrix<S, Sizes::second, Sizes::first> g_y(m, n);
+            Eigen::Matrix<S, Sizes::second, Sizes::second> g_z(m, m);
+            g_z.setZero();
+            if constexpr (sees_z)
+                g_.jacobian(t, y, z, g_y, g_z);
+            else
+                g_.jacobian(t, y, g_y);
+            bottom.leftCols(n) = g_y;
+            bottom.rightCols(m) = g_z;
+        } else {
+            static_assert(detail::constraint_equations<G, S, number, Sizes> ||
+                              detail::constraint_equations<G, number, number, Sizes>,
+                          "semi_explicit: f brings a Jacobian; g must bring one as well or be generic");
+            const auto call = [&](const auto& a, const auto& b) {
+                Eigen::Matrix<number, Sizes::second, 1> out(m);
+                if constexpr (detail::constraint_equations<G, number, number, Sizes>)
+                    constraint(detail::constant_dual<number>(t), a, b, out);
+                else
+                    constraint(t, a, b, out);
+                return out;
+            };
+            detail::differentiate_parts<Sizes, S>(n, m, x, m, call, bottom);
+        }
+    }
+
+    /// diag(1, ..., 1, 0, ..., 0).
+    Eigen::DiagonalMatrix<double, size> mass() const {
+        Eigen::DiagonalMatrix<double, size> M(parts_.size());
+        M.diagonal().setZero();
+        M.diagonal().head(parts_.first()).setOnes();
+        return M;
+    }
+    /// 1 for y, 1 or 2 for z.
+    std::vector<int> index() const {
+        std::vector<int> flags(parts_.size(), 1);
+        for (int i = parts_.first(); i < parts_.size(); ++i) flags[i] = index_of_z;
+        return flags;
+    }
+
+    /// The state (y; z), and its parts.
+    template <class S>
+    state_vector<S> state(const Eigen::Matrix<S, Sizes::first, 1>& y,
+                          const Eigen::Matrix<S, Sizes::second, 1>& z) const {
+        if (y.size() != parts_.first() || z.size() != parts_.second())
+            throw std::invalid_argument("semi_explicit: y and z must have n and m components");
+        state_vector<S> x(parts_.size());
+        x.head(parts_.first()) = y;
+        x.tail(parts_.second()) = z;
+        return x;
+    }
+    template <class S>
+    Eigen::Matrix<S, Sizes::first, 1> differential(const state_vector<S>& x) const {
+        return x.head(parts_.first());
+    }
+    template <class S>
+    Eigen::Matrix<S, Sizes::second, 1> algebraic(const state_vector<S>& x) const {
+        return x.tail(parts_.second());
+    }
+
+  private:
+    template <class T, class A, class B, class Out>
+    void constraint(const T& t, const A& y, const B& z, Out& out) const {
+        if constexpr (sees_z)
+            g_(t, y, z, out);
+        else
+            g_(t, y, out);
+    }
+    template <class T, class S, class Parts>
+    void evaluate(const T& t, const state_vector<S>& x, Parts& parts, state_vector<S>& out) const {
+        const int n = parts_.first(), m = parts_.second();
+        if (x.size() != n + m)
+            throw std::invalid_argument("semi_explicit: the state must have n + m components");
+        parts.a = x.head(n);
+        parts.b = x.tail(m);
+        f_(t, parts.a, parts.b, parts.f);
+        constraint(t, parts.a, parts.b, parts.g);
+        if (parts.f.size() != n || parts.g.size() != m)
+            throw std::invalid_argument("semi_explicit: f and g must keep the sizes n and m of their output");
+        out.head(n) = parts.f;
+        out.tail(m) = parts.g;
+    }
+
+    F f_;
+    G g_;
+    detail::part_storage<Sizes> parts_;
+};
+
+/// y' = f(t, y, z), 0 = g(t, y, z) or 0 = g(t, y), with n components y and m components z known at compile
+/// time.
+///
+/// f(t, y, z, out) writes y' into out; g(t, y, z, out) or g(t, y, out) the m equations. Either may be a
+/// lambda; where both are generic in the scalar the Jacobian comes from automatic differentiation, where one
+/// has a member jacobian(...) from it, else from finite differences.
+template <int N, int M, class F, class G>
+requires(N >= 0 && M >= 0) auto semi_explicit(F f, G g) {
+    return semi_explicit_problem<part_sizes<N, M>, F, G>(std::move(f), std::move(g), N, M);
+}
+
+/// The same with n and m known at run time; the callables then get vectors of dynamic size.
+template <class F, class G>
+auto semi_explicit(F f, G g, int n, int m) {
+    return semi_explicit_problem<part_sizes<Eigen::Dynamic, Eigen::Dynamic>, F, G>(std::move(f), std::move(g),
+                                                                                   n, m);
+}
+
+}  // namespace stagecraft
