@@ -88,6 +88,7 @@ class dense_output {
     scalar t0() const { return t0_; }
     scalar t1() const { return t0_ + h_; }
     scalar step() const { return h_; }
+    int degree() const { return nodes_->size; }
 
     /// u(t); meant for t within the step (extrapolation is allowed and as good as extrapolation is).
     Vector operator()(const scalar& t) const {

@@ -6,12 +6,13 @@
 #include <exception>
 #include <type_traits>
 
+#include <stagecraft/observer.hpp>
 #include <stagecraft/step/integrator.hpp>
 
 namespace stagecraft {
 
-/// What a run returns: the last accepted state, always finite, and why it ended. Only status::success means t
-/// = t1.
+/// What a run returns: the last accepted state (status::event: the state at the event), always finite, and
+/// why it ended. Only status::success means t = t1.
 template <class Vector>
 struct result {
     typename Vector::Scalar t;
@@ -22,33 +23,6 @@ struct result {
 
     bool ok() const { return status == status::success; }
 };
-
-/// The default observer: watches nothing and costs nothing.
-struct no_observer {};
-
-namespace detail {
-
-/// Calls observer(t, y, h, output), observer(t, y, h) or observer(t, y), whichever exists; true means go on.
-template <class Observer, class Scalar, class Vector, class Output>
-bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
-    const auto call = [&](auto&&... arguments) {
-        using returned = std::invoke_result_t<Observer&, decltype(arguments)...>;
-        if constexpr (std::is_convertible_v<returned, bool>) {
-            return static_cast<bool>(observer(arguments...));
-        } else {
-            observer(arguments...);
-            return true;
-        }
-    };
-    if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&, const Output&>)
-        return call(t, y, h, output);
-    else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&>)
-        return call(t, y, h);
-    else
-        return call(t, y);
-}
-
-}  // namespace detail
 
 /// Integrates M y' = f(t, y), y(t0) = y0 to t1, in either direction of time.
 ///
@@ -67,7 +41,7 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
 /// `output(time)` and
 ///          `output.derivative(time)` evaluate the collocation polynomial anywhere in that step, at no cost
 ///          if not called. An observer that returns false stops the run (status::stopped). It may be a lambda
-///          that captures by reference, and is taken by reference if it is an lvalue.
+///          that captures by reference, and is taken by reference if it is an lvalue. More: observer.hpp.
 ///
 /// Never returns success with a non-finite state. Bad arguments: std::invalid_argument naming the argument.
 /// What the problem or the observer throws ends the run with status::function_threw; result.exception holds
@@ -83,6 +57,7 @@ typename Derived::PlainObject >
     using vector = typename Derived::PlainObject;
     const vector start = y0;
     integrator<Method, std::remove_reference_t<Problem>, vector> run(method, problem, start, t0, t1, o);
+    detail::announce(observer, run.t(), start, t1);
     std::exception_ptr thrown;
     status ended = status::success;
     try {
@@ -100,7 +75,9 @@ typename Derived::PlainObject >
         ended = status::function_threw;
         thrown = std::current_exception();
     }
-    return result<vector>{run.t(), run.y(), ended, run.counts(), thrown};
+    result<vector> r{run.t(), run.y(), ended, run.counts(), thrown};
+    detail::conclude(observer, r);
+    return r;
 }
 
 }  // namespace stagecraft

@@ -3,10 +3,11 @@
 
 namespace stagecraft {
 
-/// Why a run ended. Everything but `success` leaves the result at the last accepted state.
+/// Why a run ended. Everything but `success` and `event` leaves the result at the last accepted state.
 enum class status {
     success,          ///< t1 was reached with every step accepted
     stopped,          ///< an observer asked to stop
+    event,            ///< a terminal event ended the run; the result is the state there
     too_many_steps,   ///< options.max_steps attempts were made before t1
     step_underflow,   ///< the error test wants a step below the resolution of t or below options.min_step
     newton_failed,    ///< the stage equations could not be solved with any admissible step
@@ -23,6 +24,8 @@ constexpr const char* name(status s) {
             return "success";
         case status::stopped:
             return "stopped";
+        case status::event:
+            return "event";
         case status::too_many_steps:
             return "too_many_steps";
         case status::step_underflow:

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <type_traits>
+
+namespace stagecraft {
+
+/// The default observer: watches nothing and costs nothing.
+///
+/// What an observer may have, each used only where it is there:
+///   observer(t, y, h, output), (t, y, h) or (t, y), called after every accepted step; false ends the run,
+///   observer.start(t0, y0, t1), called before the first step; what it throws leaves integrate(),
+///   observer.conclude(result), called last: it may shorten the run to an earlier t (and must then do the
+///   same again when called again), and cuts what it has kept beyond result.t.
+struct no_observer {};
+
+namespace detail {
+
+template <class Observer, class Scalar, class Vector>
+void announce([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t0,
+              [[maybe_unused]] const Vector& y0, [[maybe_unused]] const Scalar& t1) {
+    if constexpr (requires { observer.start(t0, y0, t1); }) observer.start(t0, y0, t1);
+}
+
+/// Calls observer(t, y, h, output), observer(t, y, h) or observer(t, y), whichever exists; true means go on.
+template <class Observer, class Scalar, class Vector, class Output>
+bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
+    const auto call = [&](auto&&... arguments) {
+        using returned = std::invoke_result_t<Observer&, decltype(arguments)...>;
+        if constexpr (std::is_convertible_v<returned, bool>) {
+            return static_cast<bool>(observer(arguments...));
+        } else {
+            observer(arguments...);
+            return true;
+        }
+    };
+    if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&, const Output&>)
+        return call(t, y, h, output);
+    else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&>)
+        return call(t, y, h);
+    else
+        return call(t, y);
+}
+
+template <class Observer, class Result>
+void conclude([[maybe_unused]] Observer& observer, [[maybe_unused]] Result& result) {
+    if constexpr (requires { observer.conclude(result); }) observer.conclude(result);
+}
+
+}  // namespace detail
+
+}  // namespace stagecraft

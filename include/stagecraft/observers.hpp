@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <tuple>
+#include <utility>
+
+#include <stagecraft/observer.hpp>
+
+namespace stagecraft {
+
+/// Several observers as one; made by observers().
+template <class... Observers>
+class observer_list {
+  public:
+    explicit observer_list(Observers&&... o) : list_(std::forward<Observers>(o)...) {}
+
+    template <class Scalar, class Vector>
+    void start(const Scalar& t0, const Vector& y0, const Scalar& t1) {
+        each([&](auto& o) { detail::announce(o, t0, y0, t1); });
+    }
+    template <class Scalar, class Vector, class Output>
+    bool operator()(const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
+        bool go_on = true;
+        each([&](auto& o) { go_on = detail::observe(o, t, y, h, output) && go_on; });
+        return go_on;
+    }
+    /// Asked again as long as one of them shortens the run, so that all end at the same t in whatever order.
+    template <class Result>
+    void conclude(Result& r) {
+        for (bool shortened = true; shortened;) {
+            const auto t = r.t;
+            each([&](auto& o) { detail::conclude(o, r); });
+            shortened = r.t != t;
+        }
+    }
+
+  private:
+    template <class F>
+    void each(F&& f) {
+        std::apply([&](auto&... o) { (f(o), ...); }, list_);
+    }
+
+    std::tuple<Observers...> list_;
+};
+
+/// One observer that calls several, in the order given, after every step: the run goes on if all say so.
+/// Those given as lvalues are taken by reference.
+template <class... Observers>
+observer_list<Observers...> observers(Observers&&... o) {
+    return observer_list<Observers...>(std::forward<Observers>(o)...);
+}
+
+}  // namespace stagecraft
