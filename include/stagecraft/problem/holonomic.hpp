@@ -28,11 +28,8 @@ class index_3_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> lambda = y.template tail<m>();
-        f.template head<n>() = v;
-        f.template segment<n>(n) =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - model_.G(q).transpose() * lambda);
+        const coordinate_vector<S, Model> q = y.template head<n>();
+        detail::motion<S, Model>(model_, t, y, model_.G(q), y.template tail<m>(), f);
         f.template tail<m>() = model_.g(q);
     }
 
@@ -40,24 +37,12 @@ class index_3_dae {
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
         const acceleration_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
                                                 y.template tail<m>(), t);
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-        J.template block<n, n>(n, 0) = d.a_q;
-        J.template block<n, n>(n, n) = d.a_v;
-        J.template block<n, m>(n, 2 * n) = d.a_lambda;
+        detail::motion_jacobian(d, 2 * n, J);
         J.template block<m, n>(2 * n, 0) = d.G;
     }
 
-    Eigen::Matrix<double, size, size> mass() const {
-        Eigen::Matrix<double, size, size> M = Eigen::Matrix<double, size, size>::Zero();
-        for (int i = 0; i < 2 * n; ++i) M(i, i) = 1;
-        return M;
-    }
-    std::array<int, size> index() const {
-        std::array<int, size> flags{};
-        for (int i = 0; i < size; ++i) flags[i] = i < n ? 1 : i < 2 * n ? 2 : 3;
-        return flags;
-    }
+    Eigen::Matrix<double, size, size> mass() const { return detail::leading_identity<double, size>(2 * n); }
+    std::array<int, size> index() const { return detail::index_flags<size>(n, 2 * n); }
 
   private:
     Model model_;
@@ -79,13 +64,11 @@ class stabilised_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> lambda = y.template segment<m>(2 * n), mu = y.template tail<m>();
+        const coordinate_vector<S, Model> q = y.template head<n>();
         const Eigen::Matrix<S, m, n> G = model_.G(q);
-        f.template head<n>() = v - G.transpose() * mu;
-        f.template segment<n>(n) =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - G.transpose() * lambda);
-        f.template segment<m>(2 * n) = G * v;
+        detail::motion<S, Model>(model_, t, y, G, y.template segment<m>(2 * n), f);
+        f.template head<n>() -= G.transpose() * y.template tail<m>();
+        f.template segment<m>(2 * n) = G * y.template segment<n>(n);
         f.template tail<m>() = model_.g(q);
     }
 
@@ -96,31 +79,18 @@ class stabilised_dae {
                                                 y.template segment<m>(2 * n), t);
         using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
         const Eigen::Matrix<dual, m, n> dG = model_.G(detail::variables<dual>(q));
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int i = 0; i < n; ++i) {
-            J(i, n + i) = S(1);
+        detail::motion_jacobian(d, 2 * n, J);
+        for (int i = 0; i < n; ++i)
             for (int k = 0; k < m; ++k)
                 J.template block<1, n>(i, 0) -= y[2 * n + m + k] * dG(k, i).derivatives().transpose();
-        }
         J.template block<n, m>(0, 2 * n + m) = -d.G.transpose();
-        J.template block<n, n>(n, 0) = d.a_q;
-        J.template block<n, n>(n, n) = d.a_v;
-        J.template block<n, m>(n, 2 * n) = d.a_lambda;
         J.template block<m, n>(2 * n, 0) = d.Gv_q;
         J.template block<m, n>(2 * n, n) = d.G;
         J.template block<m, n>(2 * n + m, 0) = d.G;
     }
 
-    Eigen::Matrix<double, size, size> mass() const {
-        Eigen::Matrix<double, size, size> M = Eigen::Matrix<double, size, size>::Zero();
-        for (int i = 0; i < 2 * n; ++i) M(i, i) = 1;
-        return M;
-    }
-    std::array<int, size> index() const {
-        std::array<int, size> flags{};
-        for (int i = 0; i < size; ++i) flags[i] = i < 2 * n ? 1 : 2;
-        return flags;
-    }
+    Eigen::Matrix<double, size, size> mass() const { return detail::leading_identity<double, size>(2 * n); }
+    std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
   private:
     Model model_;

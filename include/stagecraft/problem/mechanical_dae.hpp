@@ -3,120 +3,12 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <stdexcept>
-#include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
-#include <stagecraft/problem/mechanical.hpp>
+#include <stagecraft/problem/mechanical_derivatives.hpp>
 
 namespace stagecraft {
-
-namespace detail {
-
-template <class Dual, class S>
-Dual constant(const S& x) {
-    Dual result;
-    result.value() = x;
-    for (int i = 0; i < result.derivatives().size(); ++i) result.derivatives()[i] = S(0);
-    return result;
-}
-
-template <class Dual, class S, int N>
-Eigen::Matrix<Dual, N, 1> constants(const Eigen::Matrix<S, N, 1>& x) {
-    Eigen::Matrix<Dual, N, 1> result;
-    for (int i = 0; i < N; ++i) result[i] = constant<Dual>(x[i]);
-    return result;
-}
-
-template <class Dual, class S, int N>
-Eigen::Matrix<Dual, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
-    Eigen::Matrix<Dual, N, 1> result = constants<Dual>(x);
-    for (int i = 0; i < N; ++i) result[i].derivatives()[i] = S(1);
-    return result;
-}
-
-}  // namespace detail
-
-/// The acceleration a = M(q)^-1 (F - G^T lambda) with its derivatives, and those of the constraint. By the
-/// implicit function theorem M da = d(F - M a - G^T lambda) with a and lambda held fixed on the right:
-/// automatic differentiation never runs through the factorisation of M.
-template <class S, class Model>
-struct acceleration_jacobian {
-    static constexpr int n = Model::coordinates, m = Model::constraints;
-    coordinate_vector<S, Model> a;
-    Eigen::Matrix<S, m, n> G;
-    Eigen::Matrix<S, n, n> a_q, a_v;
-    Eigen::Matrix<S, n, m> a_lambda;
-    Eigen::Matrix<S, m, n> Gv_q;  ///< d(G(q) v)/dq
-    Eigen::Matrix<S, m, n> Ga_q;  ///< d(G(q) a)/dq with a held fixed
-
-    acceleration_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
-                          const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
-                          const S& t)
-        : G(model.G(q)) {
-        const mass_inverse<S, Model> solve(model, q);
-        a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
-        const dual time = detail::constant<dual>(t);
-        const dual_vector q_moving = detail::variables<dual>(q), q_fixed = detail::constants<dual>(q);
-        const dual_vector v_moving = detail::variables<dual>(v), v_fixed = detail::constants<dual>(v);
-        const dual_vector F_q = force<dual>(model, q_moving, v_fixed, time);
-        const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
-        const Eigen::Matrix<dual, n, n> M = model.M(q_moving);
-        const Eigen::Matrix<dual, m, n> dG = model.G(q_moving);
-        for (int i = 0; i < n; ++i) {
-            coordinate_vector<S, Model> row = F_q[i].derivatives();
-            for (int j = 0; j < n; ++j) row -= a[j] * M(i, j).derivatives();
-            for (int k = 0; k < m; ++k) row -= lambda[k] * dG(k, i).derivatives();
-            a_q.row(i) = row.transpose();
-            a_v.row(i) = F_v[i].derivatives().transpose();
-        }
-        for (int j = 0; j < n; ++j) {
-            a_q.col(j) = solve(a_q.col(j));
-            a_v.col(j) = solve(a_v.col(j));
-        }
-        for (int k = 0; k < m; ++k) {
-            a_lambda.col(k) = -solve(G.row(k).transpose());
-            Gv_q.row(k) = v[0] * dG(k, 0).derivatives().transpose();
-            Ga_q.row(k) = a[0] * dG(k, 0).derivatives().transpose();
-            for (int j = 1; j < n; ++j) {
-                Gv_q.row(k) += v[j] * dG(k, j).derivatives().transpose();
-                Ga_q.row(k) += a[j] * dG(k, j).derivatives().transpose();
-            }
-        }
-    }
-
-  private:
-    using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
-    using dual_vector = Eigen::Matrix<dual, n, 1>;
-};
-
-/// The once differentiated constraint Phi = d/dt (G v) = (dG/dt) v + G a, with its derivatives.
-template <class S, class Model>
-struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
-    using acceleration_jacobian<S, Model>::n;
-    using acceleration_jacobian<S, Model>::m;
-    Eigen::Matrix<S, m, n> phi_q, phi_v;
-    multiplier_matrix<S, Model> phi_lambda;  ///< -G M^-1 G^T
-
-    hidden_constraint_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
-                               const coordinate_vector<S, Model>& v,
-                               const multiplier_vector<S, Model>& lambda, const S& t)
-        : acceleration_jacobian<S, Model>(model, q, v, lambda, t) {
-        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
-        const multiplier_vector<dual, Model> c_q =
-            constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v));
-        const multiplier_vector<dual, Model> c_v =
-            constraint_curvature<dual>(model, detail::constants<dual>(q), detail::variables<dual>(v));
-        phi_q = this->Ga_q + this->G * this->a_q;
-        phi_v = this->G * this->a_v;
-        phi_lambda = this->G * this->a_lambda;
-        for (int k = 0; k < m; ++k) {
-            phi_q.row(k) += c_q[k].derivatives().transpose();
-            phi_v.row(k) += c_v[k].derivatives().transpose();
-        }
-    }
-};
 
 /// The index-2 system of a mechanical model in the state (q, v, lambda):
 ///
@@ -134,40 +26,23 @@ class index_2_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> lambda = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        f.template head<n>() = v;
-        f.template segment<n>(n) =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - G.transpose() * lambda);
-        f.template tail<m>() = G * v;
+        const Eigen::Matrix<S, m, n> G = model_.G(coordinate_vector<S, Model>(y.template head<n>()));
+        detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
+        f.template tail<m>() = G * y.template segment<n>(n);
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
         const acceleration_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
                                                 y.template tail<m>(), t);
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-        J.template block<n, n>(n, 0) = d.a_q;
-        J.template block<n, n>(n, n) = d.a_v;
-        J.template block<n, m>(n, 2 * n) = d.a_lambda;
+        detail::motion_jacobian(d, 2 * n, J);
         J.template block<m, n>(2 * n, 0) = d.Gv_q;
         J.template block<m, n>(2 * n, n) = d.G;
     }
 
     /// diag(1, ..., 1, 0, ..., 0): singular in the rows of the constraint.
-    Eigen::Matrix<Scalar, size, size> mass() const {
-        Eigen::Matrix<Scalar, size, size> M = Eigen::Matrix<Scalar, size, size>::Constant(Scalar(0));
-        for (int i = 0; i < 2 * n; ++i) M(i, i) = Scalar(1);
-        return M;
-    }
-
-    std::array<int, size> index() const {
-        std::array<int, size> flags{};
-        for (int i = 0; i < size; ++i) flags[i] = i < 2 * n ? 1 : 2;
-        return flags;
-    }
+    Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
+    std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
     /// (q, v, lambda) with the multiplier consistent with q and v. Throws std::invalid_argument if G(q) v is
     /// not zero to rounding (a bound of 64 eps max|G| max|v| is allowed), std::domain_error at a singular
@@ -211,9 +86,7 @@ class index_reduced_ode {
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template tail<n>();
         const multiplier_vector<S, Model> lambda = multiplier(q, v, t);
-        f.template head<n>() = v;
-        f.template tail<n>() =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - model_.G(q).transpose() * lambda);
+        detail::motion<S, Model>(model_, t, y, model_.G(q), lambda, f);
     }
 
     template <class S>

@@ -37,6 +37,50 @@ struct contact {
     }
 };
 
+namespace detail {
+
+/// What all forms share: the model, the contact, and states (q, v, ...) with Extra more vectors of the size
+/// of lambda.
+template <class Model, class Scalar, int Extra>
+class regularised_form {
+  public:
+    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + Extra * m;
+    static constexpr int second_order_components = n;
+    using position = coordinate_vector<Scalar, Model>;
+    using force = multiplier_vector<Scalar, Model>;
+    using state = Eigen::Matrix<Scalar, size, 1>;
+
+    regularised_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
+
+    const Model& model() const { return model_; }
+    const stagecraft::contact<Scalar>& contact() const { return contact_; }
+
+  protected:
+    template <class S>
+    Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, size, 1>& y) const {
+        return model_.G(coordinate_vector<S, Model>(y.template head<n>()));
+    }
+    /// d/dt (G v) for the acceleration a.
+    template <class S>
+    multiplier_vector<S, Model> creep_rate(const Eigen::Matrix<S, size, 1>& y,
+                                           const Eigen::Matrix<S, m, n>& G,
+                                           const coordinate_vector<S, Model>& a) const {
+        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
+        const multiplier_vector<S, Model> curvature = constraint_curvature(model_, q, v), rest = G * a;
+        return curvature + rest;
+    }
+    template <class Derivatives, class S>
+    Derivatives derivatives(const S& t, const Eigen::Matrix<S, size, 1>& y,
+                            const multiplier_vector<S, Model>& lambda) const {
+        return {model_, y.template head<n>(), y.template segment<n>(n), lambda, t};
+    }
+
+    Model model_;
+    stagecraft::contact<Scalar> contact_;
+};
+
+}  // namespace detail
+
 /// The mass-matrix form of a regularised mechanical problem, state (q, v, zeta, lambda) with zeta = (c/eps)
 /// z:
 ///
@@ -46,22 +90,20 @@ struct contact {
 /// zeta is the limit, and the number of steps does not depend on eps. The default form. Made by
 /// `regularised`.
 template <mechanical_model Model, class Scalar = double>
-class regularised_problem {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + 2 * m;
-    static constexpr int second_order_components = n;
+class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {
+    using base = detail::regularised_form<Model, Scalar, 2>;
+    using base::contact_, base::model_;
 
-    regularised_problem(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
+  public:
+    using base::base, base::n, base::m, base::size;
+    using typename base::force, typename base::position, typename base::state;
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
         const multiplier_vector<S, Model> zeta = y.template segment<m>(2 * n), lambda = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        const multiplier_vector<S, Model> creep = G * v;
-        f.template head<n>() = v;
-        f.template segment<n>(n) =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - G.transpose() * lambda);
+        const Eigen::Matrix<S, m, n> G = base::G(y);
+        const multiplier_vector<S, Model> creep = G * y.template segment<n>(n);
+        detail::motion<S, Model>(model_, t, y, G, lambda, f);
         f.template segment<m>(2 * n) = creep;
         const S compliance = S(Scalar(1) / contact_.damping);
         for (int i = 0; i < m; ++i) f[2 * n + m + i] = compliance * (lambda[i] - zeta[i]) - creep[i];
@@ -69,14 +111,10 @@ class regularised_problem {
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const acceleration_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
-                                                y.template tail<m>(), t);
+        const auto d =
+            base::template derivatives<acceleration_jacobian<S, Model>, S>(t, y, y.template tail<m>());
         const S compliance = S(Scalar(1) / contact_.damping);
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-        J.template block<n, n>(n, 0) = d.a_q;
-        J.template block<n, n>(n, n) = d.a_v;
-        J.template block<n, m>(n, 2 * n + m) = d.a_lambda;
+        detail::motion_jacobian(d, 2 * n + m, J);
         for (int j = 0; j < m; ++j) {
             J(2 * n + m + j, 2 * n + m + j) = compliance;
             J(2 * n + m + j, 2 * n + j) = -compliance;
@@ -89,39 +127,19 @@ class regularised_problem {
 
     /// diag(1, ..., 1, eps/c, ..., 0, ...).
     Eigen::Matrix<Scalar, size, size> mass() const {
-        Eigen::Matrix<Scalar, size, size> M = Eigen::Matrix<Scalar, size, size>::Constant(Scalar(0));
-        for (int i = 0; i < 2 * n; ++i) M(i, i) = Scalar(1);
+        auto M = detail::leading_identity<Scalar, size>(2 * n);
         for (int i = 0; i < m; ++i) M(2 * n + i, 2 * n + i) = Scalar(1) / contact_.stiffness;
         return M;
     }
-
-    std::array<int, size> index() const {
-        std::array<int, size> flags{};
-        for (int i = 0; i < size; ++i) flags[i] = i < 2 * n ? 1 : 2;
-        return flags;
-    }
+    std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
     /// The state with contact force lambda at (q, v): zeta = lambda - (d/eps^kappa) G v.
-    Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
-                                                 const coordinate_vector<Scalar, Model>& v,
-                                                 const multiplier_vector<Scalar, Model>& lambda) const {
-        const multiplier_vector<Scalar, Model> zeta = lambda - contact_.damping * (model_.G(q) * v);
-        Eigen::Matrix<Scalar, size, 1> y;
-        y << q, v, zeta, lambda;
-        return y;
+    state initial_state(const position& q, const position& v, const force& lambda) const {
+        const force zeta = lambda - contact_.damping * (model_.G(q) * v);
+        return (state() << q, v, zeta, lambda).finished();
     }
-
     /// The contact force in a state.
-    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y) const {
-        return y.template tail<m>();
-    }
-
-    const Model& model() const { return model_; }
-    const stagecraft::contact<Scalar>& contact() const { return contact_; }
-
-  private:
-    Model model_;
-    stagecraft::contact<Scalar> contact_;
+    force multiplier(const state& y) const { return y.template tail<m>(); }
 };
 
 /// The form (y, lambda) of thesis (3.7)-(3.8), state (q, v, lambda): an explicit differential equation,
@@ -130,59 +148,39 @@ class regularised_problem {
 ///
 /// Made by `regularised_multiplier_form`.
 template <mechanical_model Model, class Scalar = double>
-class multiplier_form {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
-    static constexpr int second_order_components = n;
+class multiplier_form : public detail::regularised_form<Model, Scalar, 1> {
+    using base = detail::regularised_form<Model, Scalar, 1>;
+    using base::contact_, base::model_;
 
-    multiplier_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
+  public:
+    using base::base, base::n, base::m, base::size;
+    using typename base::force, typename base::position, typename base::state;
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> lambda = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        const coordinate_vector<S, Model> a =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - G.transpose() * lambda);
-        f.template head<n>() = v;
-        f.template segment<n>(n) = a;
-        const multiplier_vector<S, Model> creep = G * v, curvature = constraint_curvature(model_, q, v),
-                                          rest = G * a;
+        const Eigen::Matrix<S, m, n> G = base::G(y);
+        const auto a = detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
+        const multiplier_vector<S, Model> creep = G * y.template segment<n>(n),
+                                          rate = base::template creep_rate<S>(y, G, a);
         for (int i = 0; i < m; ++i)
-            f[2 * n + i] = S(contact_.stiffness) * creep[i] + S(contact_.damping) * (curvature[i] + rest[i]);
+            f[2 * n + i] = S(contact_.stiffness) * creep[i] + S(contact_.damping) * rate[i];
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const hidden_constraint_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
-                                                     y.template tail<m>(), t);
+        const auto d =
+            base::template derivatives<hidden_constraint_jacobian<S, Model>, S>(t, y, y.template tail<m>());
         const S spring(contact_.stiffness), damper(contact_.damping);
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-        J.template block<n, n>(n, 0) = d.a_q;
-        J.template block<n, n>(n, n) = d.a_v;
-        J.template block<n, m>(n, 2 * n) = d.a_lambda;
+        detail::motion_jacobian<S, Model>(d, 2 * n, J);
         J.template block<m, n>(2 * n, 0) = spring * d.Gv_q + damper * d.phi_q;
         J.template block<m, n>(2 * n, n) = spring * d.G + damper * d.phi_v;
         J.template block<m, m>(2 * n, 2 * n) = damper * d.phi_lambda;
     }
 
-    Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
-                                                 const coordinate_vector<Scalar, Model>& v,
-                                                 const multiplier_vector<Scalar, Model>& lambda) const {
-        Eigen::Matrix<Scalar, size, 1> y;
-        y << q, v, lambda;
-        return y;
+    state initial_state(const position& q, const position& v, const force& lambda) const {
+        return (state() << q, v, lambda).finished();
     }
-    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y) const {
-        return y.template tail<m>();
-    }
-    const Model& model() const { return model_; }
-    const stagecraft::contact<Scalar>& contact() const { return contact_; }
-
-  private:
-    Model model_;
-    stagecraft::contact<Scalar> contact_;
+    force multiplier(const state& y) const { return y.template tail<m>(); }
 };
 
 /// The form (y, z) of thesis (3.10)-(3.12), state (q, v, z): index 0, no derivative of G needed,
@@ -192,61 +190,53 @@ class multiplier_form {
 /// The costliest form for small eps: with kappa = 1 and eps = 1e-10 it takes some 70 times the steps of the
 /// others. Made by `regularised_creep_form`.
 template <mechanical_model Model, class Scalar = double>
-class creep_form {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
-    static constexpr int second_order_components = n;
+class creep_form : public detail::regularised_form<Model, Scalar, 1> {
+    using base = detail::regularised_form<Model, Scalar, 1>;
+    using base::contact_, base::model_;
 
-    creep_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {}
+  public:
+    using base::base, base::n, base::m, base::size;
+    using typename base::force, typename base::position, typename base::state;
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> z = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        const multiplier_vector<S, Model> creep = G * v;
-        multiplier_vector<S, Model> lambda;
-        for (int i = 0; i < m; ++i) lambda[i] = S(contact_.stiffness) * z[i] + S(contact_.damping) * creep[i];
-        f.template head<n>() = v;
-        f.template segment<n>(n) =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - G.transpose() * lambda);
+        const Eigen::Matrix<S, m, n> G = base::G(y);
+        const multiplier_vector<S, Model> creep = G * y.template segment<n>(n);
+        detail::motion<S, Model>(model_, t, y, G, contact_force(y, creep), f);
         f.template tail<m>() = creep;
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
         const S spring(contact_.stiffness), damper(contact_.damping);
-        const multiplier_vector<S, Model> lambda = spring * y.template tail<m>() + damper * (model_.G(q) * v);
-        const acceleration_jacobian<S, Model> d(model_, q, v, lambda, t);
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-        J.template block<n, n>(n, 0) = d.a_q + damper * (d.a_lambda * d.Gv_q);
-        J.template block<n, n>(n, n) = d.a_v + damper * (d.a_lambda * d.G);
-        J.template block<n, m>(n, 2 * n) = spring * d.a_lambda;
+        const multiplier_vector<S, Model> creep = base::G(y) * y.template segment<n>(n);
+        const auto d =
+            base::template derivatives<acceleration_jacobian<S, Model>, S>(t, y, contact_force(y, creep));
+        detail::motion_jacobian(d, 2 * n, J);
+        J.template block<n, n>(n, 0) += damper * (d.a_lambda * d.Gv_q);
+        J.template block<n, n>(n, n) += damper * (d.a_lambda * d.G);
+        J.template block<n, m>(n, 2 * n) *= spring;
         J.template block<m, n>(2 * n, 0) = d.Gv_q;
         J.template block<m, n>(2 * n, n) = d.G;
     }
 
-    Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
-                                                 const coordinate_vector<Scalar, Model>& v,
-                                                 const multiplier_vector<Scalar, Model>& lambda) const {
-        const multiplier_vector<Scalar, Model> z =
-            (lambda - contact_.damping * (model_.G(q) * v)) / contact_.stiffness;
-        Eigen::Matrix<Scalar, size, 1> y;
-        y << q, v, z;
-        return y;
+    state initial_state(const position& q, const position& v, const force& lambda) const {
+        const force z = (lambda - contact_.damping * (model_.G(q) * v)) / contact_.stiffness;
+        return (state() << q, v, z).finished();
     }
-    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y) const {
-        const coordinate_vector<Scalar, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        return contact_.stiffness * y.template tail<m>() + contact_.damping * (model_.G(q) * v);
+    force multiplier(const state& y) const {
+        return contact_force(y, force(base::G(y) * y.template segment<n>(n)));
     }
-    const Model& model() const { return model_; }
-    const stagecraft::contact<Scalar>& contact() const { return contact_; }
 
   private:
-    Model model_;
-    stagecraft::contact<Scalar> contact_;
+    template <class S>
+    multiplier_vector<S, Model> contact_force(const Eigen::Matrix<S, size, 1>& y,
+                                              const multiplier_vector<S, Model>& creep) const {
+        multiplier_vector<S, Model> lambda;
+        for (int i = 0; i < m; ++i)
+            lambda[i] = S(contact_.stiffness) * y[2 * n + i] + S(contact_.damping) * creep[i];
+        return lambda;
+    }
 };
 
 /// Principal damping in the transformed form (3.60) of the thesis, state (q, v, lambda, theta), with
@@ -257,12 +247,15 @@ class creep_form {
 /// a singular perturbation problem in the standard form in e, to which Theorem 6 applies under (3.61).
 /// Made by `principal_damping_transformed`.
 template <mechanical_model Model, class Scalar = double>
-class transformed_form {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + 2 * m;
-    static constexpr int second_order_components = n;
+class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
+    using base = detail::regularised_form<Model, Scalar, 2>;
+    using base::contact_, base::model_;
 
-    transformed_form(Model model, contact<Scalar> k) : model_(std::move(model)), contact_(std::move(k)) {
+  public:
+    using base::n, base::m, base::size;
+    using typename base::force, typename base::position, typename base::state;
+
+    transformed_form(Model model, contact<Scalar> k) : base(std::move(model), std::move(k)) {
         using std::sqrt;
         e_ = contact_.d / contact_.c * sqrt(contact_.epsilon);
         weight_ = contact_.d * contact_.d / contact_.c;
@@ -270,31 +263,23 @@ class transformed_form {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
         const multiplier_vector<S, Model> lambda = y.template segment<m>(2 * n), theta = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        const coordinate_vector<S, Model> a =
-            mass_inverse<S, Model>(model_, q)(force<S>(model_, q, v, t) - G.transpose() * lambda);
-        const multiplier_vector<S, Model> curvature = constraint_curvature(model_, q, v), rest = G * a;
-        f.template head<n>() = v;
-        f.template segment<n>(n) = a;
+        const Eigen::Matrix<S, m, n> G = base::G(y);
+        const auto a = detail::motion<S, Model>(model_, t, y, G, lambda, f);
+        const multiplier_vector<S, Model> rate = base::template creep_rate<S>(y, G, a);
         for (int i = 0; i < m; ++i) {
             const S sum = theta[i] + lambda[i];
-            f[2 * n + i] = (sum + S(weight_) * (curvature[i] + rest[i])) / S(e_);
+            f[2 * n + i] = (sum + S(weight_) * rate[i]) / S(e_);
             f[2 * n + m + i] = -sum / S(e_);
         }
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const hidden_constraint_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
-                                                     y.template segment<m>(2 * n), t);
+        const auto d = base::template derivatives<hidden_constraint_jacobian<S, Model>, S>(
+            t, y, y.template segment<m>(2 * n));
         const S rate = S(1) / S(e_), weight = S(weight_) / S(e_);
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
-        for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-        J.template block<n, n>(n, 0) = d.a_q;
-        J.template block<n, n>(n, n) = d.a_v;
-        J.template block<n, m>(n, 2 * n) = d.a_lambda;
+        detail::motion_jacobian<S, Model>(d, 2 * n, J);
         J.template block<m, n>(2 * n, 0) = weight * d.phi_q;
         J.template block<m, n>(2 * n, n) = weight * d.phi_v;
         J.template block<m, m>(2 * n, 2 * n) = weight * d.phi_lambda;
@@ -306,23 +291,13 @@ class transformed_form {
         }
     }
 
-    Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
-                                                 const coordinate_vector<Scalar, Model>& v,
-                                                 const multiplier_vector<Scalar, Model>& lambda) const {
-        const multiplier_vector<Scalar, Model> theta = weight_ / e_ * (model_.G(q) * v) - lambda;
-        Eigen::Matrix<Scalar, size, 1> y;
-        y << q, v, lambda, theta;
-        return y;
+    state initial_state(const position& q, const position& v, const force& lambda) const {
+        const force theta = weight_ / e_ * (model_.G(q) * v) - lambda;
+        return (state() << q, v, lambda, theta).finished();
     }
-    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y) const {
-        return y.template segment<m>(2 * n);
-    }
-    const Model& model() const { return model_; }
-    const stagecraft::contact<Scalar>& contact() const { return contact_; }
+    force multiplier(const state& y) const { return y.template segment<m>(2 * n); }
 
   private:
-    Model model_;
-    stagecraft::contact<Scalar> contact_;
     Scalar e_{0}, weight_{0};
 };
 

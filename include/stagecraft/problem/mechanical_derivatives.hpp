@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <unsupported/Eigen/AutoDiff>
+#include <utility>
+
+#include <stagecraft/problem/mechanical.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+template <class Dual, class S>
+Dual constant(const S& x) {
+    Dual result;
+    result.value() = x;
+    for (int i = 0; i < result.derivatives().size(); ++i) result.derivatives()[i] = S(0);
+    return result;
+}
+
+template <class Dual, class S, int N>
+Eigen::Matrix<Dual, N, 1> constants(const Eigen::Matrix<S, N, 1>& x) {
+    Eigen::Matrix<Dual, N, 1> result;
+    for (int i = 0; i < N; ++i) result[i] = constant<Dual>(x[i]);
+    return result;
+}
+
+template <class Dual, class S, int N>
+Eigen::Matrix<Dual, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
+    Eigen::Matrix<Dual, N, 1> result = constants<Dual>(x);
+    for (int i = 0; i < N; ++i) result[i].derivatives()[i] = S(1);
+    return result;
+}
+
+}  // namespace detail
+
+/// The acceleration a = M(q)^-1 (F - G^T lambda) with its derivatives, and those of the constraint. By the
+/// implicit function theorem M da = d(F - M a - G^T lambda) with a and lambda held fixed on the right:
+/// automatic differentiation never runs through the factorisation of M.
+template <class S, class Model>
+struct acceleration_jacobian {
+    static constexpr int n = Model::coordinates, m = Model::constraints;
+    coordinate_vector<S, Model> a;
+    Eigen::Matrix<S, m, n> G;
+    Eigen::Matrix<S, n, n> a_q, a_v;
+    Eigen::Matrix<S, n, m> a_lambda;
+    Eigen::Matrix<S, m, n> Gv_q;  ///< d(G(q) v)/dq
+    Eigen::Matrix<S, m, n> Ga_q;  ///< d(G(q) a)/dq with a held fixed
+
+    acceleration_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
+                          const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
+                          const S& t)
+        : G(model.G(q)) {
+        const mass_inverse<S, Model> solve(model, q);
+        a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
+        const dual time = detail::constant<dual>(t);
+        const dual_vector q_moving = detail::variables<dual>(q), q_fixed = detail::constants<dual>(q);
+        const dual_vector v_moving = detail::variables<dual>(v), v_fixed = detail::constants<dual>(v);
+        const dual_vector F_q = force<dual>(model, q_moving, v_fixed, time);
+        const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
+        const Eigen::Matrix<dual, n, n> M = model.M(q_moving);
+        const Eigen::Matrix<dual, m, n> dG = model.G(q_moving);
+        for (int i = 0; i < n; ++i) {
+            coordinate_vector<S, Model> row = F_q[i].derivatives();
+            for (int j = 0; j < n; ++j) row -= a[j] * M(i, j).derivatives();
+            for (int k = 0; k < m; ++k) row -= lambda[k] * dG(k, i).derivatives();
+            a_q.row(i) = row.transpose();
+            a_v.row(i) = F_v[i].derivatives().transpose();
+        }
+        for (int j = 0; j < n; ++j) {
+            a_q.col(j) = solve(a_q.col(j));
+            a_v.col(j) = solve(a_v.col(j));
+        }
+        for (int k = 0; k < m; ++k) {
+            a_lambda.col(k) = -solve(G.row(k).transpose());
+            Gv_q.row(k) = v[0] * dG(k, 0).derivatives().transpose();
+            Ga_q.row(k) = a[0] * dG(k, 0).derivatives().transpose();
+            for (int j = 1; j < n; ++j) {
+                Gv_q.row(k) += v[j] * dG(k, j).derivatives().transpose();
+                Ga_q.row(k) += a[j] * dG(k, j).derivatives().transpose();
+            }
+        }
+    }
+
+  private:
+    using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+    using dual_vector = Eigen::Matrix<dual, n, 1>;
+};
+
+/// The once differentiated constraint Phi = d/dt (G v) = (dG/dt) v + G a, with its derivatives.
+template <class S, class Model>
+struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
+    using acceleration_jacobian<S, Model>::n;
+    using acceleration_jacobian<S, Model>::m;
+    Eigen::Matrix<S, m, n> phi_q, phi_v;
+    multiplier_matrix<S, Model> phi_lambda;  ///< -G M^-1 G^T
+
+    hidden_constraint_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
+                               const coordinate_vector<S, Model>& v,
+                               const multiplier_vector<S, Model>& lambda, const S& t)
+        : acceleration_jacobian<S, Model>(model, q, v, lambda, t) {
+        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+        const multiplier_vector<dual, Model> c_q =
+            constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v));
+        const multiplier_vector<dual, Model> c_v =
+            constraint_curvature<dual>(model, detail::constants<dual>(q), detail::variables<dual>(v));
+        phi_q = this->Ga_q + this->G * this->a_q;
+        phi_v = this->G * this->a_v;
+        phi_lambda = this->G * this->a_lambda;
+        for (int k = 0; k < m; ++k) {
+            phi_q.row(k) += c_q[k].derivatives().transpose();
+            phi_v.row(k) += c_v[k].derivatives().transpose();
+        }
+    }
+};
+
+namespace detail {
+
+/// Writes the rows q' = v, v' = M^-1 (F - G^T lambda) that every form of the equations of motion begins with
+/// into f, y = (q, v, ...); returns v'.
+template <class S, class Model, int Size>
+coordinate_vector<S, Model> motion(const Model& model, const S& t, const Eigen::Matrix<S, Size, 1>& y,
+                                   const Eigen::Matrix<S, Model::constraints, Model::coordinates>& G,
+                                   const multiplier_vector<S, Model>& lambda, Eigen::Matrix<S, Size, 1>& f) {
+    constexpr int n = Model::coordinates;
+    const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
+    const coordinate_vector<S, Model> a =
+        mass_inverse<S, Model>(model, q)(force<S>(model, q, v, t) - G.transpose() * lambda);
+    f.template head<n>() = v;
+    f.template segment<n>(n) = a;
+    return a;
+}
+
+/// Their derivatives in a Jacobian that is zero elsewhere, lambda standing from component `at` on.
+template <class S, class Model, int Size>
+void motion_jacobian(const acceleration_jacobian<S, Model>& d, int at, Eigen::Matrix<S, Size, Size>& J) {
+    constexpr int n = Model::coordinates, m = Model::constraints;
+    J = Eigen::Matrix<S, Size, Size>::Constant(S(0));
+    for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
+    J.template block<n, n>(n, 0) = d.a_q;
+    J.template block<n, n>(n, n) = d.a_v;
+    J.template block<n, m>(n, at) = d.a_lambda;
+}
+
+/// diag(1, ..., 1, 0, ..., 0) with `ones` ones.
+template <class Scalar, int Size>
+Eigen::Matrix<Scalar, Size, Size> leading_identity(int ones) {
+    Eigen::Matrix<Scalar, Size, Size> M = Eigen::Matrix<Scalar, Size, Size>::Constant(Scalar(0));
+    for (int i = 0; i < ones; ++i) M(i, i) = Scalar(1);
+    return M;
+}
+
+/// Index 1 for the first components, 2 from `second` and 3 from `third` on.
+template <int Size>
+std::array<int, Size> index_flags(int second, int third = Size) {
+    std::array<int, Size> flags{};
+    for (int i = 0; i < Size; ++i) flags[i] = i < second ? 1 : i < third ? 2 : 3;
+    return flags;
+}
+
+}  // namespace detail
+
+}  // namespace stagecraft
