@@ -13,6 +13,8 @@ outcome transformation();         ///< figure 4.17: transformed against untransf
 outcome boundary_layers();        ///< figures 4.18-4.21: a perturbed lambda(0)
 outcome regularised_runs();       ///< figures 4.22-4.25: constraint violation and step sizes at eps = 1e-8
 outcome run_times();              ///< figure 4.26: cost of every form against eps
+outcome
+nonholonomic_bodies();  ///< beyond: knife edge, sleigh, rolling ball, F as printed, the disc falling flat
 /// Beyond the thesis: Gauss, Radau IA, Lobatto IIIC, more stages, and which hypothesis fails.
 outcome other_methods();
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <stagecraft/problem/regularised.hpp>
+#include <stdexcept>
+#include <type_traits>
 
 #include "../rolling_disc/disc.hpp"
 #include "solve.hpp"
@@ -11,13 +13,14 @@ namespace {
 using rolling_disc::disc;
 using vector5 = Eigen::Matrix<double, 5, 1>;
 
-const vector5 q0 = rolling_disc::initial_position(), v0 = rolling_disc::initial_velocity();
-
-template <class Problem>
-setup wrapped(const Problem& problem, const Eigen::Vector2d& offset) {
-    const Eigen::Vector2d lambda = stagecraft::consistent_multiplier(disc<>(), q0, v0) + offset;
-    return {erased(problem), problem.initial_state(q0, v0, lambda),
-            [problem](const vector& y) -> Eigen::Vector2d { return problem.multiplier(y); }};
+template <class Scalar, class Problem>
+setup_of<Scalar> wrapped(const Problem& problem, const Eigen::Matrix<Scalar, 2, 1>& offset) {
+    const auto q = rolling_disc::initial_position<Scalar>();
+    const auto v = rolling_disc::initial_velocity<Scalar>();
+    const Eigen::Matrix<Scalar, 2, 1> lambda =
+        stagecraft::consistent_multiplier<Scalar>(disc<Scalar>(), q, v) + offset;
+    return {erased<Scalar>(problem), problem.initial_state(q, v, lambda),
+            [problem](const vector_of<Scalar>& y) { return problem.multiplier(y); }};
 }
 
 }  // namespace
@@ -36,35 +39,45 @@ const char* name(form f) {
     return "";
 }
 
-setup disc_dae() {
-    const auto dae = stagecraft::index_2(disc<>());
-    return {erased(dae), dae.initial_state(q0, v0),
-            [](const vector& y) -> Eigen::Vector2d { return y.tail<2>(); }};
+template <class Scalar>
+setup_of<Scalar> disc_dae() {
+    const auto dae = stagecraft::index_2<Scalar>(disc<Scalar>());
+    return {
+        erased<Scalar>(dae),
+        dae.initial_state(rolling_disc::initial_position<Scalar>(), rolling_disc::initial_velocity<Scalar>()),
+        [](const vector_of<Scalar>& y) { return Eigen::Matrix<Scalar, 2, 1>(y.template tail<2>()); }};
 }
+template setup_of<double> disc_dae();
+template setup_of<long double> disc_dae();
 
 setup disc_reduced() {
     const auto ode = stagecraft::index_reduced(disc<>());
     vector y0(10);
-    y0 << q0, v0;
+    y0 << rolling_disc::initial_position(), rolling_disc::initial_velocity();
     return {erased(ode), y0, [ode](const vector& y) -> Eigen::Vector2d {
                 return ode.multiplier<double>(y.head<5>(), y.tail<5>(), 0.0);
             }};
 }
 
-setup disc_regularised(form f, double eps, double kappa, const Eigen::Vector2d& offset) {
-    const disc<> body;
-    switch (f) {
-        case form::multiplier:
-            return wrapped(stagecraft::regularised_multiplier_form(body, eps, kappa, 2.0, 2.0), offset);
-        case form::creep:
-            return wrapped(stagecraft::regularised_creep_form(body, eps, kappa, 2.0, 2.0), offset);
-        case form::transformed:
-            return wrapped(stagecraft::principal_damping_transformed(body, eps, 2.0, 2.0), offset);
-        case form::mass_matrix:
-            break;
+template <class Scalar>
+setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa,
+                                  const Eigen::Matrix<Scalar, 2, 1>& offset) {
+    const disc<Scalar> body;
+    const Scalar c = 2, d = 2;
+    if constexpr (std::is_same_v<Scalar, double>) {  // the other forms are compared in double only
+        if (f == form::multiplier)
+            return wrapped<Scalar>(stagecraft::regularised_multiplier_form(body, eps, kappa, c, d), offset);
+        if (f == form::creep)
+            return wrapped<Scalar>(stagecraft::regularised_creep_form(body, eps, kappa, c, d), offset);
+        if (f == form::transformed)
+            return wrapped<Scalar>(stagecraft::principal_damping_transformed(body, eps, c, d), offset);
     }
-    return wrapped(stagecraft::regularised(body, eps, kappa, 2.0, 2.0), offset);
+    if (f != form::mass_matrix) throw std::invalid_argument("disc_regularised: this form is for double");
+    return wrapped<Scalar>(stagecraft::regularised<Scalar>(body, eps, kappa, c, d), offset);
 }
+template setup_of<double> disc_regularised(form, double, double, const Eigen::Matrix<double, 2, 1>&);
+template setup_of<long double> disc_regularised(form, long double, long double,
+                                                const Eigen::Matrix<long double, 2, 1>&);
 
 double disc_energy(const vector& y) {
     return stagecraft::total_energy<double>(disc<>(), y.head<5>(), y.segment<5>(5));

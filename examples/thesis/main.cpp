@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
         {"layers", boundary_layers},
         {"regularised", regularised_runs},
         {"times", run_times},
-        {"methods", other_methods}};
+        {"methods", other_methods},
+        {"bodies", nonholonomic_bodies}};
     CLI::App app{"The rolling disc as index-2 system and regularised: the experiments, one page each."};
     bool all = false;
     std::string directory;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "solve.hpp"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
@@ -14,35 +14,53 @@ namespace thesis {
 
 namespace {
 
-const stagecraft::transformed_tableau<double>& tableau_of(family f, int s) {
-    static std::map<std::pair<family, int>, stagecraft::transformed_tableau<double>> known;
-    const auto found = known.find({f, s});
+template <class Scalar>
+const stagecraft::transformed_tableau<Scalar>& tableau_of(const request& how) {
+    using namespace stagecraft::tableaux;
+    static std::map<std::string, stagecraft::transformed_tableau<Scalar>> known;
+    std::string key = std::string(name(how.method)) + std::to_string(how.stages);
+    for (const rational& c : how.nodes) key += " " + c.str();
+    const auto found = known.find(key);
     if (found != known.end()) return found->second;
-    return known.emplace(std::pair{f, s}, stagecraft::tableaux::transformed<double>(f, s)).first->second;
+    return known
+        .emplace(key, how.nodes.empty() ? transformed<Scalar>(how.method, how.stages)
+                                        : transformed<Scalar>(nodal_polynomial::from_nodes(how.nodes),
+                                                              construction::collocation))
+        .first->second;
 }
 
 }  // namespace
 
-trajectory solve(const setup& s, const request& how) {
-    stagecraft::options<double> o;
-    o.rtol = o.atol = how.tolerance;
+template <class Scalar>
+trajectory_of<Scalar> solve(const setup_of<Scalar>& s, const request& how) {
+    stagecraft::options<Scalar> o;
+    o.rtol = o.atol = Scalar(how.tolerance);
     if (how.steps > 0) {
-        o.fixed_step = how.end / static_cast<double>(how.steps);
+        o.fixed_step = Scalar(how.end) / Scalar(how.steps);
         o.newton_iterations = 50;  // equal steps have no smaller step to fall back on
     }
-    trajectory result;
+    trajectory_of<Scalar> result;
     result.path.push_back({0, 0, s.y0});
-    const auto start = std::chrono::steady_clock::now();
-    const auto r = stagecraft::integrate(tableau_of(how.method, how.stages), s.problem, s.y0, 0.0, how.end, o,
-                                         [&](double t, const vector& y, double h) {
-                                             result.path.push_back({t, h, y});
-                                         });
-    const auto stop = std::chrono::steady_clock::now();
-    if (!r.ok()) throw std::runtime_error("a run ended with " + std::string(stagecraft::name(r.status)));
+    const std::clock_t start = std::clock();
+    const auto r =
+        stagecraft::integrate(tableau_of<Scalar>(how), s.problem, s.y0, Scalar(0), Scalar(how.end), o,
+                              [&](Scalar t, const vector_of<Scalar>& y, Scalar h, const auto& output) {
+                                  if constexpr (std::is_same_v<Scalar, double>)
+                                      if (how.watch && !how.watch(t, y, h, {output.t0(), std::cref(output)}))
+                                          return false;
+                                  result.path.push_back({t, h, y});
+                                  return true;
+                              });
+    const std::clock_t stop = std::clock();
+    if (!r.ok() && r.status != stagecraft::status::stopped)
+        throw std::runtime_error("a run ended with " + std::string(stagecraft::name(r.status)));
     result.report = r.report;
-    result.microseconds = std::chrono::duration<double, std::micro>(stop - start).count();
+    result.microseconds = 1e6 * static_cast<double>(stop - start) / CLOCKS_PER_SEC;
     return result;
 }
+
+template trajectory_of<double> solve(const setup_of<double>&, const request&);
+template trajectory_of<long double> solve(const setup_of<long double>&, const request&);
 
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
     double mx = 0, my = 0, xy = 0, xx = 0;
@@ -55,6 +73,12 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
         xx += (std::log(x[k]) - mx) * (std::log(x[k]) - mx);
     }
     return xy / xx;
+}
+
+double last_slope(const std::vector<double>& h, const std::vector<double>& error, double floor) {
+    std::size_t k = error.size() - 1;
+    while (k > 1 && error[k] < floor) --k;
+    return slope({h[k - 1], h[k]}, {error[k - 1], error[k]});
 }
 
 }  // namespace thesis

@@ -4,7 +4,8 @@
 #include <Eigen/Core>
 #include <functional>
 #include <stagecraft/report.hpp>
-#include <stagecraft/tableaux/family.hpp>
+#include <stagecraft/tableaux/nodal.hpp>
+#include <utility>
 #include <vector>
 
 #include "any_problem.hpp"
@@ -12,15 +13,19 @@
 namespace thesis {
 
 using stagecraft::tableaux::family;
-using vector = Eigen::VectorXd;
+template <class Scalar>
+using vector_of = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+using vector = vector_of<double>;
 
 /// A problem ready to run: its initial state, and how to read lambda out of a state (which begins with q,
 /// q').
-struct setup {
-    any_problem problem;
-    vector y0;
-    std::function<Eigen::Vector2d(const vector&)> multiplier;
+template <class Scalar>
+struct setup_of {
+    problem_of<Scalar> problem;
+    vector_of<Scalar> y0;
+    std::function<Eigen::Matrix<Scalar, 2, 1>(const vector_of<Scalar>&)> multiplier;
 };
+using setup = setup_of<double>;
 
 /// The four ways to write the regularised disc (problem/regularised.hpp).
 enum class form { mass_matrix, multiplier, creep, transformed };
@@ -28,41 +33,64 @@ const char* name(form f);
 
 /// The rolling disc as index-2 system, index-reduced, and regularised (c = d = 2 as in the thesis), with
 /// `offset` added to the consistent lambda(0). `transformed` is principal damping, whatever kappa says.
-setup disc_dae();
+/// Scalar is double or long double.
+template <class Scalar = double>
+setup_of<Scalar> disc_dae();
 setup disc_reduced();
-setup disc_regularised(form f, double eps, double kappa, const Eigen::Vector2d& offset = {0, 0});
+template <class Scalar = double>
+setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa,
+                                  const Eigen::Matrix<Scalar, 2, 1>& offset = {0, 0});
 
 /// Total and kinetic energy and constraint G(q) q' of the disc in a state that begins with (q, q').
 double disc_energy(const vector& y);
 double disc_kinetic_energy(const vector& y);
 Eigen::Vector2d disc_constraint(const vector& y);
 
+/// The stage polynomial of a step that began at start.
+struct piece {
+    double start;
+    std::function<vector(double)> at;
+    double t0() const { return start; }
+    vector operator()(double t) const { return at(t); }
+};
+
 /// How to run: adaptive with rtol = atol = tolerance, or with `steps` > 0 equal steps.
 struct request {
     stagecraft::tableaux::family method = family::radau_iia;
     int stages = 3;
+    std::vector<stagecraft::tableaux::rational> nodes{};  ///< collocation on these instead of a family's
     double tolerance = 1e-10;
     long steps = 0;
     double end = 1;
+    /// An observer that may stop the run, e.g. std::ref of a singularity_watch; double only.
+    std::function<bool(double t, const vector& y, double h, const piece&)> watch{};
 };
 
 /// One accepted step.
-struct point {
-    double t, h;
-    vector y;
+template <class Scalar>
+struct point_of {
+    Scalar t, h;
+    vector_of<Scalar> y;
 };
 
 /// A run from t = 0; `path` holds every accepted step, the initial state first.
-struct trajectory {
-    std::vector<point> path;
-    stagecraft::report<double> report;
-    double microseconds = 0;  ///< of this run, recording included
+template <class Scalar>
+struct trajectory_of {
+    std::vector<point_of<Scalar>> path;
+    stagecraft::report<Scalar> report;
+    double microseconds = 0;  ///< processor time of this run, recording included
 };
+using trajectory = trajectory_of<double>;
 
-/// Runs it; throws std::runtime_error with the status if the run does not reach the end.
-trajectory solve(const setup& s, const request& how);
+/// Runs it; throws std::runtime_error with the status if the run neither reaches the end nor is stopped by
+/// its watch.
+template <class Scalar>
+trajectory_of<Scalar> solve(const setup_of<Scalar>& s, const request& how);
 
 /// Slope of the least-squares line through (log x, log y).
 double slope(const std::vector<double>& x, const std::vector<double>& y);
+
+/// Slope between the two smallest steps whose error is above `floor`: below, rounding errors rule.
+double last_slope(const std::vector<double>& h, const std::vector<double>& error, double floor);
 
 }  // namespace thesis

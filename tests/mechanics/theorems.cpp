@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(theorem_7_bounds_the_error_on_a_grid_of_h_and_eps) {
     double worst_y = 0, worst_lambda = 0;
     std::vector<double> h_only;  // the same lambda error over h^5 alone
     for (const double eps : {1e-3, 1e-4, 1e-6, 1e-8}) {
-        const setup s = restarted(disc_regularised(form::multiplier, eps, 1), 0.1);
+        const setup s = restarted(disc_regularised(form::multiplier, eps, 1.0), 0.1);
         const trajectory exact = solve(s, {.stages = 7, .tolerance = 1e-11, .steps = 1280, .end = 0.2});
         for (const long steps : {20, 40, 80, 160}) {
             const trajectory run = solve(s, {.tolerance = 1e-11, .steps = steps, .end = 0.2});

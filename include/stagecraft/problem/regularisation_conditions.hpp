@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <sstream>
+#include <string>
 
 #include <stagecraft/linear/logarithmic_norm.hpp>
 #include <stagecraft/problem/regularised.hpp>
@@ -20,6 +22,20 @@ struct regularisation_conditions {
     bool strong_damping() const { return g_lambda.euclidean < 0; }
     /// Corollary 4 (principal damping), (3.61): -mu(-G M^-1 G^T) > c/d^2, in the Euclidean norm.
     bool principal_damping() const { return -constraint.euclidean > bound; }
+
+    /// Both conditions with the norm they were decided in, and what the 1- and the infinity-norm say.
+    std::string report() const {
+        const auto line = [](const char* what, const logarithmic_norms& mu, double limit, bool holds) {
+            std::ostringstream out;
+            const auto verdict = [&](double x) { return x < limit ? " < " : " >= "; };
+            out << what << (holds ? " holds" : " fails") << " in the Euclidean norm: " << mu.euclidean
+                << verdict(mu.euclidean) << limit << " (1-norm: " << mu.one << verdict(mu.one) << limit
+                << ", infinity-norm: " << mu.infinity << verdict(mu.infinity) << limit << ")\n";
+            return out.str();
+        };
+        return line("mu(g_lambda) < 0", g_lambda, 0, strong_damping()) +
+               line("(3.61) mu(-G M^-1 G^T) < -c/d^2", constraint, -bound, principal_damping());
+    }
 };
 
 /// Evaluates them at q for the spring c and the damper d.
