@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/problem/mass.hpp>
 
 namespace stagecraft {
@@ -15,7 +16,6 @@ typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vect
                                    const typename Vector::Scalar& span) {
     using scalar = typename Vector::Scalar;
     using std::abs;
-    using std::sqrt;
     const int n = static_cast<int>(y.size());
     if (n == 0) return span;
     Vector slope = f;
@@ -25,16 +25,10 @@ typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vect
             if (abs(e.value) > row[e.row]) row[e.row] = abs(e.value);
         for (int i = 0; i < n; ++i) slope[i] = row[i] > scalar(0) ? scalar(f[i] / row[i]) : scalar(0);
     }
-    scalar size(0), change(0);
-    for (int i = 0; i < n; ++i) {
-        const scalar a = y[i] * weights[i], b = slope[i] * weights[i];
-        size += a * a;
-        change += b * b;
-    }
-    size = sqrt(size / scalar(n));
-    change = sqrt(change / scalar(n));
+    scalar size = weighted_norm(y, weights, n);
+    const scalar change = weighted_norm(slope, weights, n);
     if (size < scalar(1)) size = scalar(1);
-    return change * span * scalar(1000) > size ? scalar(size / change / scalar(100)) : scalar(span / 1000);
+    return change * span > size / 1000 ? scalar(size / change / scalar(100)) : scalar(span / 1000);
 }
 
 }  // namespace stagecraft

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/stages/lane_blocks.hpp>
 #include <stagecraft/stages/separate_blocks.hpp>
@@ -239,6 +240,14 @@ class transformed_stages {
             Scalar part = Scalar(0);
             for (int j = 0; j < s; ++j) part += x(i, j) * x(i, j);
             sum += part * (weights[i] * weights[i]);
+        }
+        if (!(sum - sum == Scalar(0))) {  // the squares may have overflowed where the products have not
+            Scalar largest = Scalar(0);
+            for (int j = 0; j < s; ++j) {
+                const Scalar one = weighted_norm(x.col(j), weights, n);
+                if (!(one <= largest)) largest = one;
+            }
+            return largest;
         }
         return n == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n * s)));
     }

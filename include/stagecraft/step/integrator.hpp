@@ -12,6 +12,7 @@
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/control/order.hpp>
 #include <stagecraft/control/predictive.hpp>
+#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/status.hpp>
@@ -140,15 +141,7 @@ class integrator {
             for (int i = 0; i < n_; ++i) scale_[i] = scalar(1) / (options_.atol + options_.rtol * abs(y_[i]));
         }
     }
-    scalar norm(const Vector& x, const Vector& w) const {
-        using std::sqrt;
-        scalar sum = scalar(0);
-        for (int i = 0; i < n_; ++i) {
-            const scalar v = x[i] * w[i];
-            sum += v * v;
-        }
-        return n_ == 0 ? scalar(0) : scalar(sqrt(sum / scalar(n_)));
-    }
+    scalar norm(const Vector& x, const Vector& w) const { return weighted_norm(x, w, n_); }
 
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
     bool start() {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE prothero_robinson
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
+
+// y' = lambda (y - cos t) - sin t, y(0) = 1, solution cos t (Hairer-Wanner II.IV.15).
+
+namespace sc = stagecraft;
+using sc::tableaux::family;
+using enum sc::tableaux::family;
+using V1 = Eigen::Matrix<double, 1, 1>;
+
+namespace {
+
+struct prothero_robinson {
+    double lambda;
+    void operator()(double t, const V1& y, V1& f) const {
+        f[0] = lambda * (y[0] - std::cos(t)) - std::sin(t);
+    }
+    void jacobian(double, const V1&, Eigen::Matrix<double, 1, 1>& J) const { J(0, 0) = lambda; }
+};
+
+using method = sc::transformed_tableau<double>;
+
+double largest_error(const method& m, double lambda, double h) {
+    double worst = 0;
+    const auto look = [&](double t, const V1& y) { worst = std::max(worst, std::abs(y[0] - std::cos(t))); };
+    const auto r = sc::integrate(m, prothero_robinson{lambda}, V1(1.0), 0, 2,
+                                 {.rtol = 1e-15, .atol = 1e-15, .fixed_step = h}, look);
+    BOOST_TEST(r.ok());
+    return worst;
+}
+
+double slope(const method& m, double lambda, double h) {
+    return std::log2(largest_error(m, lambda, h) / largest_error(m, lambda, h / 2));
+}
+
+struct outcome {
+    sc::status status;
+    double worst;  // over the accepted steps, in units of the tolerance
+};
+
+outcome adaptive(const method& m, double lambda, double tol, double t1) {
+    double worst = 0;
+    const auto look = [&](double t, const V1& y) {
+        worst = std::max(worst, std::abs(y[0] - std::cos(t)) / tol);
+    };
+    const auto r =
+        sc::integrate(m, prothero_robinson{lambda}, V1(1.0), 0, t1, {.rtol = tol, .atol = tol}, look);
+    return {r.status, worst};
+}
+
+}  // namespace
+
+// Table IV.15.1: global errors h^{s+1} or h^s (odd and even s) for Gauss, h^s for Radau IA, h^{s+1} / z for
+// Radau IIA, h^s / z for Lobatto IIIC, z = h lambda; the classical orders are 2 s, 2 s - 1, 2 s - 1, 2 s - 2.
+BOOST_AUTO_TEST_CASE(equal_steps_show_the_classical_order_for_lambda_1_and_the_stage_order_for_1e6) {
+    struct expected {
+        family f;
+        int s;
+        double classical, stiff, h;
+    };
+    for (const auto& e : {expected{gauss, 2, 4, 2, 0.05}, expected{gauss, 3, 6, 4, 0.25},
+                          expected{gauss, 4, 8, 4, 0.5}, expected{radau_ia, 2, 3, 2, 0.05},
+                          expected{radau_ia, 3, 5, 3, 0.1}, expected{radau_iia, 2, 3, 2, 0.05},
+                          expected{radau_iia, 3, 5, 3, 0.1}, expected{radau_iia, 4, 7, 4, 0.25},
+                          expected{lobatto_iiic, 3, 4, 2, 0.05}, expected{lobatto_iiic, 4, 6, 3, 0.25}}) {
+        BOOST_TEST_CONTEXT(name(e.f) << " s = " << e.s) {
+            const method m = sc::tableaux::transformed<double>(e.f, e.s);
+            BOOST_TEST(std::abs(slope(m, -1, e.h) - e.classical) < 0.25);
+            BOOST_TEST(std::abs(slope(m, -1e6, e.h) - e.stiff) < 0.25);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(stiffly_accurate_methods_meet_the_tolerance_for_every_lambda) {
+    struct bound {
+        family f;
+        int s;
+        double factor;
+    };
+    for (const auto& b : {bound{radau_iia, 1, 50}, bound{radau_iia, 2, 50}, bound{radau_iia, 3, 20},
+                          bound{radau_iia, 5, 20}, bound{radau_iia, 7, 20}, bound{radau_iia, 9, 20},
+                          bound{lobatto_iiic, 3, 50}, bound{lobatto_iiic, 4, 20}}) {
+        const method m = sc::tableaux::transformed<double>(b.f, b.s);
+        for (const double tol : {1e-4, 1e-7, 1e-10})
+            for (int k = 0; k <= 16; ++k) {
+                if (b.s == 1 && tol < 1e-5) continue;
+                const auto r = adaptive(m, -std::pow(10.0, k), tol, 10);
+                BOOST_TEST_CONTEXT(name(b.f) << " s = " << b.s << " tol = " << tol << " lambda = -1e" << k) {
+                    BOOST_TEST(sc::name(r.status) == "success");
+                    BOOST_TEST(r.worst < b.factor);
+                }
+            }
+    }
+}
+
+// Without stiff accuracy every error of the stage order is seen at the end of the step, and small steps are
+// all that helps. Where they meet rounding (|lambda| eps is no longer small against the tolerance) the run
+// says so; it never passes off a worse answer.
+BOOST_AUTO_TEST_CASE(methods_that_are_not_stiffly_accurate_meet_it_or_say_that_they_do_not) {
+    for (const auto& [f, s] :
+         {std::pair{gauss, 1}, std::pair{gauss, 2}, std::pair{gauss, 3}, std::pair{gauss, 4},
+          std::pair{gauss, 5}, std::pair{radau_ia, 2}, std::pair{radau_ia, 3}, std::pair{radau_ia, 5}}) {
+        const method m = sc::tableaux::transformed<double>(f, s);
+        for (const double tol : {1e-4, 1e-6, 1e-8})
+            for (int k = 0; k <= 16; ++k) {
+                if (tol < 1e-7 && s < 3) continue;
+                const auto r = adaptive(m, -std::pow(10.0, k), tol, 1);
+                BOOST_TEST_CONTEXT(name(f) << " s = " << s << " tol = " << tol << " lambda = -1e" << k) {
+                    if (k <= 6) BOOST_TEST(sc::name(r.status) == "success");
+                    BOOST_TEST(r.worst < 20);
+                }
+            }
+    }
+}
+
+// The check of the stiff part costs solves, not evaluations: where nothing is stiff the steps are those of
+// the classical order.
+BOOST_AUTO_TEST_CASE(a_problem_that_is_not_stiff_keeps_the_steps_of_its_order) {
+    const auto steps = [](double tol) {
+        const method m = sc::tableaux::transformed<double>(radau_iia, 5);
+        return sc::integrate(m, prothero_robinson{-1}, V1(1.0), 0, 10, {.rtol = tol, .atol = tol})
+            .report.steps;
+    };
+    // Order 9 and an error of rtol: steps grow by 10^{1/10} a decade; by the estimate alone 10^{1/6}.
+    BOOST_TEST(static_cast<double>(steps(1e-12)) < 3.5 * static_cast<double>(steps(1e-6)));
+}
