@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace stagecraft {
+
+/// An observer that keeps the solution at given times:
+///
+///     output_times<Vector3d> table({0, 0.1, 1, 10});
+///     integrate(method, problem, y0, 0, 10, options, table);     // then table.y(i) at table.time(i)
+///
+/// The values are those of the continuous solution within the steps (dense_output.hpp says of which order),
+/// and of the accepted states where a step ends at the time. The run takes the same steps as without it.
+/// Storage: n numbers per time, taken before the first step; twice that with derivatives.
+template <class Vector>
+class output_times {
+  public:
+    using scalar = typename Vector::Scalar;
+    using matrix = Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic>;
+
+    /// The times in the order of the run, equal ones allowed; with_derivatives keeps y' too. Throws
+    /// std::invalid_argument if they are not in order or one of them is not finite.
+    explicit output_times(std::vector<scalar> times, bool with_derivatives = false)
+        : times_(std::move(times)), with_derivatives_(with_derivatives) {
+        bool up = true, down = true;
+        for (std::size_t i = 0; i < times_.size(); ++i) {
+            if (!(times_[i] - times_[i] == scalar(0)))
+                throw std::invalid_argument("output_times: times must be finite");
+            up = up && (i == 0 || times_[i - 1] <= times_[i]);
+            down = down && (i == 0 || times_[i - 1] >= times_[i]);
+        }
+        if (!up && !down) throw std::invalid_argument("output_times: times must be in order");
+    }
+
+    /// How many times the run has reached: all of them after a success, fewer where it ended early.
+    int filled() const { return filled_; }
+    const scalar& time(int i) const { return times_.at(static_cast<std::size_t>(i)); }
+    /// y at time(i), i < filled(); std::out_of_range otherwise.
+    auto y(int i) const { return y_.col(checked(i)); }
+    /// y' at time(i); std::out_of_range also where no derivatives were asked for.
+    auto derivative(int i) const {
+        if (!with_derivatives_) throw std::out_of_range("output_times: no derivatives were asked for");
+        return derivatives_.col(checked(i));
+    }
+    /// One column per time reached.
+    auto values() const { return y_.leftCols(filled_); }
+
+    /// Throws std::invalid_argument if a time is outside of [t0, t1], if they are not in the order of the
+    /// run, or if derivatives are asked of a run without a step.
+    void start(const scalar& t0, const Vector& y0, const scalar& t1) {
+        backwards_ = t1 < t0;
+        filled_ = 0;
+        for (std::size_t i = 0; i < times_.size(); ++i) {
+            if (after(t0, times_[i]) || after(times_[i], t1))
+                throw std::invalid_argument("output_times: times must be between t0 and t1");
+            if (i > 0 && after(times_[i - 1], times_[i]))
+                throw std::invalid_argument("output_times: times must be in the order of the run");
+        }
+        if (with_derivatives_ && t0 == t1 && !times_.empty())
+            throw std::invalid_argument("output_times: a run from t0 to t0 has no derivatives");
+        const auto columns = static_cast<Eigen::Index>(times_.size());
+        y_.resize(y0.size(), columns);
+        derivatives_.resize(y0.size(), with_derivatives_ ? columns : 0);
+        if (t0 == t1)
+            for (; filled_ < columns; ++filled_) y_.col(filled_) = y0;
+    }
+
+    template <class Output>
+    void operator()(const scalar& t, const Vector& y, const scalar&, const Output& output) {
+        for (; filled_ < static_cast<int>(times_.size()) && !after(time(filled_), t); ++filled_) {
+            const scalar& at = time(filled_);
+            y_.col(filled_) = at == t ? y : output(at);
+            if (with_derivatives_) derivatives_.col(filled_) = output.derivative(at);
+        }
+    }
+
+    /// A run that an event has ended earlier reaches fewer times.
+    template <class Result>
+    void conclude(const Result& r) {
+        while (filled_ > 0 && after(time(filled_ - 1), r.t)) --filled_;
+    }
+
+  private:
+    bool after(const scalar& t, const scalar& u) const { return backwards_ ? t < u : t > u; }
+    Eigen::Index checked(int i) const {
+        if (i < 0 || i >= filled_) throw std::out_of_range("output_times: the run has not reached this time");
+        return i;
+    }
+
+    std::vector<scalar> times_;
+    bool with_derivatives_, backwards_ = false;
+    int filled_ = 0;
+    matrix y_, derivatives_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include <stagecraft/dense_output.hpp>
+
+namespace stagecraft {
+
+/// An observer that keeps the continuous solution of a whole run:
+///
+///     solution<Vector3d> y;
+///     integrate(method, problem, y0, t0, t1, options, y);        // then y(t), y.derivative(t)
+///
+/// Continuous over the steps, of the order that dense_output.hpp says; for y and algebraic components alike.
+/// Where two steps meet the earlier one answers, whose polynomial satisfies the equation at its end if the
+/// method is stiffly accurate. Storage: n (d + 1) + 2 numbers per step, d the degree of its polynomial;
+/// lookup by bisection, O(log steps) + O(n d).
+template <class Vector>
+class solution {
+  public:
+    using scalar = typename Vector::Scalar;
+
+    /// The interval that the run has covered.
+    const scalar& t0() const { return t0_; }
+    const scalar& t1() const { return t1_; }
+    int steps() const { return static_cast<int>(pieces_.size()); }
+
+    /// y(t). Throws std::out_of_range naming t if it is not between t0() and t1() or no run was made.
+    Vector operator()(const scalar& t) const {
+        demand_inside(t);
+        Vector y = y0_;
+        if (t == t0_) return y;
+        const piece& p = find(t);
+        const auto& nodes = nodes_[p.nodes];
+        const auto values = numbers(p, nodes.size);
+        basis_values<scalar, dynamic> l(nodes.size);
+        nodes.basis((t - p.t0) / p.h, l.data());
+        y = values.col(0);
+        for (int j = 0; j < nodes.size; ++j) y += l[j] * values.col(j + 1);
+        return y;
+    }
+
+    /// y'(t), one order less. Throws like operator(), and where the run has made no step.
+    Vector derivative(const scalar& t) const {
+        demand_inside(t);
+        if (pieces_.empty()) throw std::out_of_range("solution: a run without a step has no derivative");
+        const piece& p = find(t);
+        const auto& nodes = nodes_[p.nodes];
+        const auto values = numbers(p, nodes.size);
+        basis_values<scalar, dynamic> l(nodes.size);
+        nodes.basis_derivative((t - p.t0) / p.h, l.data());
+        Vector slope = Vector::Zero(y0_.size());
+        for (int j = 0; j < nodes.size; ++j) slope += (l[j] / p.h) * values.col(j + 1);
+        return slope;
+    }
+
+    void start(const scalar& t0, const Vector& y0, const scalar& t1) {
+        pieces_.clear();
+        numbers_.clear();
+        nodes_.clear();
+        sources_.clear();
+        t0_ = t1_ = t0;
+        y0_ = y0;
+        backwards_ = t1 < t0;
+        started_ = true;
+    }
+
+    template <class Output>
+    void operator()(const scalar& t, const Vector&, const scalar&, const Output& output) {
+        pieces_.push_back({output.t0_, output.h_, t, numbers_.size(), nodes_of(*output.nodes_)});
+        const auto append = [&](const auto& x) {
+            numbers_.insert(numbers_.end(), x.data(), x.data() + x.size());
+        };
+        append(output.y0_);
+        append(output.z_.middleCols(output.nodes_->first_column, output.nodes_->size));
+        t1_ = t;
+    }
+
+    /// A run that an event has ended earlier covers less.
+    template <class Result>
+    void conclude(const Result& r) {
+        if (after(t1_, r.t)) t1_ = r.t;
+        while (!pieces_.empty() && !after(t1_, pieces_.back().t0)) pieces_.pop_back();
+    }
+
+  private:
+    struct piece {
+        scalar t0, h, t1;
+        std::size_t first;  ///< where its numbers begin
+        std::size_t nodes;
+    };
+
+    bool after(const scalar& t, const scalar& u) const { return backwards_ ? t < u : t > u; }
+
+    /// The nodes of a method outlive the run here; those of a step are known by where the run keeps them.
+    template <class Nodes>
+    std::size_t nodes_of(const Nodes& nodes) {
+        for (std::size_t k = sources_.size(); k-- > 0;)
+            if (sources_[k] == &nodes) return k;
+        interpolation_nodes<scalar, dynamic> copy(nodes.size);
+        copy.size = nodes.size;
+        std::copy_n(nodes.c.begin(), nodes.size, copy.c.begin());
+        std::copy_n(nodes.omega.begin(), nodes.size, copy.omega.begin());
+        nodes_.push_back(copy);
+        sources_.push_back(&nodes);
+        return nodes_.size() - 1;
+    }
+
+    auto numbers(const piece& p, int degree) const {
+        using matrix = Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic>;
+        return Eigen::Map<const matrix>(numbers_.data() + p.first, y0_.size(), degree + 1);
+    }
+
+    /// The step with t in (its t0, its t1], or the first one.
+    const piece& find(const scalar& t) const {
+        return *std::lower_bound(pieces_.begin(), pieces_.end(), t,
+                                 [this](const piece& p, const scalar& u) { return after(u, p.t1); });
+    }
+
+    void demand_inside(const scalar& t) const {
+        if (started_ && !after(t0_, t) && !after(t, t1_) && t == t) return;
+        std::ostringstream message;
+        message.precision(std::numeric_limits<scalar>::max_digits10);
+        message << "solution: t = " << t;
+        if (started_)
+            message << " is not between " << t0_ << " and " << t1_;
+        else
+            message << " asked for before a run was made";
+        throw std::out_of_range(message.str());
+    }
+
+    std::vector<piece> pieces_;
+    std::vector<scalar> numbers_;
+    std::vector<interpolation_nodes<scalar, dynamic>> nodes_;
+    std::vector<const void*> sources_;
+    scalar t0_{0}, t1_{0};
+    Vector y0_;
+    bool backwards_ = false, started_ = false;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/integrate.hpp>
+
+namespace stagecraft {
+
+/// One accepted step as it is met in a loop; t, y and output refer to the run and are valid until the next
+/// one.
+template <class Vector, class Output>
+struct step_view {
+    const typename Vector::Scalar& t;  ///< the end of the step
+    const Vector& y;                   ///< the state there
+    typename Vector::Scalar h;         ///< negative when time runs backwards
+    const Output& output;              ///< the continuous solution over the step
+};
+
+/// The accepted steps of a run, taken while the loop asks for them; made by steps(). See there.
+template <class Method, class Problem, class Vector>
+class step_range {
+    using run_type = integrator<Method, std::remove_reference_t<Problem>, Vector>;
+
+  public:
+    using scalar = typename Vector::Scalar;
+    using value_type = step_view<Vector, typename run_type::output_type>;
+
+    class iterator {
+      public:
+        using value_type = typename step_range::value_type;
+        using difference_type = std::ptrdiff_t;
+        using iterator_concept = std::input_iterator_tag;
+
+        iterator() = default;
+        explicit iterator(step_range* range) : range_(range) {}
+        value_type operator*() const { return range_->current(); }
+        iterator& operator++() {
+            range_->advance();
+            return *this;
+        }
+        void operator++(int) { ++*this; }
+        friend bool operator==(const iterator& i, std::default_sentinel_t) { return i.at_end(); }
+
+      private:
+        bool at_end() const { return !range_->has_step_; }
+
+        step_range* range_ = nullptr;
+    };
+
+    step_range(const Method& method, Problem&& problem, const Vector& y0, const scalar& t0, const scalar& t1,
+               const options<scalar>& o)
+        : problem_(std::forward<Problem>(problem)), run_(method, problem_, y0, t0, t1, o) {}
+
+    /// Takes the first step; later calls go on where the loop before has left off.
+    iterator begin() {
+        if (!begun_) advance();
+        return iterator(this);
+    }
+    std::default_sentinel_t end() const { return {}; }
+
+    const scalar& t() const { return run_.t(); }
+    const Vector& y() const { return run_.y(); }
+    /// success when t1 was reached, stopped where the loop was left before, else why there are no more steps.
+    stagecraft::status status() const {
+        if (resized_) return status::size_changed;
+        return run_.finished() ? run_.status() : status::stopped;
+    }
+    const stagecraft::report<scalar>& report() const { return run_.counts(); }
+
+  private:
+    void advance() {
+        begun_ = true;
+        has_step_ = false;
+        try {
+            has_step_ = run_.step();
+        } catch (const size_change&) {
+            resized_ = true;
+        }
+    }
+    value_type current() const { return {run_.t(), run_.y(), run_.output().step(), run_.output()}; }
+
+    Problem problem_;
+    run_type run_;
+    bool begun_ = false, has_step_ = false, resized_ = false;
+};
+
+/// A run as a range over its steps, for loops that want to decide themselves:
+///
+///     auto run = steps(method, problem, y0, t0, t1, options);
+///     for (const auto& step : run)
+///         if (step.y[0] < 0) break;                              // then run.t(), run.status(), run.report()
+///
+/// An input range, so the algorithms of std::ranges take it (as an lvalue). Arguments and errors as for
+/// integrate(), except that what the problem throws leaves the loop. An observer is called by hand:
+/// watch(step.t, step.y, step.h, step.output).
+template <class Method, class Problem, class Derived>
+requires right_hand_side < std::remove_reference_t<Problem>,
+typename Derived::PlainObject >
+    step_range<Method, Problem, typename Derived::PlainObject> steps(
+        const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
+        std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
+        const options<typename Derived::Scalar>& o = {}) {
+    return {method, std::forward<Problem>(problem), y0, t0, t1, o};
+}
+
+}  // namespace stagecraft
