@@ -11,7 +11,9 @@ namespace stagecraft {
 
 /// The nodes of a stage polynomial besides theta = 0, in the order of the columns that hold its values, with
 /// omega_j = 1 / (c_j prod_{m != j} (c_j - c_m)), so that the Lagrange basis on {0, c_1, ...} is
-/// l_j(x) = omega_j x prod_{m != j} (x - c_m): no division, and exact at the nodes.
+/// l_j(x) = omega_j x prod_{m != j} (x - c_m): no division, and exact at the nodes. A node c_j = 0 doubles
+/// the node 0: its column holds the slope there, h u'(t0), as l_j(x) = omega_j x prod (x - c_m) with slope 1
+/// is Hermite's function.
 template <class Scalar, int MaxStages>
 struct interpolation_nodes {
     workspace<Scalar, MaxStages> c, omega;
@@ -23,7 +25,7 @@ struct interpolation_nodes {
 
     void finish() {
         for (int j = 0; j < size; ++j) {
-            Scalar product = c[j];
+            Scalar product = c[j] == Scalar(0) ? Scalar(1) : c[j];
             for (int m = 0; m < size; ++m)
                 if (m != j) product *= c[j] - c[m];
             omega[j] = Scalar(1) / product;
@@ -106,11 +108,17 @@ class dense_output {
 
     /// u'(t), one order less than u.
     Vector derivative(const scalar& t) const {
-        Vector result = Vector::Zero(y0_.size());
+        Vector result(y0_.size());
+        evaluate_derivative(t, result);
+        return result;
+    }
+    /// The same into a vector that has its size already.
+    template <class Result>
+    void evaluate_derivative(const scalar& t, Result&& result) const {
+        result.setZero();
         basis_values<scalar, MaxStages> l(nodes_->size);
         nodes_->basis_derivative((t - t0_) / h_, l.data());
         for (int j = 0; j < nodes_->size; ++j) result += (l[j] / h_) * z_.col(nodes_->first_column + j);
-        return result;
     }
 
     // What a stepper fills in; z holds z_i = Y_i - y0 in its columns.

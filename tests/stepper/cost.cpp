@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE cost
+#include "methods.hpp"
+
 #include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
@@ -83,6 +85,16 @@ BOOST_AUTO_TEST_CASE(a_step_of_a_fixed_size_problem_allocates_nothing) {
 BOOST_AUTO_TEST_CASE(a_step_of_a_dense_dynamic_problem_allocates_nothing) {
     BOOST_TEST(allocations_after_warm_up(sc::radau_iia<3>(), Eigen::VectorXd(Eigen::Vector2d(2, -0.66))) ==
                0);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_a_plain_tableau_allocates_nothing) {
+    const Eigen::VectorXd y0 = Eigen::Vector2d(2, -0.66);
+    BOOST_TEST(allocations_after_warm_up(methods::sdirk_4_3(), y0) == 0);
+    BOOST_TEST(allocations_after_warm_up(methods::tr_bdf2(), y0) == 0);
+    BOOST_TEST(allocations_after_warm_up(methods::dormand_prince(), y0) == 0);
+    auto coupled = methods::lobatto_iiia_3();
+    coupled.b_embedded = Eigen::Vector3d(0.5, 0, 0.5);
+    BOOST_TEST(allocations_after_warm_up(coupled, y0) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(an_allocation_would_be_seen) {

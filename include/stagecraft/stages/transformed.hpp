@@ -10,32 +10,11 @@
 #include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/stages/lane_blocks.hpp>
+#include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/separate_blocks.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
-
-/// How an attempt to solve the stage equations ended.
-enum class newton_end { converged, diverged, non_finite };
-
-template <class Scalar>
-struct newton_outcome {
-    newton_end end = newton_end::diverged;
-    int iterations = 0;
-    Scalar theta{0};  ///< observed contraction; 0 if one iteration was enough to know
-};
-
-/// What the iteration is told: it stops when the error left in Z is below `factor` in the weighted norm, in
-/// which the tolerance is 1. `floor` is the size of an increment that is only rounding;
-/// below `noise` an iteration that no longer contracts has met rounding too. The contraction is
-/// measured in every step, so at least two iterations are made: trusting that of the step before saves one of
-/// them and was seen to cost Robertson's problem three digits, as the error left over is a drift of one sign.
-template <class Scalar>
-struct newton_limits {
-    Scalar factor, floor, noise;
-    int iterations;
-    bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
-};
 
 /// The stage equations sum_j (A^-1)_ij M z_j = h f(t + c_i h, y + z_i) of a method with regular A, solved by
 /// simplified Newton in the variables W = (T^-1 (x) I) Z, where they fall into one real system per real
@@ -101,12 +80,10 @@ class transformed_stages {
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                  const vector& weights, const newton_limits<Scalar>& limits, StageMatrix& Z,
                                  long& solves) {
-        using std::sqrt;
         const int s = stages();
-        newton_outcome<Scalar> outcome;
+        newton_monitor<Scalar> monitor(limits);
         mix(T_inverse_.data(), Z.data(), W_.data());
-        Scalar last = Scalar(0);
-        for (int k = 0; k < limits.iterations; ++k) {
+        while (monitor.may_go_on()) {
             for (int i = 0; i < s; ++i) {
                 yi_ = y + Z.col(i);
                 system(t + method_.c[i] * h, yi_, fi_);
@@ -115,38 +92,14 @@ class transformed_stages {
             residual(system.mass());
             blocks_.solve(F_.data());
             ++solves;
-            ++outcome.iterations;
             W_ += F_;
             mix(T_.data(), F_.data(), D_.data());
             const Scalar size = norm(D_, weights);
-            if (!(size - size == Scalar(0))) {
-                outcome.end = newton_end::non_finite;
-                return outcome;
-            }
-            for (int i = 0; i < s; ++i) Z.col(i) += D_.col(i);
-            if (size <= limits.floor || limits.affine) {
-                outcome.end = newton_end::converged;
-                return outcome;
-            }
-            if (k > 0) {
-                const Scalar rate = size / last;
-                outcome.theta = k == 1 ? rate : Scalar(sqrt(rate * outcome.theta));
-                if (size <= limits.noise && rate > Scalar(1) / 4) {
-                    outcome.end = newton_end::converged;
-                    return outcome;
-                }
-                if (!(outcome.theta < Scalar(99) / 100)) return outcome;
-                const Scalar left = size * outcome.theta / (Scalar(1) - outcome.theta);
-                if (left <= limits.factor) {
-                    outcome.end = newton_end::converged;
-                    return outcome;
-                }
-                // Give up at once if the iterations that remain cannot reach the goal at the observed rate.
-                if (left * power(outcome.theta, limits.iterations - 1 - k) > limits.factor) return outcome;
-            }
-            last = size;
+            if (size - size == Scalar(0))
+                for (int i = 0; i < s; ++i) Z.col(i) += D_.col(i);
+            if (monitor.over(size)) break;
         }
-        return outcome;
+        return monitor.outcome();
     }
 
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
@@ -185,12 +138,6 @@ class transformed_stages {
             return Stages % 2;
         else
             return static_cast<int>(method_.gamma.size());
-    }
-
-    static Scalar power(Scalar x, int k) {
-        Scalar result = Scalar(1);
-        for (; k > 0; --k) result *= x;
-        return result;
     }
 
     /// Column k of out := sum_j C_kj column j of in, C row by row.

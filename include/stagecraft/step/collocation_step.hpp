@@ -91,8 +91,26 @@ class collocation_step {
     int order() const { return order_; }
     /// The estimate is O(h^q) with this q.
     int estimate_power() const { return jump_ ? count() : count() + 1; }
-    /// True if the estimate uses f at the left end of the step.
-    bool needs_left_value() const { return !jump_; }
+    /// What an estimate of 1 stands for, tolerances being 1: the estimate is O(h^q), the error O(h^{p+1}),
+    /// and an estimate of 0.1 rtol^{q/(p+1)} stands for an error of about rtol (Hairer-Wanner 1999, "Stiff
+    /// differential equations solved by Radau methods").
+    Scalar estimate_ratio(const Scalar& rtol) const {
+        using std::pow;
+        const Scalar e = Scalar(estimate_power()) / Scalar(order() + 1);
+        return e < Scalar(1) ? Scalar(10 * pow(rtol, Scalar(1) - e)) : Scalar(10);
+    }
+    /// True if the step uses f at its left end: for the estimate.
+    bool needs_left_value(bool fixed) const { return !fixed && !jump_; }
+
+    // What other steps may do without, or need besides.
+    static constexpr bool implicit() { return true; }
+    static constexpr int error_solves() { return 1; }
+    int coupled_stages_count() const { return count(); }
+    int columns() const { return count(); }
+    template <class System>
+    void prepare(const System&, bool) {}
+    void begin(const vector&) {}
+    void accepted() {}
 
     /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
     /// in that step this one starts: at its end (1), or together with it (0).

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <stagecraft/report.hpp>
-#include <stagecraft/stages/transformed.hpp>
+#include <stagecraft/stages/newton.hpp>
 
 namespace stagecraft {
 
@@ -22,7 +22,7 @@ bool solve_by_continuation(Step& method, System& system, const Scalar& t, const 
                            newton_outcome<Scalar>& newton) {
     if (system.constant_jacobian()) return false;
     limits.iterations *= 8;  // far from the solution the first iterations contract slowly
-    typename Step::output reached(static_cast<int>(y.size()), method.count());
+    typename Step::output reached(static_cast<int>(y.size()), method.columns());
     typename Step::vector point = y, f = y, negligible = y;
     for (int i = 0; i < y.size(); ++i) negligible[i] = Scalar(1) / (weights[i] * Scalar(1000));
     Scalar known(0), target = Scalar(1) / 2;  // parts of h: solved, and to be solved next

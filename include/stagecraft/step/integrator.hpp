@@ -51,7 +51,7 @@ class integrator {
           scale_(n_),
           weights_(n_),
           negligible_(n_),
-          outputs_{output_type(n_, largest_count()), output_type(n_, largest_count())} {
+          outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())} {
         validate(o, n_);
         const auto finite = [](const scalar& x) { return x - x == scalar(0); };
         if (!finite(t0)) throw std::invalid_argument("integrate: t0 must be finite");
@@ -60,8 +60,8 @@ class integrator {
             if (!finite(y0[i])) throw std::invalid_argument("integrate: y0 must be finite");
         f0_.setZero();
         set_scale();
-        for (int k = 0; k < method_count<Method>; ++k) set_tolerances(k);
         if (o.fixed_step > scalar(0)) plan_equal_steps();
+        for (int k = 0; k < method_count<Method>; ++k) set_tolerances(k);
     }
     integrator(const integrator&) = delete;
     integrator& operator=(const integrator&) = delete;
@@ -96,9 +96,9 @@ class integrator {
     decltype(auto) visit_current(F&& f) {
         return detail::visit_at(steps_, order_.current(), std::forward<F>(f));
     }
-    int largest_count() {
+    int largest_columns() {
         int most = 0;
-        std::apply([&](auto&... m) { ((most = m.count() > most ? m.count() : most), ...); }, steps_);
+        std::apply([&](auto&... m) { ((most = m.columns() > most ? m.columns() : most), ...); }, steps_);
         return most;
     }
     bool fixed() const { return equal_steps_ > 0; }
@@ -118,13 +118,10 @@ class integrator {
         h_ = (t1_ - t_) / scalar(equal_steps_);
     }
 
-    /// The estimate is O(h^q), the error O(h^{p+1}): an estimate of 0.1 rtol^{q/(p+1)} stands for an error of
-    /// about rtol (Hairer-Wanner 1999, "Stiff differential equations solved by Radau methods").
     void set_tolerances(int k) {
-        using std::pow;
         detail::visit_at(steps_, k, [&](auto& m) {
-            const scalar e = scalar(m.estimate_power()) / scalar(m.order() + 1);
-            ratio_[k] = e < scalar(1) ? scalar(10 * pow(options_.rtol, scalar(1) - e)) : scalar(10);
+            m.prepare(system_, fixed());
+            ratio_[k] = m.estimate_ratio(options_.rtol);
             if constexpr (variable) order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k]});
         });
     }
@@ -148,10 +145,9 @@ class integrator {
         using std::abs;
         started_ = true;
         bool left = false;
-        visit_current([&](auto& m) { left = m.needs_left_value(); });
-        need_left_ =
-            (!fixed() && (left || options_.initial_step == scalar(0))) || system_type::finite_difference;
-        if (need_left_ || has_second_order_components<Problem>) {
+        visit_current([&](auto& m) { left = this->needs_left_value(m); });
+        if (left || (!fixed() && options_.initial_step == scalar(0)) ||
+            has_second_order_components<Problem>) {
             system_(t_, y_, f0_);
             const scalar size = norm(f0_, scale_);
             if (!(size - size == scalar(0))) return end(status::non_finite) == attempt_end::accepted;
@@ -178,6 +174,12 @@ class integrator {
     attempt_end accept(Step& method, const scalar& h, const scalar& t_next, output_type& now);
     template <class Step>
     void propose(Step& method, const scalar& h, const scalar& err);
+
+    template <class Step>
+    bool needs_left_value(const Step& method) const {
+        return method.needs_left_value(fixed()) ||
+               (system_type::finite_difference && method.implicit() && (!fixed() || want_jacobian_));
+    }
 
     /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
     newton_limits<scalar> newton_limits_for(int s) {
@@ -233,7 +235,7 @@ class integrator {
     scalar h_{0}, factored_h_{0}, theta_{0};
     int factored_order_ = 0, iterations_ = 0, failures_ = 0;
     long equal_steps_ = 0, attempts_ = 0;
-    bool started_ = false, need_left_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
+    bool started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
          fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
@@ -244,7 +246,8 @@ template <class Step>
 auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
     using std::abs;
     const scalar eps = std::numeric_limits<scalar>::epsilon();
-    const int s = method.count();
+    const int s = method.coupled_stages_count();
+    const bool implicit = method.implicit();
     for (;;) {
         if (attempts_++ >= options_.max_steps) return end(status::too_many_steps);
         scalar h = h_, t_next = t_;
@@ -267,8 +270,10 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         weights_ = scale_;
         system_.weigh_by_index(weights_, h);
 
-        if (want_jacobian_) refresh_jacobian(h);
-        if (!factored_ || factored_h_ != h || factored_order_ != order_.current()) {
+        if (implicit && want_jacobian_) refresh_jacobian(h);
+        if (!implicit) {
+            factored_ = true;
+        } else if (!factored_ || factored_h_ != h || factored_order_ != order_.current()) {
             ++report_.factorisations;
             factored_ = method.stages().factor(system_, h);
             factored_h_ = h;
@@ -276,6 +281,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         }
         newton_outcome<scalar> newton;
         if (factored_) {
+            method.begin(f0_);
             method.guess(has_output_ && failures_ < 2 ? &outputs_[current_] : nullptr, y_, h, now);
             newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
                                            report_.solves);
@@ -290,7 +296,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             ++report_.rejected_newton;
             ++failures_;
             last_was_rejected_ = true;
-            if (!fresh_jacobian_ && !system_.constant_jacobian()) {
+            if (implicit && !fresh_jacobian_ && !system_.constant_jacobian()) {
                 want_jacobian_ = true;
                 continue;
             }
@@ -317,12 +323,12 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         };
         scalar err = error_size();
         if (err >= scalar(1) && (report_.steps == 0 || last_was_rejected_)) {
-            ++report_.error_solves;
+            report_.error_solves += method.error_solves();
             method.estimate_again(system_, t_, y_, h, now, y1_, error_);
             method.advance(y_, now, y1_);
             err = error_size();
         }
-        ++report_.error_solves;
+        report_.error_solves += method.error_solves();
         if (err < scalar(1)) {
             propose(method, h, err);
             return accept(method, h, t_next, now);
@@ -353,6 +359,7 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     for (int i = 0; i < n_; ++i)
         if (!(y1_[i] - y1_[i] == scalar(0))) return end(status::non_finite);
     method.finish(t_, y_, h, y1_, now);
+    method.accepted();
     current_ = 1 - current_;
     has_output_ = true;
     t_ = t_next;
@@ -369,7 +376,7 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     set_scale();
     if (t_ == t1_) return attempt_end::accepted;
     want_jacobian_ = theta_ > scalar(1) / 1000 && !system_.constant_jacobian();
-    if (need_left_ && (!fixed() || want_jacobian_)) system_(t_, y_, f0_);
+    if (needs_left_value(method)) system_(t_, y_, f0_);
     return attempt_end::accepted;
 }
 
@@ -378,7 +385,7 @@ template <class Method, class Problem, class Vector>
 template <class Step>
 void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h, const scalar& err) {
     using std::abs;
-    const int most = usual_iterations(method.count());
+    const int most = usual_iterations(method.coupled_stages_count());
     const scalar safety = scalar(9) / scalar(10) * scalar(2 * most + 1) / scalar(2 * most + iterations_);
     scalar factor = controller_.after_accepted(h, err, method.estimate_power(), safety);
     if (last_was_rejected_ && factor > scalar(1)) factor = scalar(1);
@@ -393,7 +400,8 @@ void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h,
         }
     }
     // Keep the factors while the gain from a new step size is small.
-    if (theta_ <= scalar(1) / 1000 && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
+    if (method.implicit() && theta_ <= scalar(1) / 1000 && factor >= scalar(1) && factor <= scalar(6) / 5)
+        factor = scalar(1);
     h_ = h * factor;
     if (options_.max_step > scalar(0) && abs(h_) > options_.max_step)
         h_ = options_.max_step * scalar(direction_);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <stagecraft/step/collocation_step.hpp>
+#include <stagecraft/step/tableau_step.hpp>
 
 namespace stagecraft {
 
@@ -24,37 +25,50 @@ template <class Scalar, int Stages>
 std::tuple<transformed_tableau<Scalar, Stages>> as_tuple(const transformed_tableau<Scalar, Stages>& m) {
     return std::tuple<transformed_tableau<Scalar, Stages>>(m);
 }
+template <class Scalar, int Stages>
+std::tuple<tableau<Scalar, Stages>> as_tuple(const tableau<Scalar, Stages>& m) {
+    return std::tuple<tableau<Scalar, Stages>>(m);
+}
 template <class... Methods>
 const std::tuple<Methods...>& as_tuple(const variable_order<Methods...>& m) {
     return m.methods;
 }
 
+/// The step that serves a method, and the columns its continuous solution may need.
+template <class Method>
+struct step_for;
 template <class Scalar, int Stages>
-constexpr int stages_of(const transformed_tableau<Scalar, Stages>*) {
-    return Stages;
-}
+struct step_for<transformed_tableau<Scalar, Stages>> {
+    static constexpr int columns = Stages;
+    template <int N, int Max, class Blocks>
+    using type = collocation_step<Scalar, N, Stages, Max, Blocks>;
+};
+template <class Scalar, int Stages>
+struct step_for<tableau<Scalar, Stages>> {
+    static constexpr int columns = Stages < 0 || Stages > 3 ? Stages : 3;
+    template <int N, int Max, class Blocks>
+    using type = tableau_step<Scalar, N, Stages, Max, Blocks>;
+};
 
 template <class Tuple, int N, class Blocks>
 struct steps_of;
 template <class First, class... Rest, int N, class Blocks>
 struct steps_of<std::tuple<First, Rest...>, N, Blocks> {
     using scalar = typename First::scalar;
-    static constexpr int first_stages = stages_of(static_cast<First*>(nullptr));
     static constexpr bool any_dynamic =
-        first_stages < 0 || ((stages_of(static_cast<Rest*>(nullptr)) < 0) || ...);
+        step_for<First>::columns < 0 || ((step_for<Rest>::columns < 0) || ...);
     static constexpr int max_stages =
-        any_dynamic ? dynamic : std::max({first_stages, stages_of(static_cast<Rest*>(nullptr))...});
-    using type = std::tuple<
-        collocation_step<scalar, N, first_stages, max_stages, Blocks>,
-        collocation_step<scalar, N, stages_of(static_cast<Rest*>(nullptr)), max_stages, Blocks>...>;
+        any_dynamic ? dynamic : std::max({step_for<First>::columns, step_for<Rest>::columns...});
+    using type = std::tuple<typename step_for<First>::template type<N, max_stages, Blocks>,
+                            typename step_for<Rest>::template type<N, max_stages, Blocks>...>;
     static type make(const std::tuple<First, Rest...>& methods, int n) {
         return std::apply([n](const auto&... m) { return type(make_one(m, n)...); }, methods);
     }
 
   private:
-    template <int Stages>
-    static auto make_one(const transformed_tableau<scalar, Stages>& m, int n) {
-        return collocation_step<scalar, N, Stages, max_stages, Blocks>(m, n);
+    template <class Method>
+    static auto make_one(const Method& m, int n) {
+        return typename step_for<Method>::template type<N, max_stages, Blocks>(m, n);
     }
 };
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/problem/mass.hpp>
+
+namespace stagecraft {
+
+/// Solves M x = r for a regular mass matrix, which explicit stages need: nothing for the identity, one
+/// product per component for a diagonal M, else one factorisation in the structure of the Jacobian, made once
+/// in a run.
+template <class Scalar, class Blocks>
+class mass_solver {
+  public:
+    /// False if M is singular, or so near to it that the solutions would be rounding.
+    template <class System>
+    bool prepare(const System& system) {
+        if constexpr (!System::mass_type::identity) {
+            const int n = system.size();
+            bool diagonal = true;
+            for (const auto& e : system.mass().entries()) diagonal = diagonal && e.row == e.column;
+            if (diagonal) {
+                reciprocal_.assign(static_cast<std::size_t>(n), Scalar(0));
+                for (const auto& e : system.mass().entries()) reciprocal_[e.row] = Scalar(1) / e.value;
+                return static_cast<int>(system.mass().entries().size()) == n;
+            }
+            auto zero = system.jacobian();
+            zero.setZero();
+            block_.emplace(n);
+            return factor_shifted(*block_, system.mass(), zero, Scalar(1)) && well_conditioned(system);
+        }
+        return true;
+    }
+
+    /// x := M^-1 x, on n contiguous numbers.
+    void solve(Scalar* x) {
+        if (block_) block_->solve(x);
+        for (std::size_t i = 0; i < reciprocal_.size(); ++i) x[i] *= reciprocal_[i];
+    }
+
+  private:
+    /// What M^-1 makes of a vector without special direction, compared with what M makes of it at most.
+    template <class System>
+    bool well_conditioned(const System& system) {
+        using std::abs;
+        const int n = system.size();
+        std::vector<Scalar> x(static_cast<std::size_t>(n)), rows(static_cast<std::size_t>(n), Scalar(0));
+        for (int i = 0; i < n; ++i) x[i] = (i % 2 == 0 ? Scalar(1) : Scalar(-1)) + Scalar(i) / Scalar(2 * n);
+        solve(x.data());
+        Scalar largest(0), norm(0);
+        for (const auto& e : system.mass().entries()) rows[e.row] += abs(e.value);
+        for (int i = 0; i < n; ++i) {
+            if (!(abs(x[i]) <= largest)) largest = abs(x[i]);
+            if (rows[i] > norm) norm = rows[i];
+        }
+        return largest * norm * Scalar(n) * std::numeric_limits<Scalar>::epsilon() < Scalar(1);
+    }
+
+    std::vector<Scalar> reciprocal_;
+    std::optional<typename Blocks::real> block_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+
+namespace stagecraft {
+
+/// How an attempt to solve the stage equations ended.
+enum class newton_end { converged, diverged, non_finite };
+
+template <class Scalar>
+struct newton_outcome {
+    newton_end end = newton_end::diverged;
+    int iterations = 0;
+    Scalar theta{0};  ///< observed contraction; 0 if one iteration was enough to know
+};
+
+/// What the iteration is told: it stops when the error left in Z is below `factor` in the weighted norm, in
+/// which the tolerance is 1. `floor` is the size of an increment that is only rounding;
+/// below `noise` an iteration that no longer contracts has met rounding too. The contraction is
+/// measured in every step, so at least two iterations are made: trusting that of the step before saves one of
+/// them and was seen to cost Robertson's problem three digits, as the error left over is a drift of one sign.
+template <class Scalar>
+struct newton_limits {
+    Scalar factor, floor, noise;
+    int iterations;
+    bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
+};
+
+/// Watches a simplified Newton iteration by the sizes of its increments and says when it is over.
+template <class Scalar>
+class newton_monitor {
+  public:
+    explicit newton_monitor(const newton_limits<Scalar>& limits) : limits_(limits) {}
+
+    const newton_outcome<Scalar>& outcome() const { return outcome_; }
+    /// True while the limits allow another iteration.
+    bool may_go_on() const { return outcome_.iterations < limits_.iterations; }
+
+    /// Takes the size of the increment just made; true if the iteration ends with it (outcome().end).
+    bool over(const Scalar& size) {
+        using std::sqrt;
+        const int k = outcome_.iterations++;
+        if (!(size - size == Scalar(0))) return end(newton_end::non_finite);
+        if (size <= limits_.floor || limits_.affine) return end(newton_end::converged);
+        if (k > 0) {
+            const Scalar rate = size / last_;
+            Scalar& theta = outcome_.theta;
+            theta = k == 1 ? rate : Scalar(sqrt(rate * theta));
+            if (size <= limits_.noise && rate > Scalar(1) / 4) return end(newton_end::converged);
+            if (!(theta < Scalar(99) / 100)) return end(newton_end::diverged);
+            const Scalar left = size * theta / (Scalar(1) - theta);
+            if (left <= limits_.factor) return end(newton_end::converged);
+            // Give up at once if the iterations that remain cannot reach the goal at the observed rate.
+            if (left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
+                return end(newton_end::diverged);
+        }
+        last_ = size;
+        return false;
+    }
+
+  private:
+    bool end(newton_end how) {
+        outcome_.end = how;
+        return true;
+    }
+    static Scalar power(const Scalar& x, int k) {
+        Scalar result = Scalar(1);
+        for (; k > 0; --k) result *= x;
+        return result;
+    }
+    newton_limits<Scalar> limits_;
+    newton_outcome<Scalar> outcome_;
+    Scalar last_{0};
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/stages/newton.hpp>
+#include <stagecraft/stages/stage_slopes.hpp>
+
+namespace stagecraft {
+
+/// The stages of an explicit or diagonally implicit method, one after the other. A stage with a_ii = 0 costs
+/// one evaluation of f (and a solve with M), an implicit one a simplified Newton iteration on z_i = Y_i - y
+/// with the matrix M/(h a_ii) - J, which is factored once per distinct diagonal entry and (J, h): once for
+/// SDIRK and ESDIRK methods. All storage is taken in the constructor.
+template <class Scalar, int N, int Stages, class Blocks>
+class sequential_stages {
+  public:
+    using slopes = stage_slopes<Scalar, N, Stages, Blocks>;
+    using vector = typename slopes::vector;
+
+    /// With `unused` true no block is made and no other member may be called.
+    sequential_stages(const tableau<Scalar, Stages>& m, int n, bool unused)
+        : n_(n), r_(n), z_(n), d_(n), yi_(n), fi_(n), last_(n) {
+        if (unused) return;
+        for (int i = 0; i < m.stages(); ++i) {
+            const Scalar a = m.A(i, i);
+            int k = -1;
+            if (!(a == Scalar(0))) {
+                for (k = 0; k < static_cast<int>(diagonal_.size()) && !(diagonal_[k] == a);) ++k;
+                if (k == static_cast<int>(diagonal_.size())) {
+                    diagonal_.push_back(a);
+                    blocks_.emplace_back(n);
+                }
+            }
+            block_.push_back(k);
+        }
+        shift_.resize(diagonal_.size());
+    }
+
+    bool implicit() const { return !diagonal_.empty(); }
+    /// Y_s of the last solve.
+    const vector& last_stage() const { return last_; }
+
+    /// Factors M/(h a) - J for every distinct diagonal entry a; false if one is singular or not finite.
+    template <class System>
+    bool factor(const System& system, const Scalar& h) {
+        for (std::size_t k = 0; k < blocks_.size(); ++k) {
+            shift_[k] = Scalar(1) / (h * diagonal_[k]);
+            if (!factor_shifted(blocks_[k], system.mass(), system.jacobian(), shift_[k])) return false;
+        }
+        return true;
+    }
+
+    /// Computes the slopes; Z brings first guesses of z_i in its columns (if v.guessed) and takes the z_i of
+    /// implicit stages. The outcome is that of the stage with the slowest iteration.
+    template <class System, class StageMatrix>
+    newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
+                                 const vector& weights, const newton_limits<Scalar>& limits, slopes& v,
+                                 StageMatrix& Z, long& solves) {
+        const auto& m = v.method;
+        const int s = m.stages();
+        newton_outcome<Scalar> slowest{newton_end::converged, 1};
+        for (int i = v.left_stage ? 1 : 0; i < s; ++i) {
+            v.combine([&](int j) { return m.A(i, j); }, i, h, r_);
+            if (block_[i] < 0) {
+                yi_ = y + r_;
+                system(t + m.c[i] * h, yi_, fi_);
+                v.mass.solve(fi_.data());
+                v.k.col(i) = fi_;
+                if (implicit()) Z.col(i) = r_;
+                if (!finite(fi_)) {
+                    slowest.end = newton_end::non_finite;
+                    return slowest;
+                }
+                if (i == s - 1) last_ = yi_;
+                continue;
+            }
+            if (v.guessed) {
+                z_ = Z.col(i);
+            } else if (i > 0 && block_[i - 1] >= 0) {
+                z_ = r_ + (h * m.A(i, i)) * v.k.col(i - 1);
+            } else {
+                z_.setZero();
+            }
+            const newton_outcome<Scalar> outcome = iterate(system, t, y, h, weights, limits, v, i, solves);
+            if (outcome.iterations > slowest.iterations) slowest.iterations = outcome.iterations;
+            if (outcome.theta > slowest.theta) slowest.theta = outcome.theta;
+            if (outcome.end != newton_end::converged) {
+                slowest.end = outcome.end;
+                return slowest;
+            }
+            Z.col(i) = z_;
+            v.k.col(i) = shift_[block_[i]] * (z_ - r_);
+            if (i == s - 1) last_ = y + z_;
+        }
+        return slowest;
+    }
+
+    /// x := (M - h a J)^-1 (M x + extra value), a the first non-zero diagonal entry: the filter of an
+    /// embedded estimate, which leaves it alone where h J is small and bounded where it is large.
+    template <class System>
+    void filter(const System& system, vector& x, const vector& value, const Scalar& factor) {
+        r_ = (shift_[0] * factor) * value;
+        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
+        blocks_[0].solve(r_.data());
+        x = r_;
+    }
+
+  private:
+    template <class System>
+    newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
+                                   const vector& weights, const newton_limits<Scalar>& limits,
+                                   const slopes& v, int i, long& solves) {
+        const int b = block_[i];
+        newton_monitor<Scalar> monitor(limits);
+        while (monitor.may_go_on()) {
+            yi_ = y + z_;
+            system(t + v.method.c[i] * h, yi_, fi_);
+            d_ = r_ - z_;
+            add_mass_times(system.mass(), shift_[b], d_.data(), fi_.data(), n_);
+            if (v.by_value) fi_ -= v.carry[i] * v.left;
+            blocks_[b].solve(fi_.data());
+            ++solves;
+            z_ += fi_;
+            if (monitor.over(norm(fi_, weights))) break;
+        }
+        return monitor.outcome();
+    }
+
+    Scalar norm(const vector& x, const vector& weights) const {
+        using std::sqrt;
+        Scalar sum = Scalar(0);
+        for (int i = 0; i < n_; ++i) sum += (x[i] * weights[i]) * (x[i] * weights[i]);
+        return n_ == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n_)));
+    }
+    bool finite(const vector& x) const {
+        Scalar sum = Scalar(0);
+        for (int i = 0; i < n_; ++i) sum += x[i] - x[i];
+        return sum == Scalar(0);
+    }
+
+    int n_;
+    std::vector<Scalar> diagonal_, shift_;  // distinct non-zero a_ii and 1/(h a_ii)
+    std::vector<int> block_;                // of each stage, -1 for an explicit one
+    std::vector<typename Blocks::real> blocks_;
+    vector r_, z_, d_, yi_, fi_, last_;
+};
+
+}  // namespace stagecraft

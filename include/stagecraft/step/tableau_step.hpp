@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+
+#include <stagecraft/dense_output.hpp>
+#include <stagecraft/problem/system.hpp>
+#include <stagecraft/stages/coupled.hpp>
+#include <stagecraft/stages/sequential.hpp>
+#include <stagecraft/step/order_conditions.hpp>
+#include <stagecraft/step/stage_output.hpp>
+#include <stagecraft/step/tableau_structure.hpp>
+
+namespace stagecraft {
+
+/// One step of a method given by its tableau alone. What A looks like decides how the stages are solved:
+/// lower triangular (explicit, DIRK, SDIRK, ESDIRK) one after the other, else coupled. A first stage that is
+/// the left end of the step takes the slope of the last stage of the step before where the last row of A is b
+/// (FSAL), and f(t, y) else.
+///
+/// Error estimate: h sum_j (b_j - b_embedded_j) k_j, of order min(p, p_embedded) + 1; for an implicit method
+/// filtered with its own matrix, (M - h a J)^-1 M, which bounds it for stiff components and carries it over
+/// to algebraic ones (Hairer-Wanner II.IV.8). A method without embedded weights has none: fixed steps only.
+///
+/// A singular M is served where A is regular, and where it is so without a first stage at the left end if the
+/// method is stiffly accurate.
+template <class Scalar, int N, int Stages, int MaxStages, class Blocks>
+class tableau_step {
+  public:
+    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using method_type = tableau<Scalar, Stages>;
+    using output = dense_output<vector, MaxStages>;
+
+    tableau_step(const method_type& method, int n)
+        : v_(checked(method), n),
+          is_(structure_of(method, v_.carry)),
+          sequential_(method, n, !is_.lower),
+          coupled_(method, n, is_.left_stage ? 1 : 0, is_.lower),
+          output_(method.stages()),
+          difference_(method.stages()),
+          left_slope_(n),
+          next_value_(n) {
+        const int s = method.stages();
+        v_.left_stage = is_.left_stage;
+        order_ = classical_order(method);
+        if (method.b_embedded.size() > 0) {
+            const int most = order_ < largest_tree_order ? order_ : largest_tree_order;
+            power_ = order_by_trees(method, method.b_embedded, most) + 1;
+            for (int j = 0; j < s; ++j) difference_[j] = method.b[j] - method.b_embedded[j];
+        }
+        left_slope_.setZero();
+    }
+
+    /// Looks at what the run asks of the method: std::invalid_argument where it has no embedded weights for
+    /// adaptive steps, or cannot serve a singular mass matrix.
+    template <class System>
+    void prepare(const System& system, bool fixed) {
+        if (!fixed && power_ == 0)
+            throw std::invalid_argument(
+                "integrate: method has no embedded weights to estimate errors with; use options.fixed_step");
+        if constexpr (!System::mass_type::identity) {
+            if ((is_.left_stage || !is_.regular) && !v_.mass.prepare(system)) {
+                if (!is_.regular || !is_.stiffly_accurate)
+                    throw std::invalid_argument(
+                        "integrate: problem.mass() is singular, which method cannot serve: it needs a "
+                        "regular "
+                        "A, or a last row equal to b and a regular A without its first stage");
+                v_.by_value = true;
+            }
+        }
+        filtered_ = is_.lower ? sequential_.implicit() : is_.regular && is_.stiffly_accurate;
+        output_.prepare(v_.method, is_.first_same_as_last(), v_.by_value);
+    }
+
+    tableau_step& stages() { return *this; }
+    int count() const { return v_.method.stages(); }
+    /// Stages that one Newton iteration solves for together.
+    int coupled_stages_count() const { return is_.lower ? 1 : count(); }
+    /// Columns that the z of the continuous solution needs.
+    int columns() const { return output_.columns(count()); }
+    int order() const { return order_; }
+    /// The estimate is O(h^q) with this q.
+    int estimate_power() const { return power_; }
+    /// Embedded weights estimate the error of the step itself, not of one of higher order.
+    Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
+    /// False if no stage needs a Jacobian.
+    bool implicit() const { return !is_.lower || sequential_.implicit(); }
+    /// True if the next step uses f at its left end.
+    bool needs_left_value(bool) const { return is_.left_stage && !left_known_; }
+
+    template <class System>
+    bool factor(const System& system, const Scalar& h) {
+        return is_.lower ? sequential_.factor(system, h) : coupled_.factor(system, h, v_);
+    }
+
+    template <class System>
+    newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
+                                 const vector& weights, const newton_limits<Scalar>& limits,
+                                 typename output::stage_matrix& Z, long& solves) {
+        const auto outcome = is_.lower ? sequential_.solve(system, t, y, h, weights, limits, v_, Z, solves)
+                                       : coupled_.solve(system, t, y, h, weights, limits, v_, Z, solves);
+        if (v_.by_value) {
+            const int last = count() - 1;
+            next_value_ = v_.carry[last] * v_.left;
+            left_slope_ = v_.k.col(last);
+            add_mass_times(system.mass(), Scalar(1), left_slope_.data(), next_value_.data(), system.size());
+        }
+        return outcome;
+    }
+
+    /// A step begins: f0 = f(t, y) where needs_left_value().
+    void begin(const vector& f0) {
+        if (!needs_left_value(true)) return;
+        if (v_.by_value) {
+            v_.left = f0;
+        } else {
+            left_slope_ = f0;
+            v_.mass.solve(left_slope_.data());
+        }
+    }
+
+    /// First guess: the continuous solution of the step before, extrapolated. `from` says where in that step
+    /// this one starts: at its end (1), or together with it (0).
+    void guess(const output* before, const vector& y, const Scalar& h, output& now,
+               const Scalar& from = Scalar(1)) {
+        h_ = h;
+        if (is_.left_stage && !v_.by_value) v_.k.col(0) = left_slope_;
+        v_.guessed = before != nullptr && implicit();
+        if (!v_.guessed) return;
+        const auto& old = *before->nodes_;
+        basis_values<Scalar, MaxStages> l(old.size);
+        for (int i = is_.left_stage ? 1 : 0; i < count(); ++i) {
+            const Scalar x = from + v_.method.c[i] * h / before->h_;
+            if (is_.lower) {
+                old.basis(x, l.data());
+                now.z_.col(i) = before->y0_ - y;
+                for (int j = 0; j < old.size; ++j)
+                    now.z_.col(i) += l[j] * before->z_.col(old.first_column + j);
+            } else {
+                old.basis_derivative(x, l.data());
+                v_.k.col(i).setZero();
+                for (int j = 0; j < old.size; ++j)
+                    v_.k.col(i) += (l[j] / before->h_) * before->z_.col(old.first_column + j);
+            }
+        }
+    }
+
+    /// y1 := the new state.
+    void advance(const vector& y, const output&, vector& y1) {
+        if (is_.lower && is_.stiffly_accurate) {
+            y1 = sequential_.last_stage();
+        } else {
+            v_.combine([&](int j) { return v_.method.b[j]; }, count(), h_, y1);
+            y1 += y;
+        }
+    }
+
+    /// Makes `now` the continuous solution of the accepted step from (t, y) to y1.
+    void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) {
+        output_.finish(t, y, h, y1, v_, now);
+    }
+    /// The slope at the end of the step becomes that of the next one's left end.
+    void accepted() {
+        left_known_ = is_.first_same_as_last();
+        if (v_.by_value) {
+            v_.left = next_value_;
+        } else if (left_known_) {
+            left_slope_ = v_.k.col(count() - 1);
+        }
+    }
+
+    /// error := the estimate.
+    template <class System>
+    void estimate(const System& system, const Scalar& h, const vector&, const output&, vector& error) {
+        v_.combine([&](int j) { return difference_[j]; }, count(), h, error);
+        if (!filtered_) return;
+        const Scalar factor = v_.by_value ? Scalar(h * difference_.dot(v_.carry)) : Scalar(0);
+        if (is_.lower) {
+            sequential_.filter(system, error, v_.left, factor);
+        } else {
+            coupled_.filter(system, error, v_.left, factor);
+        }
+    }
+    /// Nothing is gained by filtering once more.
+    template <class System>
+    void estimate_again(System&, const Scalar&, const vector&, const Scalar&, const output&, vector&,
+                        vector&) {}
+    /// Size of the estimate, which needs no correction for order reduction: it is one of y1 itself.
+    template <class System, class Size>
+    Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,
+                      Size&& size) const {
+        return size(error, false) * ratio;
+    }
+    /// Sets of linear systems that an estimate costs.
+    int error_solves() const { return filtered_ ? 1 : 0; }
+
+  private:
+    stage_slopes<Scalar, N, Stages, Blocks> v_;
+    tableau_structure is_;
+    sequential_stages<Scalar, N, Stages, Blocks> sequential_;
+    coupled_stages<Scalar, N, Stages, Blocks> coupled_;
+    stage_output<Scalar, N, Stages, MaxStages> output_;
+    Eigen::Matrix<Scalar, Stages, 1> difference_;  // b - b_embedded
+    vector left_slope_, next_value_;               // k_1 of the next step, or M k_1 where that is kept
+    Scalar h_{0};
+    bool left_known_ = false, filtered_ = false;
+    int order_ = 0, power_ = 0;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <stagecraft/step/order_conditions.hpp>
+#include <stagecraft/tableau.hpp>
+
+namespace stagecraft {
+
+/// What the zeros of a tableau say about how its stages are solved.
+struct tableau_structure {
+    bool lower = true;        ///< A is lower triangular: explicit, DIRK, SDIRK, ESDIRK
+    bool left_stage = false;  ///< the first stage is the left end of the step (first row of A, c_1 zero)
+    bool stiffly_accurate = false;  ///< last row of A equals b and c_s = 1, so that y1 = Y_s
+    bool regular = false;           ///< A without a left end is regular
+
+    /// The last stage of a step is the first one of the next.
+    bool first_same_as_last() const { return left_stage && stiffly_accurate; }
+};
+
+/// Looks at the entries; zero means zero. `carry` takes 1, -A_r^-1 a_1 where there is a left stage, a_1 being
+/// the rest of the first column and A_r that of A, and A_r is regular (to s sqrt(eps) of its entries), else
+/// zeros.
+template <class Scalar, int Stages>
+tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<Scalar, Stages, 1>& carry) {
+    using std::abs;
+    const int s = m.stages();
+    tableau_structure is;
+    is.left_stage = m.c[0] == Scalar(0);
+    is.stiffly_accurate = m.c[s - 1] == Scalar(1);
+    Scalar largest(0);
+    for (int i = 0; i < s; ++i)
+        for (int j = 0; j < s; ++j) {
+            if (j > i && !(m.A(i, j) == Scalar(0))) is.lower = false;
+            if (i == 0 && !(m.A(i, j) == Scalar(0))) is.left_stage = false;
+            if (i == s - 1 && !(m.A(i, j) == m.b[j])) is.stiffly_accurate = false;
+            if (abs(m.A(i, j)) > largest) largest = abs(m.A(i, j));
+        }
+    const int first = is.left_stage ? 1 : 0, n = s - first;
+    std::vector<Scalar> a(static_cast<std::size_t>(n * n)), x(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+        x[i] = is.left_stage ? Scalar(-m.A(first + i, 0)) : Scalar(0);
+        for (int j = 0; j < n; ++j) a[i + j * n] = m.A(first + i, first + j);
+    }
+    carry.setZero(s);
+    is.regular = n > 0;
+    for (int k = 0; k < n && is.regular; ++k) {
+        int p = k;
+        for (int i = k + 1; i < n; ++i)
+            if (abs(a[i + k * n]) > abs(a[p + k * n])) p = i;
+        is.regular = abs(a[p + k * n]) > detail::condition_tolerance<Scalar>() / Scalar(1000) * largest;
+        if (!is.regular) break;
+        std::swap(x[k], x[p]);
+        for (int j = 0; j < n; ++j) std::swap(a[k + j * n], a[p + j * n]);
+        for (int i = k + 1; i < n; ++i) {
+            const Scalar f = a[i + k * n] / a[k + k * n];
+            x[i] -= f * x[k];
+            for (int j = k + 1; j < n; ++j) a[i + j * n] -= f * a[k + j * n];
+        }
+    }
+    if (is.left_stage && is.regular) {
+        carry[0] = Scalar(1);
+        for (int k = n - 1; k >= 0; --k) {
+            for (int j = k + 1; j < n; ++j) x[k] -= a[k + j * n] * x[j];
+            x[k] /= a[k + k * n];
+            carry[first + k] = x[k];
+        }
+    }
+    return is;
+}
+
+/// The method itself, if its parts fit together, its entries are finite and its weights those of a consistent
+/// method; otherwise std::invalid_argument that names the part.
+template <class Scalar, int Stages>
+const tableau<Scalar, Stages>& checked(const tableau<Scalar, Stages>& m) {
+    const auto demand = [](bool good, const char* what) {
+        if (!good) throw std::invalid_argument(what);
+    };
+    const auto s = m.b.size(), e = m.b_embedded.size();
+    demand(s > 0, "integrate: method must have at least one stage");
+    demand(m.A.rows() == s && m.A.cols() == s, "integrate: method.A must be s x s with s the size of b");
+    demand(m.c.size() == s, "integrate: method.c must have the size of b");
+    demand(e == 0 || e == s, "integrate: method.b_embedded must be empty or have the size of b");
+    Scalar defect(0), embedded(0), difference(0);  // finite only if every entry is
+    for (Eigen::Index i = 0; i < s; ++i) {
+        defect += (m.b[i] - m.b[i]) + (m.c[i] - m.c[i]);
+        for (Eigen::Index j = 0; j < s; ++j) defect += m.A(i, j) - m.A(i, j);
+        if (e == 0) continue;
+        using std::abs;
+        defect += m.b_embedded[i] - m.b_embedded[i];
+        embedded += m.b_embedded[i];
+        difference += abs(m.b_embedded[i] - m.b[i]);
+    }
+    demand(defect == Scalar(0), "integrate: method must have finite entries");
+    demand(quadrature_conditions(m, 1) == 1, "integrate: method.b must sum to one");
+    demand(e == 0 || detail::holds(embedded, Scalar(1)), "integrate: method.b_embedded must sum to one");
+    demand(e == 0 || difference > Scalar(0), "integrate: method.b_embedded must differ from b");
+    return m;
+}
+
+}  // namespace stagecraft
