@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <stagecraft/linear/banded_matrix.hpp>
+#include <stagecraft/work.hpp>
 
 namespace stagecraft {
 
@@ -78,6 +79,13 @@ concept has_constant_jacobian = requires(Problem& p) {
 template <class Problem>
 concept has_second_order_components = requires {
     { Problem::second_order_components } -> std::convertible_to<int>;
+};
+
+/// Optional: `problem.measure(work)` returns an object that lives as long as that work takes
+/// (problem/time_split.hpp).
+template <class Problem>
+concept has_stopwatch = requires(Problem& p) {
+    p.measure(work::f);
 };
 
 }  // namespace stagecraft

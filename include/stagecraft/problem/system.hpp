@@ -43,6 +43,17 @@ auto make_jacobian(Problem& problem, int n) {
     }
 }
 
+/// Lives as long as the run does, and measures it if the problem asks for it.
+template <class Problem>
+struct run_time {
+    explicit run_time(Problem&) {}
+};
+template <has_stopwatch Problem>
+struct run_time<Problem> {
+    decltype(std::declval<Problem&>().measure(work::run)) lap;
+    explicit run_time(Problem& problem) : lap(problem.measure(work::run)) {}
+};
+
 template <class Problem, class Matrix>
 struct blocks_for : default_blocks<Matrix> {};
 template <class Problem, class Matrix>
@@ -77,6 +88,7 @@ class system {
 
     system(Problem& problem, const Vector& y0, report<scalar>& r)
         : problem_(problem),
+          run_time_(problem),
           report_(r),
           n_(static_cast<int>(y0.size())),
           mass_(make_mass<scalar>(problem, n_)),
@@ -115,10 +127,21 @@ class system {
     const mass_type& mass() const { return mass_; }
     const matrix& jacobian() const { return J_; }
 
+    /// Does what `f` does, timed if the problem asks for it.
+    template <class F>
+    decltype(auto) measure([[maybe_unused]] work kind, F&& f) const {
+        if constexpr (has_stopwatch<Problem>) {
+            [[maybe_unused]] const auto lap = problem_.measure(kind);
+            return f();
+        } else {
+            return f();
+        }
+    }
+
     /// f(t, y), counted.
     void operator()(const scalar& t, const Vector& y, Vector& f) {
         ++report_.f;
-        problem_(t, y, f);
+        measure(work::f, [&] { problem_(t, y, f); });
         if constexpr (size_at_compile_time == Eigen::Dynamic)
             if (f.size() != n_) throw size_change{};
     }
@@ -127,13 +150,14 @@ class system {
     void evaluate_jacobian(const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible) {
         ++report_.jacobians;
         if constexpr (analytic) {
-            problem_.jacobian(t, y, J_);
+            measure(work::jacobian, [&] { problem_.jacobian(t, y, J_); });
             if constexpr (size_at_compile_time == Eigen::Dynamic)
                 if (J_.rows() != n_ || J_.cols() != n_) throw size_change{};
         } else if constexpr (automatic) {
-            report_.f_jacobian += engine_(problem_, t, y, f0, J_);
+            report_.f_jacobian += measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, J_); });
         } else {
-            report_.f_jacobian += engine_(problem_, t, y, f0, negligible, J_);
+            report_.f_jacobian +=
+                measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, negligible, J_); });
         }
     }
 
@@ -186,6 +210,7 @@ class system {
                                               finite_difference_jacobian<scalar, size_at_compile_time>>>>;
 
     Problem& problem_;
+    [[no_unique_address]] detail::run_time<Problem> run_time_;
     report<scalar>& report_;
     int n_;
     mass_type mass_;

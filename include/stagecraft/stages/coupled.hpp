@@ -8,6 +8,7 @@
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
+#include <stagecraft/work.hpp>
 
 namespace stagecraft {
 
@@ -72,7 +73,7 @@ class coupled_stages {
                 });
             }
         for (int i = 0; i < count_; ++i) add_mass(system.mass(), Scalar(1), e + i * n_ * (m + 1), m, n_);
-        return lu_.factor();
+        return system.measure(work::factorisation, [&] { return lu_.factor(); });
     }
 
     /// Computes the slopes, from a first guess in v.k; Z takes z_i = Y_i - y in its columns.
@@ -94,7 +95,7 @@ class coupled_stages {
                 if (v.by_value) fi_ -= v.carry[i] * v.left;
                 for (int r = 0; r < n_; ++r) x_[(i - first_) * n_ + r] = fi_[r];
             }
-            lu_.solve(x_.data());
+            system.measure(work::solve, [&] { lu_.solve(x_.data()); });
             ++solves;
             for (int i = first_; i < s; ++i)
                 for (int r = 0; r < n_; ++r) v.k(r, i) += x_[(i - first_) * n_ + r];
@@ -115,7 +116,7 @@ class coupled_stages {
         add_mass_times(system.mass(), Scalar(1), x.data(), yi_.data(), n_);
         for (int i = 0; i < count_; ++i)
             for (int r = 0; r < n_; ++r) x_[i * n_ + r] = yi_[r];
-        lu_.solve(x_.data());
+        system.measure(work::solve, [&] { lu_.solve(x_.data()); });
         for (int r = 0; r < n_; ++r) x[r] = x_[(count_ - 1) * n_ + r];
     }
 

@@ -8,6 +8,7 @@
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
+#include <stagecraft/work.hpp>
 
 namespace stagecraft {
 
@@ -47,11 +48,13 @@ class sequential_stages {
     /// Factors M/(h a) - J for every distinct diagonal entry a; false if one is singular or not finite.
     template <class System>
     bool factor(const System& system, const Scalar& h) {
-        for (std::size_t k = 0; k < blocks_.size(); ++k) {
-            shift_[k] = Scalar(1) / (h * diagonal_[k]);
-            if (!factor_shifted(blocks_[k], system.mass(), system.jacobian(), shift_[k])) return false;
-        }
-        return true;
+        return system.measure(work::factorisation, [&] {
+            for (std::size_t k = 0; k < blocks_.size(); ++k) {
+                shift_[k] = Scalar(1) / (h * diagonal_[k]);
+                if (!factor_shifted(blocks_[k], system.mass(), system.jacobian(), shift_[k])) return false;
+            }
+            return true;
+        });
     }
 
     /// Computes the slopes; Z brings first guesses of z_i in its columns (if v.guessed) and takes the z_i of
@@ -105,7 +108,7 @@ class sequential_stages {
     void filter(const System& system, vector& x, const vector& value, const Scalar& factor) {
         r_ = (shift_[0] * factor) * value;
         add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
-        blocks_[0].solve(r_.data());
+        system.measure(work::solve, [&] { blocks_[0].solve(r_.data()); });
         x = r_;
     }
 
@@ -122,7 +125,7 @@ class sequential_stages {
             d_ = r_ - z_;
             add_mass_times(system.mass(), shift_[b], d_.data(), fi_.data(), n_);
             if (v.by_value) fi_ -= v.carry[i] * v.left;
-            blocks_[b].solve(fi_.data());
+            system.measure(work::solve, [&] { blocks_[b].solve(fi_.data()); });
             ++solves;
             z_ += fi_;
             if (monitor.over(norm(fi_, weights))) break;

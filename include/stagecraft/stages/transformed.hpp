@@ -13,6 +13,7 @@
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/separate_blocks.hpp>
 #include <stagecraft/tableau.hpp>
+#include <stagecraft/work.hpp>
 
 namespace stagecraft {
 
@@ -72,7 +73,7 @@ class transformed_stages {
             shift_[real + 2 * k] = method_.alpha[k] * inverse;
             shift_[real + 2 * k + 1] = -method_.beta[k] * inverse;
         }
-        return blocks_.factor(system, shift_.data());
+        return system.measure(work::factorisation, [&] { return blocks_.factor(system, shift_.data()); });
     }
 
     /// Solves for Z (in: first guess) with the current factors.
@@ -90,7 +91,7 @@ class transformed_stages {
                 D_.col(i) = fi_;
             }
             residual(system.mass());
-            blocks_.solve(F_.data());
+            system.measure(work::solve, [&] { blocks_.solve(F_.data()); });
             ++solves;
             W_ += F_;
             mix(T_.data(), F_.data(), D_.data());
@@ -114,7 +115,7 @@ class transformed_stages {
         im.setZero();
         add_mass_times(system.mass(), shift_[0], x.data(), re.data(), size());
         if (real_blocks() == 0) add_mass_times(system.mass(), shift_[1], x.data(), im.data(), size());
-        blocks_.solve_first(re, im);
+        system.measure(work::solve, [&] { blocks_.solve_first(re, im); });
         x -= re;
     }
 

@@ -104,7 +104,7 @@ class collocation_step {
 
     // What other steps may do without, or need besides.
     static constexpr bool implicit() { return true; }
-    static constexpr int error_solves() { return 1; }
+    int error_solves() const { return jump_ ? 0 : 1; }
     int coupled_stages_count() const { return count(); }
     int columns() const { return count(); }
     template <class System>
@@ -160,19 +160,21 @@ class collocation_step {
             return;
         }
         defect(system, h, f0, now, error);
-        stages_.filter(error, scratch_);
+        system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
     }
 
     /// The same once more filtered: f(t, y + error) in place of f(t, y), which damps what stiff components
-    /// that have not decayed yet leave in the estimate (Hairer-Wanner II.IV.8, (8.20)).
+    /// that have not decayed yet leave in the estimate (Hairer-Wanner II.IV.8, (8.20)). Returns the number of
+    /// solves.
     template <class System>
-    void estimate_again(System& system, const Scalar& t, const vector& y, const Scalar& h, const output& now,
-                        vector& f, vector& error) {
-        if (jump_) return;
+    int estimate_again(System& system, const Scalar& t, const vector& y, const Scalar& h, const output& now,
+                       vector& f, vector& error) {
+        if (jump_) return 0;
         error += y;
         system(t, error, f);
         defect(system, h, f, now, error);
-        stages_.filter(error, scratch_);
+        system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        return 1;
     }
 
     /// Size of the estimate times `ratio`, by which an estimate of order q stands for an error of order p + 1

@@ -323,8 +323,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         };
         scalar err = error_size();
         if (err >= scalar(1) && (report_.steps == 0 || last_was_rejected_)) {
-            report_.error_solves += method.error_solves();
-            method.estimate_again(system_, t_, y_, h, now, y1_, error_);
+            report_.error_solves += method.estimate_again(system_, t_, y_, h, now, y1_, error_);
             method.advance(y_, now, y1_);
             err = error_size();
         }

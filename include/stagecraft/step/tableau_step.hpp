@@ -184,8 +184,10 @@ class tableau_step {
     }
     /// Nothing is gained by filtering once more.
     template <class System>
-    void estimate_again(System&, const Scalar&, const vector&, const Scalar&, const output&, vector&,
-                        vector&) {}
+    int estimate_again(System&, const Scalar&, const vector&, const Scalar&, const output&, vector&,
+                       vector&) {
+        return 0;
+    }
     /// Size of the estimate, which needs no correction for order reduction: it is one of y1 itself.
     template <class System, class Size>
     Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,

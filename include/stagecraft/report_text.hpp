@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <iomanip>
+#include <ostream>
+
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/problem/time_split.hpp>
+
+namespace stagecraft {
+
+/// Why a run ended, as a sentence.
+constexpr const char* reason(status s) {
+    switch (s) {
+        case status::success:
+            return "t1 was reached with every step accepted";
+        case status::stopped:
+            return "an observer asked to stop";
+        case status::event:
+            return "a terminal event took place";
+        case status::too_many_steps:
+            return "options.max_steps attempts were made before t1";
+        case status::step_underflow:
+            return "the error test wants a step below the resolution of t or below options.min_step";
+        case status::newton_failed:
+            return "the stage equations could not be solved with any admissible step";
+        case status::singular_matrix:
+            return "the matrix gamma/h M - J was singular for every admissible step";
+        case status::non_finite:
+            return "the right-hand side or the Jacobian gave NaN or infinity for every admissible step";
+        case status::size_changed:
+            return "the right-hand side or the Jacobian changed the size of its output";
+        case status::function_threw:
+            return "a function of the problem or an observer threw; result.exception holds what";
+    }
+    return "unknown";
+}
+
+namespace detail {
+
+/// Restores what a printing function changes of a stream.
+class stream_format {
+  public:
+    explicit stream_format(std::ostream& out) : out_(out), kept_(nullptr) { kept_.copyfmt(out); }
+    ~stream_format() { out_.copyfmt(kept_); }
+    stream_format(const stream_format&) = delete;
+    stream_format& operator=(const stream_format&) = delete;
+
+  private:
+    std::ostream& out_;
+    std::ios kept_;
+};
+
+}  // namespace detail
+
+/// Prints what a run cost, one line per kind of work.
+template <class Scalar>
+std::ostream& print(std::ostream& out, const report<Scalar>& r) {
+    const detail::stream_format kept(out);
+    const auto line = [&](const char* what) -> std::ostream& {
+        return out << std::left << std::setw(16) << what << std::right << std::setw(10);
+    };
+    out << std::defaultfloat << std::setprecision(3);
+    line("steps") << r.steps << "  from " << r.smallest_step << " to " << r.largest_step << ", "
+                  << r.smallest_stages;
+    if (r.largest_stages != r.smallest_stages) out << " to " << r.largest_stages;
+    out << " stages\n";
+    line("rejected") << r.rejected() << "  " << r.rejected_error << " by the error test, "
+                     << r.rejected_newton << " by Newton\n";
+    line("f") << r.f << "  and " << r.f_jacobian << " in Jacobians\n";
+    line("Jacobians") << r.jacobians << '\n';
+    line("factorisations") << r.factorisations << '\n';
+    line("solves") << r.solves << "  and " << r.error_solves << " error estimates\n";
+    return out;
+}
+
+/// Prints how a run ended and what it cost.
+template <class Vector>
+std::ostream& print(std::ostream& out, const result<Vector>& r) {
+    out << name(r.status) << " at t = " << r.t << ": " << reason(r.status) << '\n';
+    return print(out, r.report);
+}
+
+/// Prints where the time went, in seconds and parts of the whole.
+inline std::ostream& print(std::ostream& out, const time_split& s) {
+    const detail::stream_format kept(out);
+    const auto line = [&](const char* what, double seconds) {
+        out << std::left << std::setw(16) << what << std::right << std::scientific << std::setprecision(2)
+            << std::setw(10) << seconds << " s" << std::fixed << std::setprecision(1) << std::setw(7)
+            << (s.total > 0 ? 100 * seconds / s.total : 0.0) << " %\n";
+    };
+    line("f", s.f);
+    line("Jacobian", s.jacobian);
+    line("factorisation", s.factorisation);
+    line("solves", s.solves);
+    line("rest", s.rest());
+    line("total", s.total);
+    return out;
+}
+
+}  // namespace stagecraft
