@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <stagecraft/dae/rank.hpp>
+#include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/problem/capabilities.hpp>
+#include <stagecraft/problem/mass.hpp>
+
+namespace stagecraft {
+
+/// What makes a problem M x' = f(t, x) with singular M differential-algebraic, read off M, f and the index
+/// flags (Hairer-Wanner II.VII.1):
+///
+///     constraints                 0 = c(t, x) = L f, the rows of L spanning the left null space of M;
+///     hidden constraints          0 = h(t, x) = U (c_t + c_x x'), where U c_x N = 0, N the right null space
+///                                 of M: combinations that do not see the algebraic components,
+///                                 differentiated;
+///     those of index 3            0 = h_t + h_x x' once more, likewise.
+///
+/// How often is said by the largest of the problem's index flags: 1 (or no flags) nothing is differentiated,
+/// 2 once, 3 twice. In semi-explicit form 0 = g, and h = g_t + g_y f.
+///
+/// x' enters through M x' = f alone, whatever multiple of N is added. The second differentiation takes U as
+/// constant, which it is in Hessenberg form.
+/// First derivatives are automatic where the problem is generic, its own where it brings a dense Jacobian,
+/// else central differences; h_x and the third kind are differences of these. O(n^2) storage, an O(n^3)
+/// decomposition of M once: a tool for starting a run and for looking at it.
+template <class Problem, class Vector>
+class constraint_system {
+  public:
+    using scalar = typename Vector::Scalar;
+    using vector = Eigen::Matrix<scalar, Eigen::Dynamic, 1>;
+    using matrix = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    static constexpr int N = Vector::RowsAtCompileTime;
+    static constexpr bool generic = automatically_differentiable<Problem, scalar, N>;
+
+    /// Which combinations are differentiated: the rows of `once` combine constraints, those of `twice` the
+    /// hidden constraints.
+    struct selection {
+        matrix once, twice;
+    };
+    /// f and its derivatives at one point.
+    struct linearisation {
+        Vector f, f_t;
+        matrix J;
+    };
+
+    /// `time_scale`: a time over which the problem changes little, for difference quotients in t where t = 0;
+    /// used by problems that are not generic. Throws std::invalid_argument for a mass matrix of another size.
+    constraint_system(Problem& problem, Eigen::Index n, scalar time_scale = scalar(1))
+        : problem_(problem), n_(static_cast<int>(n)), time_scale_(time_scale) {
+        if constexpr (has_index<Problem>)
+            for (int i = 0; i < static_cast<int>(problem.index().size()); ++i)
+                depth_ = std::max(depth_, static_cast<int>(problem.index()[i]));
+        const auto mass = make_mass<scalar>(problem, n);
+        matrix M = matrix::Zero(n_, n_);
+        if constexpr (std::decay_t<decltype(mass)>::identity)
+            M.setIdentity();
+        else
+            for (const auto& e : mass.entries()) M(e.row, e.column) += e.value;
+        const scalar zero = scalar(n_ + 1) * std::numeric_limits<scalar>::epsilon() * scalar(8);
+        row_scale_ = detail::scale_rows<scalar>(M, matrix(M));
+        mass_ = detail::rank_revealing<scalar>(M, zero);
+        directions_ = mass_.kernel();
+        combinations_ = detail::rank_revealing<scalar>(matrix(M.transpose()), zero).kernel().transpose();
+        detail::reduce_rows(combinations_, zero);
+        for (int i = 0; i < n_; ++i) combinations_.col(i) *= row_scale_[i];
+        for (int i = 0; i < count(); ++i)
+            combinations_.row(i) /= combinations_(i, largest(combinations_.row(i)));
+    }
+
+    int size() const { return n_; }
+    /// Number of constraints, the rank deficiency of M.
+    int count() const { return static_cast<int>(combinations_.rows()); }
+    /// The largest index flag.
+    int depth() const { return depth_; }
+    /// Columns that span the algebraic directions N.
+    const matrix& algebraic_directions() const { return directions_; }
+    /// The equation that leads constraint i: the row of largest coefficient in it.
+    int row(int i) const { return largest(combinations_.row(i)); }
+
+    linearisation linearise(const scalar& t, const Vector& x) {
+        linearisation at{Vector(n_), Vector::Zero(n_), matrix(n_, n_)};
+        problem_(t, x, at.f);
+        using square = Eigen::Matrix<scalar, N, N>;
+        if constexpr (generic) {
+            automatic_jacobian<scalar, N> engine(n_);
+            engine(problem_, t, x, at.f, at.J);
+        } else if constexpr (has_jacobian<Problem, Vector, square>) {
+            square J(n_, n_);
+            problem_.jacobian(t, x, J);
+            at.J = J;
+        } else {
+            Vector moved = x, up(n_), down(n_);
+            for (int j = 0; j < n_; ++j) {
+                const scalar step = increment(x, j, root());
+                moved[j] = x[j] + step;
+                problem_(t, moved, up);
+                moved[j] = x[j] - step;
+                problem_(t, moved, down);
+                at.J.col(j) = (up - down) / (2 * step);
+                moved[j] = x[j];
+            }
+        }
+        if constexpr (differentiable_with_dual_time<Problem, scalar, N>) {
+            dual_vector<scalar, N> y(n_), f(n_);
+            dual<scalar, N> time(t);
+            time.derivatives().setZero();
+            if (time.derivatives().size() > 0) time.derivatives()[0] = scalar(1);
+            for (int i = 0; i < n_; ++i) {
+                y[i].value() = x[i];
+                y[i].derivatives().setZero();
+            }
+            problem_(time, y, f);
+            for (int i = 0; i < n_; ++i) at.f_t[i] = f[i].derivatives()[0];
+        } else {
+            using std::abs;
+            const scalar step = root() * std::max(scalar(abs(t)), time_scale_);
+            Vector up(n_), down(n_);
+            problem_(t + step, x, up);
+            problem_(t - step, x, down);
+            at.f_t = (up - down) / (2 * step);
+        }
+        return at;
+    }
+
+    /// c = L f.
+    vector constraints(const Vector& f) const { return combinations_ * f; }
+    /// c_x.
+    matrix constraint_jacobian(const linearisation& at) const { return detail::product(combinations_, at.J); }
+
+    /// An x' with M x' = f, up to a multiple of N and what the constraints violate.
+    vector slope(const vector& f) const { return mass_.solve(vector(row_scale_.asDiagonal() * f)); }
+    /// The same differentiated by the algebraic directions: M^+ f_x N, f_z in semi-explicit form.
+    matrix slope_by_algebraic(const linearisation& at) const {
+        matrix result = detail::product(at.J, directions_);
+        for (int j = 0; j < result.cols(); ++j) result.col(j) = slope(result.col(j));
+        return result;
+    }
+
+    /// The combinations to differentiate, found at (t, x).
+    selection select(const scalar& t, const Vector& x) {
+        selection s{matrix(0, count()), matrix(0, 0)};
+        if (depth_ < 2 || count() == 0) return s;
+        const matrix c_x = constraint_jacobian(linearise(t, x));
+        s.once = detail::invisible_combinations<scalar>(c_x, directions_, zero());
+        if (depth_ < 3 || s.once.rows() == 0) {
+            s.twice = matrix(0, s.once.rows());
+            return s;
+        }
+        s.twice =
+            detail::invisible_combinations<scalar>(hidden_jacobian(t, x, s), directions_, difference_zero());
+        return s;
+    }
+
+    /// U (c_t + c_x x').
+    vector hidden(const scalar& t, const Vector& x, const selection& s) {
+        if (s.once.rows() == 0) return vector(0);
+        const linearisation at = linearise(t, x);
+        return s.once * (combinations_ * (at.f_t + at.J * slope(at.f)));
+    }
+
+    /// The derivative of `hidden` along the solution, combined by s.twice: its differences in direction (1,
+    /// x'), extrapolated once.
+    vector twice_hidden(const scalar& t, const Vector& x, const selection& s) {
+        using std::abs;
+        using std::pow;
+        if (s.twice.rows() == 0) return vector(0);
+        const vector v = slope(linearise(t, x).f);
+        const scalar speed = v.size() > 0 ? v.cwiseAbs().maxCoeff() : scalar(0);
+        const scalar size = x.cwiseAbs().maxCoeff();
+        const scalar along = speed > scalar(0) && size > scalar(0) ? scalar(size / speed) : time_scale_;
+        const scalar delta = pow(std::numeric_limits<scalar>::epsilon(), scalar(1) / scalar(5)) * along;
+        const auto difference = [&](const scalar& d) -> vector {
+            const Vector up = x + d * v, down = x - d * v;
+            return (hidden(t + d, up, s) - hidden(t - d, down, s)) / (2 * d);
+        };
+        return s.twice * ((4 * difference(delta / 2) - difference(delta)) / 3);
+    }
+
+    /// All of them, one after the other.
+    vector all(const scalar& t, const Vector& x, const selection& s) {
+        Vector f(n_);
+        problem_(t, x, f);
+        vector result(count() + s.once.rows() + s.twice.rows());
+        result << constraints(f), hidden(t, x, s), twice_hidden(t, x, s);
+        return result;
+    }
+    /// Their derivatives by x: exact for the constraints, differences for the others.
+    matrix all_jacobian(const scalar& t, const Vector& x, const selection& s) {
+        matrix result(count() + s.once.rows() + s.twice.rows(), n_);
+        result.topRows(count()) = constraint_jacobian(linearise(t, x));
+        if (s.once.rows() > 0) result.middleRows(count(), s.once.rows()) = hidden_jacobian(t, x, s);
+        if (s.twice.rows() > 0)
+            result.bottomRows(s.twice.rows()) = differences(
+                x, [&](const Vector& moved) { return twice_hidden(t, moved, s); },
+                static_cast<int>(s.twice.rows()), wide_root());
+        return result;
+    }
+
+    /// Index of the entry of largest modulus.
+    template <class Row>
+    static int largest(const Row& row) {
+        Eigen::Index best = 0;
+        row.cwiseAbs().maxCoeff(&best);
+        return static_cast<int>(best);
+    }
+
+    /// Below it, relative to its row, an entry of c_x N counts as zero.
+    static scalar zero() {
+        using std::sqrt;
+        return generic ? scalar(1000) * std::numeric_limits<scalar>::epsilon()
+                       : scalar(sqrt(std::numeric_limits<scalar>::epsilon()) * 10);
+    }
+    static scalar difference_zero() {
+        using std::sqrt;
+        return sqrt(std::numeric_limits<scalar>::epsilon()) * scalar(10);
+    }
+
+  private:
+    static scalar root() {
+        using std::cbrt;
+        return cbrt(std::numeric_limits<scalar>::epsilon());
+    }
+    static scalar wide_root() {
+        using std::sqrt;
+        return sqrt(root());
+    }
+
+    static scalar increment(const Vector& x, int j, const scalar& relative) {
+        using std::abs;
+        const scalar size = x.cwiseAbs().maxCoeff() / 1000, own = abs(x[j]);
+        const scalar most = own > size ? own : size;
+        return relative * (most > scalar(0) ? most : scalar(1));
+    }
+
+    template <class F>
+    matrix differences(const Vector& x, F&& value, int rows, const scalar& relative) {
+        matrix result(rows, n_);
+        Vector moved = x;
+        for (int j = 0; j < n_; ++j) {
+            const scalar step = increment(x, j, relative);
+            moved[j] = x[j] + step;
+            const vector up = value(moved);
+            moved[j] = x[j] - step;
+            result.col(j) = (up - value(moved)) / (2 * step);
+            moved[j] = x[j];
+        }
+        return result;
+    }
+    matrix hidden_jacobian(const scalar& t, const Vector& x, const selection& s) {
+        return differences(
+            x, [&](const Vector& moved) { return hidden(t, moved, s); }, static_cast<int>(s.once.rows()),
+            root());
+    }
+
+    Problem& problem_;
+    int n_, depth_ = 1;
+    scalar time_scale_;
+    vector row_scale_;
+    detail::rank_revealing<scalar> mass_;
+    matrix combinations_, directions_;  // L, N
+};
+
+}  // namespace stagecraft
