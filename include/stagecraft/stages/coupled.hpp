@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
@@ -133,16 +134,18 @@ class coupled_stages {
     /// A and b let through.
     Scalar change(const tableau<Scalar, Stages>& m, const Scalar& h, const vector& weights) {
         using std::sqrt;
-        Scalar sum = Scalar(0);
+        Scalar sum = Scalar(0), largest = Scalar(0);
         for (int i = first_; i <= m.stages(); ++i) {
             fi_.setZero();
             for (int j = 0; j < count_; ++j) {
                 const Scalar a = i < m.stages() ? m.A(i, first_ + j) : m.b[first_ + j];
                 for (int r = 0; r < n_; ++r) fi_[r] += h * a * x_[j * n_ + r];
             }
-            for (int r = 0; r < n_; ++r) sum += (fi_[r] * weights[r]) * (fi_[r] * weights[r]);
+            const Scalar size = weighted_norm(fi_, weights, n_);
+            sum += size * size;
+            if (!(size <= largest)) largest = size;
         }
-        return n_ == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n_ * (count_ + 1))));
+        return sum - sum == Scalar(0) ? Scalar(sqrt(sum / Scalar(count_ + 1))) : largest;
     }
 
     int n_, first_, count_;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <vector>
 
+#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
@@ -128,17 +128,11 @@ class sequential_stages {
             system.measure(work::solve, [&] { blocks_[b].solve(fi_.data()); });
             ++solves;
             z_ += fi_;
-            if (monitor.over(norm(fi_, weights))) break;
+            if (monitor.over(weighted_norm(fi_, weights, n_))) break;
         }
         return monitor.outcome();
     }
 
-    Scalar norm(const vector& x, const vector& weights) const {
-        using std::sqrt;
-        Scalar sum = Scalar(0);
-        for (int i = 0; i < n_; ++i) sum += (x[i] * weights[i]) * (x[i] * weights[i]);
-        return n_ == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n_)));
-    }
     bool finite(const vector& x) const {
         Scalar sum = Scalar(0);
         for (int i = 0; i < n_; ++i) sum += x[i] - x[i];

@@ -15,26 +15,29 @@ inline constexpr int largest_tree_order = 8;
 
 namespace detail {
 
-/// Rounding and the first failing condition lie far on either side of it.
+/// Rounding and the first failing condition lie far on either side of it: sqrt(eps), and 1e-8 for wide types,
+/// whose tableaux may hold decimals of fewer digits.
 template <class Scalar>
 Scalar condition_tolerance() {
     using std::sqrt;
-    return sqrt(std::numeric_limits<Scalar>::epsilon());
+    const Scalar root = sqrt(std::numeric_limits<Scalar>::epsilon()), least = Scalar(1) / 100000000;
+    return root > least ? root : least;
 }
 
+/// Equal but for rounding; numbers below one are compared relatively.
 template <class Scalar>
 bool holds(const Scalar& left, const Scalar& right) {
     using std::abs;
-    return abs(left - right) <=
-               condition_tolerance<Scalar>() * (abs(right) < Scalar(1) ? abs(right) : Scalar(1)) ||
-           abs(left - right) <= Scalar(64) * std::numeric_limits<Scalar>::epsilon();
+    const Scalar difference = abs(left - right), size = abs(right);
+    return difference <= condition_tolerance<Scalar>() * (size < Scalar(1) ? size : Scalar(1)) ||
+           difference <= Scalar(64) * std::numeric_limits<Scalar>::epsilon();
 }
 
 }  // namespace detail
 
 /// Largest p <= most for which the weights b satisfy the conditions of all rooted trees with at most p
-/// vertices, b^T phi(tau) = 1/gamma(tau) (Hairer-Norsett-Wanner I.II.2), relatively to sqrt(eps). Where c is
-/// not the row sums of A the trees of non-autonomous problems take part, whose time leaves bear c.
+/// vertices, b^T phi(tau) = 1/gamma(tau) (Hairer-Norsett-Wanner I.II.2), relatively to condition_tolerance.
+/// Where c is not the row sums of A the trees of non-autonomous problems take part, whose time leaves bear c.
 /// most <= largest_tree_order.
 template <class Scalar, int Stages, class Weights>
 int order_by_trees(const tableau<Scalar, Stages>& m, const Weights& b, int most) {
@@ -134,7 +137,7 @@ int adjoint_conditions(const tableau<Scalar, Stages>& m, int most) {
 
 /// The order the stepper counts on: facts.order where a certificate gave it, else the order up to
 /// largest_tree_order by all rooted trees, and beyond it what Butcher's theorem gives, min(B, C + D + 1,
-/// 2 C + 2) (Hairer-Wanner II.IV.5.1). Never larger than the order that the coefficients have to sqrt(eps).
+/// 2 C + 2) (Hairer-Wanner II.IV.5.1). Never larger than the order of the coefficients to that tolerance.
 template <class Scalar, int Stages>
 int classical_order(const tableau<Scalar, Stages>& m) {
     if (m.facts.order > 0) return m.facts.order;

@@ -24,8 +24,7 @@ struct tableau_structure {
 };
 
 /// Looks at the entries; zero means zero. `carry` takes 1, -A_r^-1 a_1 where there is a left stage, a_1 being
-/// the rest of the first column and A_r that of A, and A_r is regular (to s sqrt(eps) of its entries), else
-/// zeros.
+/// the rest of the first column and A_r that of A, and A_r is regular, else zeros.
 template <class Scalar, int Stages>
 tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<Scalar, Stages, 1>& carry) {
     using std::abs;
