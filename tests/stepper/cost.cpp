@@ -8,7 +8,10 @@
 #include <memory>
 #include <new>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/output_times.hpp>
+#include <stagecraft/solution.hpp>
 
 namespace sc = stagecraft;
 
@@ -137,4 +140,52 @@ BOOST_AUTO_TEST_CASE(a_constant_jacobian_is_evaluated_once) {
     BOOST_TEST(fixed.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-8));
     const auto adaptive = sc::integrate(sc::radau_iia<3>(), p, Eigen::Vector2d(1, 2), 0, 1);
     BOOST_TEST(adaptive.report.jacobians == 1);
+}
+
+namespace {
+
+// Allocations of a whole run of so many equal steps.
+template <class Observer>
+long allocations_of_run(long steps, Observer&& observer) {
+    const auto f = [](double, const Eigen::VectorXd& y, Eigen::VectorXd& out) { out = -y; };
+    const Eigen::VectorXd y0 = Eigen::VectorXd::Ones(5);
+    const long before = allocations;
+    const auto r = sc::integrate(sc::radau_iia<3>(), f, y0, 0, 1,
+                                 {.fixed_step = 1. / static_cast<double>(steps)}, observer);
+    const long made = allocations - before;
+    BOOST_TEST(r.report.steps == steps);
+    return made;
+}
+
+template <int N, int Stages>
+constexpr std::size_t stepper_size() {
+    using vector = Eigen::Matrix<double, N, 1>;
+    using rhs = void (*)(double, const vector&, vector&);
+    return sizeof(sc::integrator<sc::transformed_tableau<double, Stages>, rhs, vector>);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_keeps_its_continuous_solution_only_when_asked) {
+    sc::no_observer none;
+    BOOST_TEST(allocations_of_run(10, none) == allocations_of_run(1000, none));
+    sc::solution<Eigen::VectorXd> y;
+    BOOST_TEST(allocations_of_run(10, y) < allocations_of_run(1000, y));
+}
+
+BOOST_AUTO_TEST_CASE(output_times_and_events_that_do_not_occur_allocate_nothing_per_step) {
+    sc::output_times<Eigen::VectorXd> table({0.1, 0.5, 1}, true);
+    auto watch = sc::events<Eigen::VectorXd>(sc::event([](double, const auto& y) { return y[0] + 1; }));
+    allocations_of_run(10, table);  // warm-up: the table and the samples find their room
+    allocations_of_run(10, watch);
+    BOOST_TEST(allocations_of_run(10, table) == allocations_of_run(1000, table));
+    BOOST_TEST(allocations_of_run(10, watch) == allocations_of_run(1000, watch));
+}
+
+// A budget in bytes, with everything a run holds: method, workspace, two continuous solutions, options,
+// report.
+BOOST_AUTO_TEST_CASE(a_minimal_stepper_is_small) {
+    BOOST_TEST((stepper_size<1, 1>()) <= 1024u);
+    BOOST_TEST((stepper_size<3, 3>()) <= 2560u);
+    BOOST_TEST((stepper_size<3, 3>()) < (stepper_size<3, 7>()));
 }
