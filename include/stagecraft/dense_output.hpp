@@ -121,6 +121,12 @@ class dense_output {
         for (int j = 0; j < nodes_->size; ++j) result += (l[j] / h_) * z_.col(nodes_->first_column + j);
     }
 
+    /// Adds delta (t - t0)/h, so that the end is moved by delta and the start stays.
+    template <class Delta>
+    void move_end(const Delta& delta) {
+        for (int j = 0; j < nodes_->size; ++j) z_.col(nodes_->first_column + j) += nodes_->c[j] * delta;
+    }
+
     // What a stepper fills in; z holds z_i = Y_i - y0 in its columns.
     dense_output(int n, int stages) : y0_(n), z_(n, stages) {}
     const interpolation_nodes<scalar, MaxStages>* nodes_ = nullptr;

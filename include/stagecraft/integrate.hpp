@@ -63,6 +63,7 @@ typename Derived::PlainObject >
     status ended = status::success;
     try {
         while (run.step()) {
+            detail::correct(observer, run);
             if constexpr (!std::is_same_v<std::decay_t<Observer>, no_observer>)
                 if (!detail::observe(observer, run.t(), run.y(), run.output().step(), run.output()))
                     run.stop();

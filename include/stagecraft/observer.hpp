@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 
 namespace stagecraft {
@@ -10,6 +11,8 @@ namespace stagecraft {
 /// What an observer may have, each used only where it is there:
 ///   observer(t, y, h, output), (t, y, h) or (t, y), called after every accepted step; false ends the run,
 ///   observer.start(t0, y0, t1), called before the first step; what it throws leaves integrate(),
+///   observer.correct(t, y), called before it after every accepted step: may change y and then returns true,
+///   and the run goes on from there (dae/projection.hpp),
 ///   observer.conclude(result), called last: it may shorten the run to an earlier t (and must then do the
 ///   same again when called again), and cuts what it has kept beyond result.t.
 struct no_observer {};
@@ -40,6 +43,20 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
         return call(t, y, h);
     else
         return call(t, y);
+}
+
+template <class Observer, class Scalar, class Vector>
+concept correcting_observer = requires(Observer& observer, const Scalar& t, Vector& y) {
+    { observer.correct(t, y) } -> std::convertible_to<bool>;
+};
+
+template <class Observer, class Run>
+void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run) {
+    using vector = std::decay_t<decltype(run.y())>;
+    if constexpr (correcting_observer<Observer, typename vector::Scalar, vector>) {
+        vector y = run.y();
+        if (observer.correct(run.t(), y)) run.replace_state(y);
+    }
 }
 
 template <class Observer, class Result>

@@ -24,6 +24,17 @@ class observer_list {
         each([&](auto& o) { go_on = detail::observe(o, t, y, h, output) && go_on; });
         return go_on;
     }
+    /// One correction after the other, where an observer makes any.
+    template <class Scalar, class Vector>
+    requires(detail::correcting_observer<Observers, Scalar, Vector> || ...) bool correct(const Scalar& t,
+                                                                                         Vector& y) {
+        bool changed = false;
+        each([&](auto& o) {
+            if constexpr (detail::correcting_observer<decltype(o), Scalar, Vector>)
+                changed = o.correct(t, y) || changed;
+        });
+        return changed;
+    }
     /// Asked again as long as one of them shortens the run, so that all end at the same t in whatever order.
     template <class Result>
     void conclude(Result& r) {

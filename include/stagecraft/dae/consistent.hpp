@@ -4,15 +4,12 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
-#include <stagecraft/dae/constraints.hpp>
-#include <stagecraft/dae/gauss_newton.hpp>
+#include <stagecraft/dae/constraint_newton.hpp>
 
 namespace stagecraft {
 
@@ -69,24 +66,6 @@ struct consistent_state {
     consistency<typename Vector::Scalar> check;
 };
 
-namespace detail {
-
-/// The block that determines the algebraic components, by index.
-inline const char* determining_block(int depth) {
-    return depth <= 1   ? "g_z (constraints by algebraic components)"
-           : depth == 2 ? "g_y f_z (hidden constraints by algebraic components)"
-                        : "g_y f_z k_u (twice differentiated constraints by algebraic components)";
-}
-
-template <class Scalar>
-std::string singular_text(int depth, Eigen::Index rank, Eigen::Index full, const Scalar& t) {
-    std::ostringstream text;
-    text << determining_block(depth) << " is singular, rank " << rank << " of " << full << ", at t = " << t;
-    return text.str();
-}
-
-}  // namespace detail
-
 /// Every constraint and hidden constraint of M x' = f(t, x) at (t, x), with its size and the equation it
 /// comes from: an inconsistent start shows here as a value. For index flags up to 1 the constraints
 /// themselves, up to 2 and 3 those differentiated once and twice (constraint_system says how; derivatives of
@@ -140,10 +119,6 @@ auto consistent_initial_values(Problem&& problem, std::type_identity_t<typename 
                                const initial_value_options<typename Derived::Scalar>& options = {}) {
     using vector = typename Derived::PlainObject;
     using scalar = typename Derived::Scalar;
-    using system = constraint_system<std::remove_reference_t<Problem>, vector>;
-    using matrix = typename system::matrix;
-    using dynamic = typename system::vector;
-    const char* const what = "consistent_initial_values";
     const vector start = x0;
     if (!start.allFinite()) throw std::invalid_argument("consistent_initial_values: x0 must be finite");
     for (int i : options.free)
@@ -151,73 +126,19 @@ auto consistent_initial_values(Problem&& problem, std::type_identity_t<typename 
             throw std::invalid_argument("consistent_initial_values: free holds a component out of range");
     consistent_state<vector> result{start, 0, scalar(0), {}};
     vector& x = result.y;
-    system constraints(problem, x.size(), options.time_scale);
-    if (constraints.count() == 0) return result;
-    const auto& N = constraints.algebraic_directions();
-    const scalar zero = constraints.depth() > 1 ? system::difference_zero() : system::zero();
-    auto s = constraints.select(t, x);
-
+    constraint_newton<std::remove_reference_t<Problem>, vector> newton(
+        problem, x.size(), options.time_scale, options.iterations, "consistent_initial_values");
+    if (newton.system().count() == 0) return result;
+    newton.select(t, x);
     if (!options.free.empty()) {
-        const auto step = [&](const vector& at, const dynamic& r) {
-            const matrix by_x = constraints.all_jacobian(t, at, s);
-            matrix by_free(by_x.rows(), static_cast<Eigen::Index>(options.free.size()));
-            for (std::size_t j = 0; j < options.free.size(); ++j) by_free.col(j) = by_x.col(options.free[j]);
-            const detail::row_scaled<scalar> block(by_free, by_x, zero);
-            if (block.rank() < by_free.rows()) {
-                std::ostringstream text;
-                text << what << ": the free components do not determine the constraints, rank "
-                     << block.rank() << " of " << by_free.rows() << " at t = " << t;
-                throw std::domain_error(text.str());
-            }
-            const dynamic moved = block.solve(r);
-            vector change = vector::Zero(at.size());
-            for (std::size_t j = 0; j < options.free.size(); ++j) change[options.free[j]] = -moved[j];
-            return std::pair<vector, dynamic>(change, block.scale());
-        };
-        const auto residual = [&](const vector& at) { return constraints.all(t, at, s); };
-        result.iterations = detail::gauss_newton<scalar>(x, residual, step, options.iterations, what);
+        result.iterations = newton.solve_for(t, x, options.free);
     } else {
-        // The constraints that do not see the algebraic components bind the differential ones; then all of
-        // them determine the algebraic ones. The first may see these in higher order: two rounds.
-        const auto binding = [&](const vector& at) -> dynamic {
-            const dynamic r = constraints.all(t, at, s);
-            dynamic part(s.once.rows() + s.twice.rows());
-            part << s.once * r.head(s.once.cols()), s.twice * r.segment(constraints.count(), s.twice.cols());
-            return part;
-        };
-        const auto bind = [&](const vector& at, const dynamic& r) {
-            const matrix by_x = constraints.all_jacobian(t, at, s);
-            matrix rows(s.once.rows() + s.twice.rows(), at.size());
-            rows << detail::product(s.once, by_x.topRows(s.once.cols())),
-                detail::product(s.twice, by_x.middleRows(constraints.count(), s.twice.cols()));
-            // what a first-order step must not use: the algebraic directions, seen only through rounding
-            rows -= detail::product(detail::product(rows, N), N.transpose());
-            const detail::row_scaled<scalar> block(rows, rows, zero);
-            if (block.rank() < rows.rows()) {
-                std::ostringstream text;
-                text << what << ": g_y (constraints by differential components) is singular, rank "
-                     << block.rank() << " of " << rows.rows() << " at t = " << t
-                     << ": they are redundant or contradictory";
-                throw std::domain_error(text.str());
-            }
-            return std::pair<vector, dynamic>(vector(-block.solve(r)), block.scale());
-        };
-        const auto residual = [&](const vector& at) { return constraints.all(t, at, s); };
-        const auto determine = [&](const vector& at, const dynamic& r) {
-            const matrix by_x = constraints.all_jacobian(t, at, s);
-            const detail::row_scaled<scalar> block(detail::product(by_x, N), by_x, zero);
-            if (block.rank() < N.cols())
-                throw std::domain_error(
-                    std::string(what) + ": " +
-                    detail::singular_text(constraints.depth(), block.rank(), N.cols(), t));
-            return std::pair<vector, dynamic>(vector(-(N * block.solve(r))), block.scale());
-        };
-        for (int round = 0; round < (s.once.rows() > 0 ? 2 : 1); ++round) {
-            if (s.once.rows() > 0)
-                result.iterations += detail::gauss_newton<scalar>(x, binding, bind, options.iterations, what);
-            if (round > 0) s = constraints.select(t, x);
-            result.iterations +=
-                detail::gauss_newton<scalar>(x, residual, determine, options.iterations, what);
+        // What binds the differential components may see the algebraic ones in higher order: two rounds.
+        const int rounds = newton.binds_differential() ? 2 : 1;
+        for (int round = 0; round < rounds; ++round) {
+            result.iterations += newton.bind(t, x, false);
+            if (round > 0) newton.select(t, x);
+            result.iterations += newton.determine(t, x);
         }
     }
     for (int i = 0; i < x.size(); ++i) {

@@ -132,7 +132,11 @@ class constraint_system {
     }
 
     /// c = L f.
-    vector constraints(const Vector& f) const { return combinations_ * f; }
+    vector constraints(const scalar& t, const Vector& x) {
+        Vector f(n_);
+        problem_(t, x, f);
+        return combinations_ * f;
+    }
     /// c_x.
     matrix constraint_jacobian(const linearisation& at) const { return detail::product(combinations_, at.J); }
 
@@ -167,6 +171,13 @@ class constraint_system {
         return s.once * (combinations_ * (at.f_t + at.J * slope(at.f)));
     }
 
+    /// Its derivative by x, by differences.
+    matrix hidden_jacobian(const scalar& t, const Vector& x, const selection& s) {
+        return differences(
+            x, [&](const Vector& moved) { return hidden(t, moved, s); }, static_cast<int>(s.once.rows()),
+            root());
+    }
+
     /// The derivative of `hidden` along the solution, combined by s.twice: its differences in direction (1,
     /// x'), extrapolated once.
     vector twice_hidden(const scalar& t, const Vector& x, const selection& s) {
@@ -187,10 +198,8 @@ class constraint_system {
 
     /// All of them, one after the other.
     vector all(const scalar& t, const Vector& x, const selection& s) {
-        Vector f(n_);
-        problem_(t, x, f);
         vector result(count() + s.once.rows() + s.twice.rows());
-        result << constraints(f), hidden(t, x, s), twice_hidden(t, x, s);
+        result << constraints(t, x), hidden(t, x, s), twice_hidden(t, x, s);
         return result;
     }
     /// Their derivatives by x: exact for the constraints, differences for the others.
@@ -255,12 +264,6 @@ class constraint_system {
         }
         return result;
     }
-    matrix hidden_jacobian(const scalar& t, const Vector& x, const selection& s) {
-        return differences(
-            x, [&](const Vector& moved) { return hidden(t, moved, s); }, static_cast<int>(s.once.rows()),
-            root());
-    }
-
     Problem& problem_;
     int n_, depth_ = 1;
     scalar time_scale_;

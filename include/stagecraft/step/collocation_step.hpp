@@ -111,6 +111,7 @@ class collocation_step {
     void prepare(const System&, bool) {}
     void begin(const vector&) {}
     void accepted() {}
+    void replaced() {}
 
     /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
     /// in that step this one starts: at its end (1), or together with it (0).

@@ -74,6 +74,22 @@ class integrator {
     stagecraft::status status() const { return status_; }
     bool finished() const { return t_ == t1_ || status_ != status::success; }
     void stop() { status_ = status::stopped; }
+    /// Goes on from `y` in place of y() (a projection, say), both of about the accuracy asked for. The
+    /// continuous solution of the last step is bent to end there, the next step starts there in every
+    /// respect.
+    void replace_state(const Vector& y) {
+        for (int i = 0; i < n_; ++i)
+            if (y.size() != n_ || !(y[i] - y[i] == scalar(0)))
+                throw std::invalid_argument(
+                    "integrate: the corrected state must be finite and of the same size");
+        if (has_output_) outputs_[current_].move_end(y - y_);
+        y_ = y;
+        set_scale();
+        visit_current([&](auto& m) {
+            m.replaced();
+            if (t_ != t1_ && this->needs_left_value(m)) system_(t_, y_, f0_);
+        });
+    }
 
     /// Takes one accepted step; false if there is none to take (t1 reached) or none could be taken
     /// (status()).

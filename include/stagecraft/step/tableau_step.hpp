@@ -170,6 +170,9 @@ class tableau_step {
         }
     }
 
+    /// The state at the end of the step has been replaced: its slope is not that of the last stage.
+    void replaced() { left_known_ = false; }
+
     /// error := the estimate.
     template <class System>
     void estimate(const System& system, const Scalar& h, const vector&, const output&, vector& error) {

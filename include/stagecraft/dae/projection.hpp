@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <stagecraft/dae/constraint_newton.hpp>
+#include <stagecraft/linear/small_ldlt.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// How much a projection has moved the states of a run.
+template <class Scalar>
+struct projection_record {
+    long corrections = 0;  ///< states changed
+    Scalar largest{0};     ///< largest change of a component
+
+    template <class Vector>
+    bool note(const Vector& before, const Vector& after) {
+        const Scalar change = before.size() > 0 ? (after - before).cwiseAbs().maxCoeff() : Scalar(0);
+        if (!(change > Scalar(0))) return false;
+        ++corrections;
+        if (change > largest) largest = change;
+        return true;
+    }
+};
+
+}  // namespace detail
+
+/// An observer that moves every accepted state onto the M equations 0 = g(t, y) by the smallest change in the
+/// 2-norm (standard projection, Hairer-Lubich-Wanner IV.4): invariants of an ordinary differential equation,
+/// such as the constraints that index reduction has lost, or its energy. Made by `projection_onto`.
+///
+/// The order of the method is kept where the exact solution satisfies g = 0. Nothing is allocated for states
+/// of fixed size. Costs one derivative and two or three values of g per step, and one f where the method uses
+/// f at the left end of a step.
+template <int M, class Constraint>
+class projection_onto_equations {
+    static_assert(M > 0, "projection_onto: the number of equations must be positive");
+
+  public:
+    explicit projection_onto_equations(Constraint g) : g_(std::move(g)) {}
+
+    /// Called by `integrate`. Throws std::domain_error if the derivative of g has not full rank,
+    /// std::runtime_error if the iteration does not converge: the run then ends with status::function_threw.
+    template <class Scalar, class Vector>
+    bool correct(const Scalar& t, Vector& y) {
+        using std::abs;
+        using multipliers = Eigen::Matrix<Scalar, M, 1>;
+        const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+        const int n = static_cast<int>(y.size());
+        const Vector before = y;
+        Eigen::Matrix<Scalar, M, Vector::RowsAtCompileTime> G(M, n);
+        Scalar last(-1);
+        for (int k = 0; k < 20; ++k) {
+            multipliers r;
+            g_(t, y, r);
+            differentiate(t, y, G);
+            Eigen::Matrix<Scalar, M, M> square;
+            for (int i = 0; i < M; ++i)
+                for (int j = 0; j <= i; ++j) square(i, j) = G.row(i).dot(G.row(j));
+            for (int i = 0; i < M; ++i) square.row(i).tail(M - 1 - i).setZero();
+            const small_ldlt<Scalar, M> factors(square);
+            for (int i = 0; i < M; ++i)
+                if (!(factors.pivot(i) > Scalar(100) * eps * square(i, i))) {
+                    std::ostringstream text;
+                    text << "projection_onto: the derivative of equation " << i
+                         << " is zero or depends on the others at t = " << t;
+                    throw std::domain_error(text.str());
+                }
+            const Vector change = G.transpose() * factors.solve(r);
+            const Scalar size = change.cwiseAbs().maxCoeff();
+            if (!(size - size == Scalar(0))) break;
+            y -= change;
+            const bool rounding = size <= Scalar(16) * eps * y.cwiseAbs().maxCoeff();
+            if (rounding || (last >= Scalar(0) && size > last / 2 && size * size <= eps * y.squaredNorm()))
+                return record_.note(before, y);
+            last = size;
+        }
+        std::ostringstream text;
+        text << "projection_onto: Newton's iteration did not converge at t = " << t;
+        throw std::runtime_error(text.str());
+    }
+    template <class Scalar, class Vector>
+    void operator()(const Scalar&, const Vector&) const {}
+
+    /// Number of states changed, and the largest change of a component.
+    long corrections() const { return record_.corrections; }
+    double largest_change() const { return record_.largest; }
+
+  private:
+    /// g.jacobian(t, y, G) where there is one, else automatic differentiation, else central differences.
+    template <class Scalar, class Vector, class Matrix>
+    void differentiate(const Scalar& t, const Vector& y, Matrix& G) {
+        using std::abs;
+        using std::cbrt;
+        constexpr int N = Vector::RowsAtCompileTime;
+        using number = dual<Scalar, N>;
+        using values = Eigen::Matrix<number, M, 1>;
+        const int n = static_cast<int>(y.size());
+        if constexpr (requires { g_.jacobian(t, y, G); }) {
+            g_.jacobian(t, y, G);
+        } else if constexpr (
+            requires(const dual_vector<Scalar, N>& x, values& r) { g_(t, x, r); } ||
+            requires(const number& s, const dual_vector<Scalar, N>& x, values& r) { g_(s, x, r); }) {
+            dual_vector<Scalar, N> x(n);
+            values r;
+            for (int first = 0; first < n; first += dual_width<N>) {
+                for (int i = 0; i < n; ++i) {
+                    x[i].value() = y[i];
+                    x[i].derivatives().setZero();
+                    if (i >= first && i < first + dual_width<N>) x[i].derivatives()[i - first] = Scalar(1);
+                }
+                if constexpr (requires(const number& s) { g_(s, x, r); }) {
+                    number time(t);
+                    time.derivatives().setZero();
+                    g_(time, x, r);
+                } else {
+                    g_(t, x, r);
+                }
+                for (int j = first; j < n && j < first + dual_width<N>; ++j)
+                    for (int i = 0; i < M; ++i) G(i, j) = r[i].derivatives()[j - first];
+            }
+        } else {
+            Vector x = y;
+            Eigen::Matrix<Scalar, M, 1> up, down;
+            const Scalar size = y.cwiseAbs().maxCoeff();
+            for (int j = 0; j < n; ++j) {
+                const Scalar own = abs(y[j]) > size / 1000 ? Scalar(abs(y[j])) : Scalar(size / 1000);
+                const Scalar step =
+                    cbrt(std::numeric_limits<Scalar>::epsilon()) * (own > Scalar(0) ? own : Scalar(1));
+                x[j] = y[j] + step;
+                g_(t, x, up);
+                x[j] = y[j] - step;
+                g_(t, x, down);
+                G.col(j) = (up - down) / (2 * step);
+                x[j] = y[j];
+            }
+        }
+    }
+
+    Constraint g_;
+    detail::projection_record<double> record_;
+};
+
+/// An observer for `integrate` that keeps 0 = g(t, y), M equations: g(t, y, out) writes them; its derivative
+/// is g.jacobian(t, y, G) where there is one, automatic where g is generic, else central differences.
+///
+///     auto keep = projection_onto<1>(length);
+///     integrate(method, reduced_pendulum, y0, t0, t1, options, keep);      // then keep.largest_change()
+///
+/// Together with others: observers(keep, watch); the others see corrected states.
+template <int M, class Constraint>
+projection_onto_equations<M, Constraint> projection_onto(Constraint g) {
+    return projection_onto_equations<M, Constraint>(std::move(g));
+}
+
+/// What a projection on a problem's own constraints does.
+struct projection_options {
+    /// Determine the algebraic components anew, so that the hidden constraints hold as well.
+    bool hidden = false;
+    /// Index 2: move along f_z, the directions of the algebraic components (projected collocation of Ascher
+    /// and Petzold: Gauss methods then have order 2s in y). False, and always with index 3: the smallest
+    /// change.
+    bool along_algebraic = true;
+};
+
+/// An observer that moves every accepted state of a differential-algebraic problem onto its constraints
+/// (those binding the differential components, of index 2 and 3), and on request onto the hidden ones by the
+/// algebraic components. Made by `projection`. Costs one Jacobian and a few f per step, with `hidden` n more
+/// of each, and allocates; stiffly accurate methods satisfy g = 0 to the tolerance of Newton's iteration
+/// without it.
+template <class Problem>
+class constraint_projection {
+  public:
+    constraint_projection(Problem& problem, const projection_options& o) : problem_(problem), options_(o) {}
+
+    /// Called by `integrate`; throws as consistent_initial_values does, which ends the run with
+    /// status::function_threw.
+    template <class Vector>
+    bool correct(const typename Vector::Scalar& t, Vector& y) {
+        constraint_newton<Problem, Vector> newton(problem_, y.size(), 1, 20, "projection");
+        if (newton.system().count() == 0) return false;
+        const Vector before = y;
+        newton.select(t, y);
+        newton.bind(t, y, options_.along_algebraic && newton.system().depth() == 2);
+        if (options_.hidden) newton.determine(t, y);
+        return record_.note(before, y);
+    }
+    template <class Scalar, class Vector>
+    void operator()(const Scalar&, const Vector&) const {}
+
+    /// Number of states changed, and the largest change of a component.
+    long corrections() const { return record_.corrections; }
+    double largest_change() const { return record_.largest; }
+
+  private:
+    Problem& problem_;
+    projection_options options_;
+    detail::projection_record<double> record_;
+};
+
+/// An observer for `integrate` that projects on the constraints of `problem`, which it refers to.
+template <class Problem>
+constraint_projection<Problem> projection(Problem& problem, const projection_options& o = {}) {
+    return constraint_projection<Problem>(problem, o);
+}
+
+}  // namespace stagecraft
