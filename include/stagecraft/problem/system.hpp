@@ -161,29 +161,31 @@ class system {
         }
     }
 
-    /// Multiplies the weights of index-2 components by |h| and of index-3 components by h^2.
-    void weigh_by_index(Vector& weights, const scalar& h) const {
+    /// Multiplies the weights of index-2 components by |h| and of index-3 components by h^2, where |h| is not
+    /// taken below sqrt(rtol): with ever smaller steps these components would be left unchecked, and the next
+    /// iteration start from values at which it fails or finds another solution of the constraints.
+    void weigh_by_index(Vector& weights, const scalar& h, const scalar& rtol) const {
         if constexpr (has_index<Problem>) {
             using std::abs;
-            const scalar size = abs(h);
+            using std::sqrt;
+            if (raised_.empty()) return;
+            const scalar least = sqrt(rtol), size = abs(h) > least ? scalar(abs(h)) : least;
             for (const auto& r : raised_) weights[r.component] *= r.power == 1 ? size : scalar(size * size);
         }
     }
 
-    /// The weights of those components whose order reduction the step control can follow: all of them to
-    /// index 2, those of index 1 in a problem of index 3. (There the estimates of the others carry violations
-    /// of hidden constraints by earlier steps, divided by h and h^2, which smaller steps do not reduce.)
+    /// The weights of those components whose order reduction the step control can follow: those of index 1.
+    /// (The estimates of the others carry what earlier steps left of the constraints, divided by h and h^2,
+    /// which smaller steps do not reduce; their weights account for their lower orders.)
     const Vector& weights_to_follow(const Vector& weights) {
         if constexpr (has_index<Problem>) {
-            bool three = false;
-            for (const auto& r : raised_) three = three || r.power == 2;
-            if (three) {
-                followed_ = weights;
-                for (const auto& r : raised_) followed_[r.component] = scalar(0);
-                return followed_;
-            }
+            if (raised_.empty()) return weights;
+            followed_ = weights;
+            for (const auto& r : raised_) followed_[r.component] = scalar(0);
+            return followed_;
+        } else {
+            return weights;
         }
-        return weights;
     }
 
     /// True if the norms depend on the step (some component has index 2 or 3).

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/dense_output.hpp>
@@ -45,11 +46,13 @@ class transformed_stages {
                 "integrate: method has several real eigenvalues; use run-time stages");
         T_ = make_workspace<Scalar, squared<Stages>>(s * s);
         T_inverse_ = T_;
+        if (untransformed()) A_inverse_.resize(s * s);
         shift_ = make_workspace<Scalar, Stages>(s);
         for (int i = 0; i < s; ++i)
             for (int j = 0; j < s; ++j) {
                 T_[i * s + j] = method.T(i, j);
                 T_inverse_[i * s + j] = method.T_inverse(i, j);
+                if (untransformed()) A_inverse_[i * s + j] = method.A_inverse(i, j);
             }
     }
 
@@ -83,14 +86,14 @@ class transformed_stages {
                                  long& solves) {
         const int s = stages();
         newton_monitor<Scalar> monitor(limits);
-        mix(T_inverse_.data(), Z.data(), W_.data());
+        if (!untransformed()) mix(T_inverse_.data(), Z.data(), W_.data());
         while (monitor.may_go_on()) {
             for (int i = 0; i < s; ++i) {
                 yi_ = y + Z.col(i);
                 system(t + method_.c[i] * h, yi_, fi_);
                 D_.col(i) = fi_;
             }
-            residual(system.mass());
+            residual(system.mass(), Z, h);
             system.measure(work::solve, [&] { blocks_.solve(F_.data()); });
             ++solves;
             W_ += F_;
@@ -161,9 +164,24 @@ class transformed_stages {
         }
     }
 
-    /// F := T^-1 f(Y) - (Lambda/h) M W, with f(Y) in D.
-    template <class Mass>
-    void residual(const Mass& mass) {
+    /// From ten stages on T is so ill-conditioned (twenty: no digit of double is left in T^-1 T) that W and Z
+    /// would drift apart and the iteration converge to a wrong solution. The residual is then taken of Z
+    /// itself, and T only has to be good enough for contraction.
+    bool untransformed() const { return stages() > 9; }
+
+    /// F := T^-1 (f(Y) - (A^-1/h) M Z), with f(Y) in D; A^-1 Z = T Lambda W.
+    template <class Mass, class StageMatrix>
+    void residual(const Mass& mass, const StageMatrix& Z, const Scalar& h) {
+        if constexpr (Stages < 0 || Stages > 9) {
+            if (untransformed()) {
+                const int n = size(), s = stages();
+                mix(A_inverse_.data(), Z.data(), W_.data());
+                for (int i = 0; i < s; ++i)
+                    add_mass_times(mass, Scalar(Scalar(-1) / h), W_.data() + i * n, D_.data() + i * n, n);
+                mix(T_inverse_.data(), D_.data(), F_.data());
+                return;
+            }
+        }
         const int n = size();
         mix(T_inverse_.data(), D_.data(), F_.data());
         const int real = real_blocks();
@@ -202,6 +220,7 @@ class transformed_stages {
 
     tableau_type method_;
     workspace<Scalar, squared<Stages>> T_, T_inverse_;  // row by row
+    std::vector<Scalar> A_inverse_;                     // likewise, where it is used
     workspace<Scalar, Stages> shift_;                   // gamma/h, then alpha/h and -beta/h pair by pair
     int n_;
     matrix W_, D_, F_;

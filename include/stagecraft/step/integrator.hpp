@@ -132,6 +132,9 @@ class integrator {
         equal_steps_ = static_cast<long>(count) > 0 ? static_cast<long>(count) : 1;
         t0_ = t_;
         h_ = (t1_ - t_) / scalar(equal_steps_);
+        const scalar eps = std::numeric_limits<scalar>::epsilon(), last = abs(t1_), first = abs(t_);
+        if (t1_ != t_ && !(abs(h_) > 4 * eps * (first < last ? last : first)))
+            throw std::invalid_argument("integrate: fixed_step is below the resolution of t");
     }
 
     void set_tolerances(int k) {
@@ -284,7 +287,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         }
         output_type& now = outputs_[1 - current_];
         weights_ = scale_;
-        system_.weigh_by_index(weights_, h);
+        system_.weigh_by_index(weights_, h, options_.rtol);
 
         if (implicit && want_jacobian_) refresh_jacobian(h);
         if (!implicit) {

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE limits
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
+
+// Step bounds, one to twenty stages, times and spans at the ends of what double resolves.
+
+namespace sc = stagecraft;
+using sc::tableaux::family;
+using enum sc::tableaux::family;
+using V1 = Eigen::Matrix<double, 1, 1>;
+using V2 = Eigen::Vector2d;
+
+namespace {
+
+const double eps = std::numeric_limits<double>::epsilon();
+
+sc::transformed_tableau<double> radau(int s) { return sc::tableaux::transformed<double>(radau_iia, s); }
+
+// y' = y cos t, y(0) = 1: exp(sin t).
+const auto wave = [](double t, const V1& y, V1& f) { f[0] = y[0] * std::cos(t); };
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_step_is_longer_than_max_step_nor_shorter_than_min_step) {
+    const auto m = radau(3);
+    double longest = 0, shortest = 1e300;
+    const auto look = [&](double, const V1&, double h) {
+        longest = std::max(longest, h);
+        shortest = std::min(shortest, h);
+    };
+    const auto r = sc::integrate(m, wave, V1(1.0), 0, 10, {.max_step = 0.03}, look);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(longest <= 0.03 * (1 + 1e-10));
+    BOOST_TEST(r.report.steps >= 334);
+    BOOST_TEST(r.report.largest_step == longest);
+
+    longest = 0, shortest = 1e300;
+    const auto both = sc::integrate(m, wave, V1(1.0), 0, 10,
+                                    {.rtol = 1e-4, .atol = 1e-4, .min_step = 0.01, .max_step = 0.5}, look);
+    BOOST_TEST(both.ok());
+    BOOST_TEST(shortest >= 0.01 / 2);  // the last two steps share the rest of the way
+    BOOST_TEST(longest <= 0.5 * (1 + 1e-10));
+
+    // An error bound that asks for less than min_step is a status, not a step.
+    const auto refused =
+        sc::integrate(m, wave, V1(1.0), 0, 10, {.rtol = 1e-13, .atol = 1e-13, .min_step = 0.4}, look);
+    BOOST_TEST(sc::name(refused.status) == "step_underflow");
+    BOOST_TEST(std::abs(refused.y[0] - std::exp(std::sin(refused.t))) < 1e-11);
+
+    // Backwards as well.
+    longest = 0;
+    const auto back = sc::integrate(m, wave, V1(1.0), 0, -10, {.max_step = 0.03},
+                                    [&](double, const V1&, double h) { longest = std::max(longest, -h); });
+    BOOST_TEST(back.ok());
+    BOOST_TEST(longest <= 0.03 * (1 + 1e-10));
+    BOOST_TEST(longest > 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_initial_step_beyond_the_span_or_far_too_long_is_cut) {
+    const auto m = radau(3);
+    for (const double first : {1e-14, 1e-3, 10.0, 1e10, 1e300}) {
+        const auto r =
+            sc::integrate(m, wave, V1(1.0), 0, 10, {.rtol = 1e-8, .atol = 1e-8, .initial_step = first});
+        BOOST_TEST_CONTEXT("first step " << first) {
+            BOOST_TEST(r.ok());
+            BOOST_TEST(std::abs(r.y[0] - std::exp(std::sin(10.0))) < 1e-7);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(one_to_twenty_stages_of_every_family_solve_to_tolerance) {
+    const auto check = [](family f, int s) {
+        const auto m = sc::tableaux::transformed<double>(f, s);
+        for (const double tol : {1e-3, 1e-6, 1e-9, 1e-12}) {
+            if (s == 1 && tol < 1e-5) continue;
+            if (s == 2 && tol < 1e-8) continue;
+            const auto r = sc::integrate(m, wave, V1(1.0), 0, 3, {.rtol = tol, .atol = tol});
+            const auto stiff = sc::integrate(m,
+                                             [](double t, const V2& y, V2& out) {
+                                                 out[0] = -y[1];
+                                                 out[1] = y[0] - 1e5 * (y[1] - std::sin(t));
+                                             },
+                                             V2(1, 0), 0, 1, {.rtol = tol, .atol = tol});
+            BOOST_TEST_CONTEXT(name(f) << " s = " << s << " tol = " << tol) {
+                BOOST_TEST(sc::name(r.status) == "success");
+                BOOST_TEST(std::abs(r.y[0] - std::exp(std::sin(3.0))) < 50 * tol);
+                BOOST_TEST(sc::name(stiff.status) == "success");
+                // y2 = sin t + O(1e-5): y1 = cos t up to that.
+                BOOST_TEST(std::abs(stiff.y[0] - std::cos(1.0)) < 2e-5 + 50 * tol);
+            }
+        }
+    };
+    for (int s = 1; s <= 20; ++s) check(radau_iia, s);
+    for (const int s : {3, 4, 8, 13, 20}) check(lobatto_iiic, s);
+}
+
+BOOST_AUTO_TEST_CASE(gauss_and_radau_ia_to_twenty_stages_where_nothing_is_stiff) {
+    for (const family f : {gauss, radau_ia})
+        for (const int s : {1, 2, 3, 5, 8, 13, 20}) {
+            const auto m = sc::tableaux::transformed<double>(f, s);
+            for (const double tol : {1e-3, 1e-6, 1e-9}) {
+                if (s == 1 && tol < 1e-5) continue;
+                if (s == 2 && tol < 1e-8) continue;
+                const auto r = sc::integrate(m, wave, V1(1.0), 0, 3, {.rtol = tol, .atol = tol});
+                BOOST_TEST_CONTEXT(name(f) << " s = " << s << " tol = " << tol) {
+                    BOOST_TEST(sc::name(r.status) == "success");
+                    BOOST_TEST(std::abs(r.y[0] - std::exp(std::sin(3.0))) < 50 * tol);
+                }
+            }
+        }
+}
+
+// At t = 1e15 neighbouring doubles are 1/8 apart: what needs no finer steps is solved, all else is refused.
+BOOST_AUTO_TEST_CASE(at_times_of_1e15_steps_are_those_that_t_resolves) {
+    const auto m = radau(3);
+    const auto slow = [](double, const V1& y, V1& f) { f[0] = -y[0] / 1e6; };
+    const auto r = sc::integrate(m, slow, V1(1.0), 1e15, 1e15 + 1e6, {.rtol = 1e-6, .atol = 1e-9});
+    BOOST_TEST(sc::name(r.status) == "success");
+    BOOST_TEST(r.t == 1e15 + 1e6);
+    BOOST_TEST(r.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-5));
+
+    const auto fast = [](double, const V1& y, V1& f) { f[0] = -1e3 * y[0] + 1e3; };
+    const auto q = sc::integrate(m, fast, V1(0.0), 1e15, 1e15 + 1, {.rtol = 1e-8, .atol = 1e-8});
+    BOOST_TEST(std::isfinite(q.y[0]));
+    if (q.ok()) BOOST_TEST(std::abs(q.y[0] - 1) < 1e-6);
+
+    const auto oscillation = [](double, const V2& y, V2& f) { f = V2(30 * y[1], -30 * y[0]); };
+    const auto o = sc::integrate(m, oscillation, V2(1, 0), 1e15, 1e15 + 10, {.rtol = 1e-10, .atol = 1e-10});
+    BOOST_TEST(sc::name(o.status) == "step_underflow");
+    BOOST_TEST(o.t == 1e15);
+    BOOST_TEST((o.y == V2(1, 0)));
+
+    // Equal steps land on t1 exactly, however t is rounded.
+    const auto equal = sc::integrate(m, slow, V1(1.0), 1e15, 1e15 + 1e6, {.fixed_step = 1e4});
+    BOOST_TEST(equal.report.steps == 100);
+    BOOST_TEST(equal.t == 1e15 + 1e6);
+    BOOST_TEST(equal.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-7));
+    // A hundred steps in a span of eight doubles are none.
+    BOOST_CHECK_THROW(sc::integrate(m, slow, V1(1.0), 1e15, 1e15 + 1, {.fixed_step = 0.01}),
+                      std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(spans_of_1e_15_and_smaller_are_integrated) {
+    const auto m = radau(3);
+    for (const double span : {1e-15, 1e-30, 1e-200, 1e-300}) {
+        const auto f = [span](double, const V1& y, V1& out) { out[0] = -y[0] / span; };
+        const auto r = sc::integrate(m, f, V1(1.0), 0, span, {.rtol = 1e-8, .atol = 1e-8});
+        const auto nothing = sc::integrate(m, wave, V1(1.0), 0, span);
+        const auto equal = sc::integrate(m, f, V1(1.0), 0, span, {.fixed_step = span / 10});
+        BOOST_TEST_CONTEXT("span " << span) {
+            BOOST_TEST(sc::name(r.status) == "success");
+            BOOST_TEST(r.t == span);
+            BOOST_TEST(r.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-7));
+            BOOST_TEST(nothing.ok());
+            BOOST_TEST(nothing.y[0] == 1, boost::test_tools::tolerance(1e-14));
+            BOOST_TEST(equal.ok());
+            BOOST_TEST(equal.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-7));
+        }
+    }
+    // One unit in the last place of t: one step, or the statement that there is no room.
+    const auto ulp = sc::integrate(m, wave, V1(1.0), 1.0, 1.0 + eps);
+    BOOST_TEST(ulp.y[0] == 1, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST((ulp.ok() ? ulp.t == 1 + eps : ulp.t == 1));
+}
+
+BOOST_AUTO_TEST_CASE(spans_of_1e300_are_integrated) {
+    const auto decay = [](double, const V1& y, V1& f) { f[0] = -y[0]; };
+    const auto r = sc::integrate(radau(3), decay, V1(1.0), 0, 1e300);
+    BOOST_TEST(sc::name(r.status) == "success");
+    BOOST_TEST(std::abs(r.y[0]) < 1e-5);
+}
