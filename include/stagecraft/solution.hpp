@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
 
