@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <stagecraft/linear/block_work.hpp>
+
 namespace stagecraft {
 
 /// What an accepted step tells about the neighbouring orders.
@@ -22,6 +24,7 @@ struct order_candidate {
     int stages;
     int power;     ///< the estimate is O(h^power)
     Scalar ratio;  ///< estimates are multiplied by it to have tolerance 1
+    block_work<Scalar> work;
 };
 
 /// Chooses among `Count` methods ordered by stages; with one method there is nothing to hold and to decide.
@@ -34,8 +37,7 @@ class order_controller {
 /// Takes the method that promises the longest step for its work. The step each could take follows from the
 /// estimate of the present one and the decay q of the Legendre coefficients of its polynomial (two stages
 /// more change the estimate by q^2); Newton's contraction is taken as proportional to the step. The work is
-/// counted in operations of the blocks, the transformations and f, so the choice is the same on every
-/// machine.
+/// counted in operations, not in seconds, so the choice is the same on every machine.
 template <class Scalar, int Count>
 requires(Count > 1) class order_controller<Scalar, Count> {
   public:
@@ -53,22 +55,23 @@ requires(Count > 1) class order_controller<Scalar, Count> {
 
     bool wants_evidence() { return --wait_ <= 0; }
 
-    /// Decides, given the state size n; returns the factor by which the step of `e` changes for the new
-    /// order, or 0 if the order stays.
-    Scalar decide(const order_evidence<Scalar>& e, int n) {
-        wait_ = 3;
-        const Scalar here = work_per_length(current_, e, n);
+    /// Decides; returns the factor by which the step of `e` changes for the new order, or 0 if the order
+    /// stays.
+    Scalar decide(const order_evidence<Scalar>& e) {
+        wait_ = 6;
+        const Scalar here = work_per_length(current_, e);
         int best = current_;
-        Scalar least = here * Scalar(9) / Scalar(10);
+        Scalar least = here;
         for (int k = current_ - 1; k <= current_ + 1; k += 2) {
             if (k < 0 || k >= Count) continue;
-            const Scalar w = work_per_length(k, e, n);
+            // A change has to promise something, one to more stages more: its prediction is the bolder one.
+            const Scalar w = work_per_length(k, e) * (k > current_ ? Scalar(5) / 4 : Scalar(10) / 9);
             if (w < least) least = w, best = k;
         }
         if (best == current_) return Scalar(0);
         Scalar factor = step_of(best, e);
         current_ = best;
-        wait_ = 4;
+        wait_ = 8;
         const Scalar low = Scalar(1) / 5, high = Scalar(3);
         return factor < low ? low : factor > high ? high : factor;
     }
@@ -85,19 +88,15 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         return f < Scalar(4) ? f : Scalar(4);
     }
 
-    Scalar work_per_length(int k, const order_evidence<Scalar>& e, int n) const {
+    Scalar work_per_length(int k, const order_evidence<Scalar>& e) const {
         using std::log;
         const Scalar step = step_of(k, e);
-        const Scalar s = Scalar(candidates_[k].stages), N = Scalar(n);
         Scalar theta = e.theta * step;
         const Scalar low = Scalar(1) / 1000, high = Scalar(9) / 10;
         theta = theta < low ? low : theta > high ? high : theta;
-        Scalar now = e.theta < low ? low : e.theta > high ? high : e.theta;
+        const Scalar now = e.theta < low ? low : e.theta > high ? high : e.theta;
         const Scalar iterations = Scalar(e.iterations) * log(now) / log(theta);
-        const Scalar blocks = 1 + 2 * (s - 1);
-        const Scalar factor = blocks * (N * N * N * Scalar(2) / Scalar(3) + 10 * N * N);
-        const Scalar iteration = s * 10 * N + 4 * s * s * N + blocks * 2 * N * N;
-        return (factor + iterations * iteration + s * s * 12 + 60 * N + 400) / step;
+        return (candidates_[k].work.step + iterations * candidates_[k].work.iteration) / step;
     }
 
     std::array<order_candidate<Scalar>, static_cast<std::size_t>(Count)> candidates_{};

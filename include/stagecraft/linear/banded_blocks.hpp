@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stagecraft/linear/banded_matrix.hpp>
+#include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/complex_number.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/mass.hpp>
@@ -152,6 +153,12 @@ struct banded_blocks {
         for (const auto& e : mass.entries()) lu(e.row, e.column) = lu(e.row, e.column) + T(e.value) * shift;
     }
 };
+
+template <class Scalar>
+block_work<Scalar> work_of(const banded_matrix<Scalar>& J) {
+    const Scalar n = Scalar(J.size()), lower = Scalar(J.lower()), band = lower + Scalar(J.upper());
+    return {n * (20 + 5 * lower * band), n * (25 + 5 * band)};
+}
 
 template <class Scalar>
 struct default_blocks<banded_matrix<Scalar>> {

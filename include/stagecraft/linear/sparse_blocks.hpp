@@ -8,6 +8,7 @@
 #include <complex>
 #include <limits>
 #include <memory>
+#include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/mass.hpp>
 #include <type_traits>
@@ -98,6 +99,13 @@ struct sparse_blocks {
         return solver.info() == Eigen::Success;
     }
 };
+
+/// The fill is not known before the first factorisation: two-dimensional problems cost more than this says.
+template <class Scalar, int Options, class Index>
+block_work<Scalar> work_of(const Eigen::SparseMatrix<Scalar, Options, Index>& J) {
+    const Scalar n = Scalar(J.rows()), entries = Scalar(J.nonZeros());
+    return {8 * n + 70 * entries, 30 * n + 15 * entries};
+}
 
 template <class Scalar, int Options, class Index>
 struct default_blocks<Eigen::SparseMatrix<Scalar, Options, Index>> {

@@ -141,7 +141,8 @@ class integrator {
         detail::visit_at(steps_, k, [&](auto& m) {
             m.prepare(system_, fixed());
             ratio_[k] = m.estimate_ratio(options_.rtol);
-            if constexpr (variable) order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k]});
+            if constexpr (variable)
+                order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_)});
         });
     }
 
@@ -410,7 +411,7 @@ void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h,
     if constexpr (variable) {
         if (order_.wants_evidence() && !last_was_rejected_) {
             const scalar decay = method.decay(outputs_[1 - current_], weights_);
-            const scalar change = order_.decide({h, err, decay, theta_, iterations_}, n_);
+            const scalar change = order_.decide({h, err, decay, theta_, iterations_});
             if (change > scalar(0)) {
                 factor = change;
                 controller_.forget();
