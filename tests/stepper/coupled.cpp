@@ -9,7 +9,6 @@
 #include <stagecraft/coefficients/lobatto_iiib.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/linear/banded_blocks.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -200,26 +199,4 @@ BOOST_AUTO_TEST_CASE(the_continuous_solution_is_the_collocation_polynomial) {
     BOOST_TEST(std::abs(inner_order(plain(sc::gauss<3>()), 0.05, false) - 4) < 0.25);
     // no C(s): the weights of a cubic instead, of order 2 with three stages
     BOOST_TEST(std::abs(inner_order(plain(sc::lobatto_iiib<3>()), 0.025, false) - 3) < 0.3);
-}
-
-BOOST_AUTO_TEST_CASE(the_structure_of_the_jacobian_makes_no_difference) {
-    struct chain {
-        void operator()(double t, const Eigen::VectorXd& y, Eigen::VectorXd& f) const {
-            const int n = static_cast<int>(y.size());
-            for (int i = 0; i < n; ++i)
-                f[i] = 100 * ((i > 0 ? y[i - 1] : std::sin(t)) - 2 * y[i] + (i + 1 < n ? y[i + 1] : 0));
-        }
-    };
-    struct banded_chain : chain {
-        sc::bandwidth bandwidth() const { return {1, 1}; }
-    };
-    const Eigen::VectorXd y0 = Eigen::VectorXd::Ones(4);
-    const auto m = plain(sc::lobatto_iiia<3>());
-    const sc::options<double> o{.rtol = 1e-10, .atol = 1e-10, .fixed_step = 0.05};
-    const auto a = sc::integrate(m, chain{}, y0, 0, 1, o);
-    const auto b = sc::integrate(m, banded_chain{}, y0, 0, 1, o);
-    BOOST_TEST(a.ok());
-    BOOST_TEST(b.ok());
-    BOOST_TEST((a.y - b.y).norm() < 1e-9);
-    BOOST_TEST((a.y - y0).norm() > 0.1);
 }

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
-#include <stagecraft/step/order_conditions.hpp>
 
 namespace stagecraft {
 

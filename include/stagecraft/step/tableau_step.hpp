@@ -8,9 +8,8 @@
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
-#include <stagecraft/step/order_conditions.hpp>
+#include <stagecraft/stages/tableau_structure.hpp>
 #include <stagecraft/step/stage_output.hpp>
-#include <stagecraft/step/tableau_structure.hpp>
 
 namespace stagecraft {
 
@@ -36,7 +35,7 @@ class tableau_step {
         : v_(checked(method), n),
           is_(structure_of(method, v_.carry)),
           sequential_(method, n, !is_.lower),
-          coupled_(method, n, is_.left_stage ? 1 : 0, is_.lower),
+          coupled_(method, n, is_),
           output_(method.stages()),
           difference_(method.stages()),
           left_slope_(n),
@@ -91,7 +90,7 @@ class tableau_step {
 
     template <class System>
     bool factor(const System& system, const Scalar& h) {
-        return is_.lower ? sequential_.factor(system, h) : coupled_.factor(system, h, v_);
+        return is_.lower ? sequential_.factor(system, h) : coupled_.factor(system, h);
     }
 
     template <class System>
@@ -182,7 +181,7 @@ class tableau_step {
         if (is_.lower) {
             sequential_.filter(system, error, v_.left, factor);
         } else {
-            coupled_.filter(system, error, v_.left, factor);
+            coupled_.filter(system, error, v_, factor);
         }
     }
     /// Nothing is gained by filtering once more.

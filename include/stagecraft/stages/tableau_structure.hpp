@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/step/order_conditions.hpp>
+#include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
