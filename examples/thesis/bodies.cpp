@@ -111,13 +111,13 @@ void ball(outcome& o, figure& heights, figure& energies) {
     const rolling_ball model;
     const double omega = 9, spin = 2;  // the Euler angles stay away from their singular position
     const trajectory r = motion(model, rolling_ball::initial_position(), model.initial_velocity(omega, spin),
-                                {.tolerance = tolerance, .end = 3});
+                                {.tolerance = tolerance, .end = 2});
     double worst = 0, lowest = 0;
     for (const auto& p : r.path) {
         worst = std::max(worst, std::abs(p.y[1] - model.height(omega, spin, p.t)));
         lowest = std::min(lowest, p.y[1]);
     }
-    o.text += "Ball rolling in an upright cylinder, 3 s: falls to " + decimal(lowest) +
+    o.text += "Ball rolling in an upright cylinder, 2 s: falls to " + decimal(lowest) +
               " m and comes back, distance to the closed form " + scientific(worst) + " m\n";
     o.findings.push_back(
         {"rolling ball, distance to the closed form", "", scientific(worst), "0", worst < 1e-8});

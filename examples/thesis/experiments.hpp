@@ -5,6 +5,9 @@
 
 namespace thesis {
 
+/// Section 1.2 and (3.61) along the motion: model assumptions, logarithmic norms, indices.
+outcome assumptions();
+
 /// The experiments of the thesis' chapter 4, in its order.
 outcome solution();  ///< figures 4.2-4.6: solution, energy, constraint with and without index reduction
 outcome orders_of_convergence();  ///< figures 4.7-4.12: equal steps, Radau IIA with 3, 1 and 2 stages
@@ -13,9 +16,10 @@ outcome transformation();         ///< figure 4.17: transformed against untransf
 outcome boundary_layers();        ///< figures 4.18-4.21: a perturbed lambda(0)
 outcome regularised_runs();       ///< figures 4.22-4.25: constraint violation and step sizes at eps = 1e-8
 outcome run_times();              ///< figure 4.26: cost of every form against eps
-outcome
-nonholonomic_bodies();  ///< beyond: knife edge, sleigh, rolling ball, F as printed, the disc falling flat
+
 /// Beyond the thesis: Gauss, Radau IA, Lobatto IIIC, more stages, and which hypothesis fails.
 outcome other_methods();
+/// Beyond the thesis: knife edge, sleigh, rolling ball, F as printed, the disc falling flat.
+outcome nonholonomic_bodies();
 
 }  // namespace thesis

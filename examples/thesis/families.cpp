@@ -1,99 +1,139 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stagecraft/tableaux/exact_tableau.hpp>
+#include <stagecraft/theory/dae_order.hpp>
 
 #include "experiments.hpp"
 #include "solve.hpp"
+#include "wide.hpp"
 
 namespace thesis {
 
 namespace {
 
-// Slope between the two smallest steps whose error is above 1e-10: below, rounding errors accumulated over
-// the run rule.
-double order_above_rounding(const std::vector<double>& h, const std::vector<double>& error) {
-    std::size_t k = error.size() - 1;
-    while (k > 1 && error[k] < 1e-10) --k;
-    return slope({h[k - 1], h[k]}, {error[k - 1], error[k]});
+struct orders {
+    int y, lambda;
+};
+
+// What HLR89 has for s stages (table of section 4; Theorems 4.6 and 4.8 to 4.10; section 5 for Lobatto IIIC).
+orders promised(family f, int s) {
+    switch (f) {
+        case family::gauss:
+            return s % 2 == 1 ? orders{s + 1, s - 1} : orders{s, s - 2};
+        case family::radau_ia:
+            return {s, s - 1};
+        case family::lobatto_iiic:
+            return {2 * s - 2, s - 1};
+        default:
+            return {2 * s - 1, s};
+    }
+}
+
+int classical_order(family f, int s) {
+    return f == family::gauss ? 2 * s : f == family::lobatto_iiic ? 2 * s - 2 : 2 * s - 1;
+}
+
+// Every theorem on index 2, decided exactly for the 3-stage member: which hypothesis fails, and with what.
+std::string theorems(const stagecraft::tableau<stagecraft::tableaux::quadratic>& t) {
+    std::string text;
+    for (const auto& p : stagecraft::theory::index2_theorems(t)) {
+        std::string failing;
+        for (const auto& h : p.hypotheses)
+            if (!h.verdict.is_proved())
+                failing += (failing.empty() ? "" : "; ") + h.name + " fails: " + h.verdict.reason();
+        text += "    " + p.theorem + ": ";
+        text += p.applies() ? "y " + std::to_string(*p.y) + ", lambda " + std::to_string(*p.z) : failing;
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace
 
 outcome other_methods() {
-    outcome o{"Beyond the thesis: other families and more stages on the index-2 system", {}, {}, {}};
-    const setup dae = disc_dae();
-    constexpr int marks = 50;
-    const trajectory reference = solve(dae, {.stages = 9, .tolerance = 1e-13, .steps = 800});
-    struct method {
-        family f;
-        int stages;
-        long first, last;
-        double y, lambda;
-        const char* reason;
-    };
-    // Hairer, Lubich and Roche (1989), table of section 4 and theorems 4.6, 4.8 to 4.10.
-    const method methods[] = {
-        {family::radau_iia, 4, 100, 800, 7, 4, "all hypotheses hold"},
-        {family::gauss, 2, 400, 3200, 2, 0, "not stiffly accurate, R(inf) = 1: lambda need not converge"},
-        {family::gauss, 3, 400, 1600, 4, 2, "not stiffly accurate, R(inf) = -1"},
-        {family::radau_ia, 3, 400, 3200, 3, 2, "not stiffly accurate"},
-        {family::lobatto_iiic, 3, 400, 3200, 4, 2, "stiffly accurate, stage order s - 1 only"},
-        {family::lobatto_iiic, 4, 100, 800, 6, 3, "stiffly accurate, stage order s - 1 only"}};
-    figure fy{
-        "fig_families_y", "Index-2 system, error in q, q' over t", "h [s]", "maximum error", true, true, {}};
-    figure fl{
-        "fig_families_lambda", "Index-2 system, error in λ over t", "h [s]", "maximum error", true, true, {}};
-    for (const method& m : methods) {
-        std::vector<double> h, ey, el;
-        for (long steps = m.first; steps <= m.last; steps *= 2) {
-            const trajectory run =
-                solve(dae, {.method = m.f, .stages = m.stages, .tolerance = 1e-13, .steps = steps});
-            double y = 0, lambda = 0;
-            for (std::size_t k = 1; k <= marks; ++k) {
-                const vector &a = run.path[k * (run.path.size() - 1) / marks].y,
-                             &b = reference.path[k * (reference.path.size() - 1) / marks].y;
-                y = std::max(y, (a - b).head(10).cwiseAbs().maxCoeff());
-                lambda = std::max(lambda, (a - b).tail(2).cwiseAbs().maxCoeff());
+    outcome o{"Beyond the thesis: other families, 2 to 9 stages, at 50 digits (index-2 system)", {}, {}, {}};
+    constexpr int least = 2, most = 9;
+    const std::vector<int> steps{12, 24, 48}, last_two{24, 48};
+    figure fy{"fig_families_y",
+              "Index-2 system with 5 stages, 50 digits: error in q, q'",
+              "h [s]",
+              "maximum error",
+              true,
+              true,
+              {}};
+    figure fl{"fig_families_lambda",
+              "Index-2 system with 5 stages, 50 digits: error in λ",
+              "h [s]",
+              "maximum error",
+              true,
+              true,
+              {}};
+    figure fs{"fig_stages",
+              "Index-2 system, s stages, h = 1/240 s",
+              "s",
+              "maximum error in q, q'",
+              false,
+              true,
+              {}};
+    o.text =
+        "Equal steps over [0, 0.2]; orders between h = 1/120 and 1/240 s, in brackets what theory has;\n"
+        "loss: classical order minus order of y, stages minus order of lambda.\n\n";
+    for (const family f : {family::radau_iia, family::gauss, family::radau_ia, family::lobatto_iiic}) {
+        const std::string name(stagecraft::tableaux::name(f));
+        const auto exact = stagecraft::tableaux::exact_tableau(f, 3);
+        o.text += name + ", hypotheses decided exactly for s = 3:\n" + theorems(*exact);
+        const auto best = stagecraft::theory::predict_index2(*exact);
+        o.findings.push_back({"theorems for " + name + " 3: y, lambda", "",
+                              std::to_string(*best.y) + ", " + std::to_string(*best.z),
+                              std::to_string(promised(f, 3).y) + ", " + std::to_string(promised(f, 3).lambda),
+                              *best.y == promised(f, 3).y && *best.z == promised(f, 3).lambda});
+        finding of_y{"order of y, " + name + " 2 to 9", "", "", "", true},
+            of_lambda{"order of lambda, " + name + " 2 to 9", "", "", "", true};
+        curve stages{name, {}, {}, true};
+        for (int s = least; s <= most; ++s) {
+            const auto e = errors_at_50_digits(f, s, s == 5 ? steps : last_two);
+            const wide_error &coarse = e[e.size() - 2], &fine = e.back();
+            const double y = std::log2(coarse.y / fine.y), lambda = std::log2(coarse.lambda / fine.lambda);
+            const orders theory = promised(f, s);
+            const auto add = [](finding& row, double seen, int expected) {
+                const std::string gap = row.theory.empty() ? "" : " ";
+                row.ours += gap + one_decimal(seen);
+                row.theory += gap + std::to_string(expected);
+                row.agrees = row.agrees && seen > expected - 0.3;
+            };
+            add(of_y, y, theory.y);
+            add(of_lambda, lambda, theory.lambda);
+            o.text += "  s = " + std::to_string(s) + ": y " + decimal(y) + " (" + std::to_string(theory.y) +
+                      "), loss " + std::to_string(classical_order(f, s) - theory.y) + "; lambda " +
+                      decimal(lambda) + " (" + std::to_string(theory.lambda) + "), loss " +
+                      std::to_string(s - theory.lambda) + "; errors at h = 1/240: " + scientific(fine.y) +
+                      ", " + scientific(fine.lambda) + "\n";
+            stages.x.push_back(s);
+            stages.y.push_back(fine.y);
+            if (s == 5) {
+                curve cy{name, {}, {}, true}, cl = cy;
+                for (std::size_t k = 0; k < steps.size(); ++k) {
+                    cy.x.push_back(0.2 / steps[k]), cy.y.push_back(e[k].y);
+                    cl.x.push_back(0.2 / steps[k]), cl.y.push_back(e[k].lambda);
+                }
+                fy.curves.push_back(cy);
+                fl.curves.push_back(cl);
             }
-            h.push_back(1.0 / static_cast<double>(steps));
-            ey.push_back(y);
-            el.push_back(lambda);
         }
-        const std::string label =
-            std::string(stagecraft::tableaux::name(m.f)) + " " + std::to_string(m.stages);
-        const double sy = order_above_rounding(h, ey), sl = order_above_rounding(h, el);
-        o.text += label + ": ";
-        for (std::size_t k = 0; k < h.size(); ++k)
-            o.text += scientific(ey[k]) + "/" + scientific(el[k]) + "  ";
-        o.text += "\n    orders y " + decimal(sy) + ", lambda " + decimal(sl) + " (" + m.reason + ")\n";
-        fy.curves.push_back({label, h, ey, true});
-        fl.curves.push_back({label, h, el, true});
-        o.findings.push_back({"order of y, " + label, "", decimal(sy), ">= " + decimal(m.y), sy > m.y - 0.1});
-        o.findings.push_back(
-            {"order of lambda, " + label, "", decimal(sl), ">= " + decimal(m.lambda), sl > m.lambda - 0.1});
+        o.text += '\n';
+        of_y.theory = ">= " + of_y.theory;
+        of_lambda.theory = ">= " + of_lambda.theory;
+        o.findings.push_back(of_y);
+        o.findings.push_back(of_lambda);
+        if (f == family::radau_iia)
+            o.findings.push_back({"error falls with every stage, s = 2 ... 9", "",
+                                  scientific(stages.y.back()), "h^(2s-1)",
+                                  std::is_sorted(stages.y.rbegin(), stages.y.rend())});
+        fs.curves.push_back(stages);
     }
-    o.text += "\nequal steps 1/200, stages s: error of y over t\n";
-    curve stages{"h = 1/200", {}, {}, true};
-    for (int s = 1; s <= 7; ++s) {
-        const trajectory run = solve(dae, {.stages = s, .tolerance = 1e-13, .steps = 200});
-        double y = 0;
-        for (std::size_t k = 1; k <= 200; ++k)
-            y = std::max(y, (run.path[k].y - reference.path[4 * k].y).head(10).cwiseAbs().maxCoeff());
-        stages.x.push_back(s);
-        stages.y.push_back(y);
-        o.text += "  Radau IIA-" + std::to_string(s) + "  " + scientific(y) + "\n";
-    }
-    o.figures = {fy,
-                 fl,
-                 {"fig_stages",
-                  "Radau IIA with s stages, 200 equal steps",
-                  "s",
-                  "maximum error",
-                  false,
-                  true,
-                  {stages}}};
-    o.findings.push_back({"error falls with every stage, s = 1 ... 6, h = 1/200", "", scientific(stages.y[5]),
-                          "h^(2s-1)", std::is_sorted(stages.y.rbegin() + 1, stages.y.rend())});
+    o.figures = {fy, fl, fs};
     return o;
 }
 

@@ -11,7 +11,6 @@ namespace thesis {
 namespace {
 
 using rolling_disc::disc;
-using vector5 = Eigen::Matrix<double, 5, 1>;
 
 template <class Scalar, class Problem>
 setup_of<Scalar> wrapped(const Problem& problem, const Eigen::Matrix<Scalar, 2, 1>& offset) {
@@ -87,9 +86,12 @@ double disc_kinetic_energy(const vector& y) {
     return stagecraft::kinetic_energy<double>(disc<>(), y.head<5>(), y.segment<5>(5));
 }
 
-Eigen::Vector2d disc_constraint(const vector& y) {
-    const vector5 q = y.head<5>(), v = y.segment<5>(5);
-    return disc<>().G(q) * v;
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 1> disc_constraint(const vector_of<Scalar>& y) {
+    const Eigen::Matrix<Scalar, 5, 1> q = y.template head<5>(), v = y.template segment<5>(5);
+    return disc<Scalar>().G(q) * v;
 }
+template Eigen::Vector2d disc_constraint(const vector&);
+template Eigen::Matrix<long double, 2, 1> disc_constraint(const vector_of<long double>&);
 
 }  // namespace thesis

@@ -69,6 +69,7 @@ void write_figure(const std::string& directory, const figure& f, std::ostream& s
 
 std::string scientific(double x) { return formatted("%.2e", x); }
 std::string decimal(double x) { return formatted("%.2f", x); }
+std::string one_decimal(double x) { return formatted("%.1f", x); }
 
 std::string table(const std::vector<finding>& findings) {
     const std::vector<std::string> head{"experiment", "printed", "here", "theory", "verdict"};

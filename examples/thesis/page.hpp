@@ -33,9 +33,10 @@ struct outcome {
     std::vector<finding> findings;
 };
 
-/// "1.23e-04" and "4.82".
+/// "1.23e-04", "4.82" and "4.8".
 std::string scientific(double x);
 std::string decimal(double x);
+std::string one_decimal(double x);
 
 /// The closing table.
 std::string table(const std::vector<finding>& findings);

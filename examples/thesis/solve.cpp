@@ -75,10 +75,4 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
     return xy / xx;
 }
 
-double last_slope(const std::vector<double>& h, const std::vector<double>& error, double floor) {
-    std::size_t k = error.size() - 1;
-    while (k > 1 && error[k] < floor) --k;
-    return slope({h[k - 1], h[k]}, {error[k - 1], error[k]});
-}
-
 }  // namespace thesis

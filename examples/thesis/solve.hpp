@@ -44,7 +44,8 @@ setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa,
 /// Total and kinetic energy and constraint G(q) q' of the disc in a state that begins with (q, q').
 double disc_energy(const vector& y);
 double disc_kinetic_energy(const vector& y);
-Eigen::Vector2d disc_constraint(const vector& y);
+template <class Scalar = double>
+Eigen::Matrix<Scalar, 2, 1> disc_constraint(const vector_of<Scalar>& y);
 
 /// The stage polynomial of a step that began at start.
 struct piece {
@@ -89,8 +90,5 @@ trajectory_of<Scalar> solve(const setup_of<Scalar>& s, const request& how);
 
 /// Slope of the least-squares line through (log x, log y).
 double slope(const std::vector<double>& x, const std::vector<double>& y);
-
-/// Slope between the two smallest steps whose error is above `floor`: below, rounding errors rule.
-double last_slope(const std::vector<double>& h, const std::vector<double>& error, double floor);
 
 }  // namespace thesis
