@@ -33,7 +33,9 @@ struct result {
 /// problem  anything with problem(t, y, f). Detected members: jacobian(t, y, J), mass(), index(),
 ///          constant_jacobian(), second_order_components, bandwidth(), sparsity() (problem/capabilities.hpp);
 ///          a generic right-hand side without jacobian() is differentiated automatically, any other by finite
-///          differences. problem/with.hpp equips lambdas.
+///          differences. problem/with.hpp equips lambdas; problem/semi_explicit.hpp and
+///          problem/fully_implicit.hpp make problems of y' = f(t, y, z), 0 = g and of F(t, y, y') = 0;
+///          dae/consistent.hpp finds and checks their initial values.
 /// y0       an Eigen column vector, fixed or dynamic size, of the same scalar type as the method.
 /// options  tolerances, steps and limits (control/options.hpp); options.fixed_step > 0 runs equal steps
 /// without

@@ -59,8 +59,7 @@ class fully_implicit_problem : public detail::implicit_structure<N> {
     using part_vector = Eigen::Matrix<S, N, 1>;
 
     fully_implicit_problem(F f, int n, std::vector<int> index)
-        : f_(std::move(f)), parts_(n, n), index_(std::move(index)) {
-        if (n < 0) throw std::invalid_argument("fully_implicit: n must not be negative");
+        : f_(std::move(f)), parts_(n, n, "fully_implicit"), index_(std::move(index)) {
         if (static_cast<int>(index_.size()) != 2 * n)
             throw std::invalid_argument(
                 "fully_implicit: index must hold 2 n flags, those of y and then of y'");
@@ -80,13 +79,15 @@ class fully_implicit_problem : public detail::implicit_structure<N> {
         evaluate(t, x, parts, out);
     }
 
-    /// Exists where F brings its derivatives, F.jacobian(t, y, v, F_y, F_v).
+    /// Exists where F brings its derivatives, F.jacobian(t, y, v, F_y, F_v), into blocks that arrive zero.
     template <class S, class Matrix>
     requires detail::implicit_jacobian<F, S, N>
     void jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
         const int n = parts_.first();
         const part_vector<S> y = x.head(n), v = x.tail(n);
         Eigen::Matrix<S, N, N> F_y(n, n), F_v(n, n);
+        F_y.setZero();
+        F_v.setZero();
         f_.jacobian(t, y, v, F_y, F_v);
         J.topRows(n).setZero();
         for (int i = 0; i < n; ++i) J(i, n + i) = S(1);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -35,7 +36,9 @@ struct part_copies {
 template <class Sizes>
 class part_storage {
   public:
-    part_storage(int first, int second) : first_(first), second_(second), kept_(make(first, second)) {}
+    /// Throws std::invalid_argument, `what` in front, for a negative size.
+    part_storage(int first, int second, const char* what)
+        : first_(checked(first, what)), second_(checked(second, what)), kept_(make(first, second)) {}
     int first() const { return Sizes::fixed ? Sizes::first : first_; }
     int second() const { return Sizes::fixed ? Sizes::second : second_; }
     int size() const { return first() + second(); }
@@ -53,6 +56,10 @@ class part_storage {
     }
 
   private:
+    static int checked(int size, const char* what) {
+        if (size < 0) throw std::invalid_argument(std::string(what) + ": sizes must not be negative");
+        return size;
+    }
     using dual_number = dual<double, Eigen::Dynamic>;
     using kept = std::conditional_t<Sizes::fixed, std::tuple<>,
                                     std::tuple<part_copies<double, Sizes>, part_copies<dual_number, Sizes>>>;

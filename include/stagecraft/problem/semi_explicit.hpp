@@ -94,9 +94,8 @@ class semi_explicit_problem {
     template <class S>
     using state_vector = Eigen::Matrix<S, size, 1>;
 
-    semi_explicit_problem(F f, G g, int n, int m) : f_(std::move(f)), g_(std::move(g)), parts_(n, m) {
-        if (n < 0 || m < 0) throw std::invalid_argument("semi_explicit: n and m must not be negative");
-    }
+    semi_explicit_problem(F f, G g, int n, int m)
+        : f_(std::move(f)), g_(std::move(g)), parts_(n, m, "semi_explicit") {}
 
     /// (f; g) at x = (y; z). Run-time sizes: a const problem allocates, another one does not.
     template <class T, class S>
@@ -112,7 +111,8 @@ class semi_explicit_problem {
     }
 
     /// Exists where f or g brings its derivatives: f.jacobian(t, y, z, f_y, f_z), g.jacobian(t, y, g_y) or
-    /// g.jacobian(t, y, z, g_y, g_z). The other one is differentiated automatically and must be generic.
+    /// g.jacobian(t, y, z, g_y, g_z), into blocks that arrive zero. The other one is differentiated
+    /// automatically and must be generic.
     template <class S, class Matrix>
     requires(analytic_f || analytic_g) void jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
         const int n = parts_.first(), m = parts_.second();
@@ -122,6 +122,8 @@ class semi_explicit_problem {
         if constexpr (analytic_f) {
             Eigen::Matrix<S, Sizes::first, Sizes::first> f_y(n, n);
             Eigen::Matrix<S, Sizes::first, Sizes::second> f_z(n, m);
+            f_y.setZero();
+            f_z.setZero();
             f_.jacobian(t, y, z, f_y, f_z);
             J.topLeftCorner(n, n) = f_y;
             J.topRightCorner(n, m) = f_z;
@@ -143,6 +145,7 @@ class semi_explicit_problem {
         if constexpr (analytic_g) {
             Eigen::Matrix<S, Sizes::second, Sizes::first> g_y(m, n);
             Eigen::Matrix<S, Sizes::second, Sizes::second> g_z(m, m);
+            g_y.setZero();
             g_z.setZero();
             if constexpr (sees_z)
                 g_.jacobian(t, y, z, g_y, g_z);
