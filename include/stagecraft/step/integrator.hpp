@@ -310,7 +310,9 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             factored_ |= solve_by_continuation(method, system_, t_, y_, h, weights_, newton_limits_for(s),
                                                now, report_, newton);
         if (!factored_ || newton.end != newton_end::converged) {
-            obstacle_ = !factored_                             ? status::singular_matrix
+            const bool left_is_finite = norm(f0_, scale_) - norm(f0_, scale_) == scalar(0);
+            obstacle_ = !factored_ && left_is_finite           ? status::singular_matrix
+                        : !factored_                           ? status::non_finite
                         : newton.end == newton_end::non_finite ? status::non_finite
                                                                : status::newton_failed;
             ++report_.rejected_newton;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE right_hand_sides
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
+#include <stdexcept>
+
+// Right-hand sides and Jacobians that are not what the theory assumes: discontinuous, non-finite from some
+// time on, throwing, resizing. With every family of transformed methods.
+
+namespace sc = stagecraft;
+using sc::tableaux::family;
+using enum sc::tableaux::family;
+using V = Eigen::VectorXd;
+
+namespace {
+
+using method = sc::transformed_tableau<double>;
+
+std::vector<method> methods() {
+    std::vector<method> list;
+    for (const auto& [f, s] :
+         {std::pair{radau_iia, 1}, std::pair{radau_iia, 3}, std::pair{radau_iia, 4}, std::pair{gauss, 2},
+          std::pair{gauss, 3}, std::pair{radau_ia, 3}, std::pair{lobatto_iiic, 3}})
+        list.push_back(sc::tableaux::transformed<double>(f, s));
+    return list;
+}
+
+const V start = Eigen::Vector2d(1, 2);
+
+/// y' = -y until t = 1, then `after`, which may do anything.
+template <class After>
+struct until_one {
+    After after;
+    void operator()(double t, const V& y, V& f) const {
+        f = -y;
+        if (t > 1) after(f);
+    }
+};
+template <class After>
+until_one(After) -> until_one<After>;
+
+// Methods with c_s < 1 may end a step beyond the last time at which they have asked.
+template <class Result>
+void is_good_up_to_one(const Result& r, double overshoot, double bound = 2e-3) {
+    BOOST_TEST(!r.ok());
+    BOOST_TEST(r.t <= 1 + overshoot);
+    BOOST_TEST(r.y.size() == 2);
+    BOOST_TEST(std::abs(r.y[1] - 2 * std::exp(-r.t)) < bound);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nan_and_infinity_from_some_time_on_keep_the_last_good_state) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
+    for (const auto& m : methods())
+        for (const double bad : {nan, inf, -inf})
+            for (const double step : {0.0, 0.07}) {
+                const until_one one{[bad](V& f) { f[1] = bad; }};
+                const auto r =
+                    sc::integrate(m, one, start, 0, 2, {.rtol = 1e-4, .atol = 1e-4, .fixed_step = step});
+                is_good_up_to_one(r, m.c[m.stages() - 1] < 1 ? 0.1 : 0, m.stages() == 1 ? 5e-2 : 2e-3);
+                BOOST_TEST(sc::name(r.status) == "non_finite");
+                BOOST_TEST(r.t > 0.85);
+            }
+}
+
+BOOST_AUTO_TEST_CASE(a_right_hand_side_that_becomes_enormous_is_no_success) {
+    for (const auto& m : methods()) {
+        const until_one one{[](V& f) { f *= -1e305; }};
+        const auto r = sc::integrate(m, one, start, 0, 2, {.rtol = 1e-4, .atol = 1e-4});
+        BOOST_TEST(!r.ok());
+        BOOST_TEST(r.y.allFinite());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_jacobian_that_is_not_finite_is_a_status) {
+    struct problem {
+        double from;
+        void operator()(double, const V& y, V& f) const { f = -y; }
+        void jacobian(double t, const V&, Eigen::MatrixXd& J) const {
+            J = -Eigen::MatrixXd::Identity(2, 2);
+            if (t >= from) J(0, 1) = std::nan("");
+        }
+    };
+    for (const auto& m : methods()) {
+        const auto r = sc::integrate(m, problem{0}, start, 0, 2);
+        BOOST_TEST(!r.ok());
+        BOOST_TEST(r.t == 0);
+        BOOST_TEST((r.y == start));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_thrown_ends_the_run_with_the_last_good_state) {
+    for (const auto& m : methods()) {
+        const until_one one{[](V&) { throw std::domain_error("beyond the table"); }};
+        const auto r = sc::integrate(m, one, start, 0, 2, {.rtol = 1e-4, .atol = 1e-4});
+        is_good_up_to_one(r, m.c[m.stages() - 1] < 1 ? 0.1 : 0);
+        BOOST_TEST(sc::name(r.status) == "function_threw");
+        BOOST_CHECK_THROW(std::rethrow_exception(r.exception), std::domain_error);
+        // Not only exceptions of the standard library.
+        const until_one seven{[](V&) { throw 7; }};
+        const auto q = sc::integrate(m, seven, start, 0, 2, {.rtol = 1e-4, .atol = 1e-4});
+        is_good_up_to_one(q, m.c[m.stages() - 1] < 1 ? 0.1 : 0);
+        BOOST_CHECK_THROW(std::rethrow_exception(q.exception), int);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_output_that_changes_size_is_a_status) {
+    for (const auto& m : methods())
+        for (const int size : {0, 1, 3, 50}) {
+            const until_one one{[size](V& f) { f = V::Ones(size); }};
+            const auto r = sc::integrate(m, one, start, 0, 2, {.rtol = 1e-4, .atol = 1e-4});
+            is_good_up_to_one(r, m.c[m.stages() - 1] < 1 ? 0.1 : 0);
+            BOOST_TEST(sc::name(r.status) == "size_changed");
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_jacobian_that_changes_size_is_a_status) {
+    struct problem {
+        void operator()(double, const V& y, V& f) const { f = -y; }
+        void jacobian(double t, const V&, Eigen::MatrixXd& J) const {
+            J = -Eigen::MatrixXd::Identity(t > 0 ? 3 : 2, 2);
+        }
+    };
+    const auto r = sc::integrate(methods()[1], problem{}, start, 0, 100, {.rtol = 1e-6, .atol = 1e-6});
+    BOOST_TEST((r.ok() || sc::name(r.status) == std::string("size_changed")));
+    struct never : problem {
+        void jacobian(double, const V&, Eigen::MatrixXd& J) const { J.resize(3, 3); }
+    };
+    BOOST_TEST(sc::name(sc::integrate(methods()[1], never{}, start, 0, 1).status) == "size_changed");
+}
+
+// Jumps of f: the error test finds them. Across a jump every method is of order 1 and the estimate, O(h^q) on
+// smooth solutions, is as large as the error: the answer is within the bound for the estimate,
+// rtol^{q/(p+1)}.
+BOOST_AUTO_TEST_CASE(discontinuous_right_hand_sides_are_solved_within_the_bound_of_the_estimate) {
+    const auto sawtooth = [](double t, const V& y, V& f) {
+        f[0] = std::floor(t) < 1.5 ? 1 : -2;  // jumps at t = 2
+        f[1] = y[0] > 1.5 ? -y[1] : y[1];     // where y1 passes 1.5, upwards at t = 1.5, down at 2.25
+    };
+    for (const auto& m : methods())
+        for (const double tol : {1e-3, 1e-5, 1e-7}) {
+            if (m.stages() == 1 && tol < 1e-4) continue;
+            const auto r =
+                sc::integrate(m, sawtooth, V(Eigen::Vector2d(0, 1)), 0, 3, {.rtol = tol, .atol = tol});
+            const bool left = m.c[0] > 0;
+            const double q = m.stages() + left, p = sc::quadrature_order(m);
+            const double bound = 20 * std::pow(tol, std::min(1.0, q / (p + 1)));
+            BOOST_TEST_CONTEXT("s = " << m.stages() << " tol = " << tol << " steps " << r.report.steps) {
+                BOOST_TEST(sc::name(r.status) == "success");
+                BOOST_TEST(std::abs(r.y[0]) < bound);
+                BOOST_TEST(std::abs(r.y[1] / std::exp(1.5) - 1) < bound);
+                BOOST_TEST(r.report.rejected() > 0);
+            }
+        }
+}
+
+// y' = -sign y has no solution beyond y = 0 in the classical sense (it slides): no success with another
+// answer than 0.
+BOOST_AUTO_TEST_CASE(sliding_on_a_discontinuity_ends_at_zero_or_in_a_status) {
+    const auto slide = [](double, const V& y, V& f) {
+        for (int i = 0; i < 2; ++i) f[i] = y[i] > 0 ? -1 : y[i] < 0 ? 1 : 0;
+    };
+    for (const auto& m : methods()) {
+        const auto r = sc::integrate(m, slide, start, 0, 3, {.rtol = 1e-4, .atol = 1e-4, .max_steps = 20000});
+        BOOST_TEST(r.y.allFinite());
+        if (r.ok()) BOOST_TEST(r.y.lpNorm<Eigen::Infinity>() < 1e-2);
+        if (!r.ok()) BOOST_TEST(std::abs(r.y[1] - std::max(0.0, 2 - r.t)) < 1e-2);
+    }
+}
+
+// Square roots and powers: f leaves its domain if a stage does.
+BOOST_AUTO_TEST_CASE(a_solution_at_the_edge_of_the_domain_is_right_or_no_success) {
+    const auto torricelli = [](double, const V& y, V& f) {  // the tank is empty at t = 2
+        f[0] = -std::sqrt(y[0]);
+        f[1] = 0;
+    };
+    for (const auto& m : methods()) {
+        const auto before = sc::integrate(m, torricelli, start, 0, 1.9, {.rtol = 1e-4, .atol = 1e-4});
+        BOOST_TEST(before.ok());
+        BOOST_TEST(std::abs(before.y[0] - 0.05 * 0.05) < 2e-3);
+        const auto after = sc::integrate(m, torricelli, start, 0, 3, {.rtol = 1e-4, .atol = 1e-4});
+        BOOST_TEST(after.y.allFinite());
+        BOOST_TEST((after.ok() ? std::abs(after.y[0]) < 1e-2 : after.t < 2.1));
+    }
+}
