@@ -33,6 +33,7 @@ struct sparse_blocks {
             return refactor(*solver_, a_, nonzeros_, mass, J, shift);
         }
         void solve(Scalar* x) {
+            if (x_.size() == 0) return;
             Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> map(x, x_.size());
             x_ = map;
             map = solver_->solve(x_);
@@ -58,6 +59,7 @@ struct sparse_blocks {
         }
         void solve(Scalar* x, Scalar* y) {
             const Eigen::Index n = z_.size();
+            if (n == 0) return;
             for (Eigen::Index i = 0; i < n; ++i) z_[i] = number(x[i], y[i]);
             w_ = solver_->solve(z_);
             for (Eigen::Index i = 0; i < n; ++i) x[i] = w_[i].real(), y[i] = w_[i].imag();
