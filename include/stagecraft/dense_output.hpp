@@ -79,8 +79,11 @@ class basis_values {
 };
 
 /// The collocation polynomial u of one step, u(t0 + theta h) = y0 + sum_j l_j(theta) z_j (Hairer-Wanner
-/// II.IV.8): continuous over the steps; of order s for the methods with C(s), of order s - 1 (degree s - 1)
-/// for Lobatto IIIC. Evaluated only where it is asked, and valid until the next step; copy it to keep it.
+/// II.IV.8): continuous over the steps. For methods with C(s) its error is O(h^{s+1}) in y, also of index 1;
+/// O(h^s) in components of index 2 and O(h^{s-1}) in those of index 3; one order less for Lobatto IIIC
+/// (degree s - 1). The ends of the steps are of the higher order of the method: at tight tolerances they are
+/// more accurate than what lies between, and options.max_step is what improves that. Evaluated only where it
+/// is asked, and valid until the next step; copy it to keep it.
 template <class Vector, int MaxStages>
 class dense_output {
   public:

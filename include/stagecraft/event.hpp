@@ -172,44 +172,90 @@ class event_watch {
     /// Adds the crossings of event e after sample a, up to sample b, to found_.
     template <class Solution>
     void search(std::size_t e, const sample& a, const sample& b, const Solution& solution) {
-        time_bracket<scalar> i{a.t, a.g[e], b.t, b.g[e]};
-        if (is_nan(i.at_a) || is_nan(i.at_b)) return;
+        if (is_nan(a.g[e]) || is_nan(b.g[e])) return;
         const auto g = [&](const scalar& t) {
             const scalar v = events_[e].g(t, solution(t));
             if (is_nan(v)) fail(e, t);
             return v;
         };
+        search(e, {a.t, a.g[e], b.t, b.g[e]}, g, solution, 0);
+    }
+
+    /// The same between any two times. Two crossings leave the sign as it was: they show by g heading for
+    /// zero at both ends. Besides one that was found at r they show in the same way in g / (t - r).
+    template <class G, class Solution>
+    void search(std::size_t e, time_bracket<scalar> i, const G& g, const Solution& solution, int depth) {
+        using std::abs;
         const scalar near = (i.b - i.a) / 1024;
+        if (depth > 4 || abs(near) < resolution()) return add(e, i, g, solution);
         if (i.at_a == scalar(0)) {  // was reported on arrival; what counts is where g goes from here
             i.a += near;
             i.at_a = g(i.a);
             if (i.at_a == scalar(0)) return;
         }
-        if (changes_sign(i)) return add(e, i, g, solution);
-        if (!may_dip(e, i.at_a, i.at_b)) return;
-        // Of one sign at both ends: there may be two crossings if g heads for zero at both.
-        const bool negative = i.at_a < scalar(0);
-        const auto heads_for_zero = [&](const scalar& at, const scalar& inside) {
-            return negative ? inside > at : inside < at;
-        };
-        if (!heads_for_zero(i.at_a, g(i.a + near)) || !heads_for_zero(i.at_b, g(i.b - near))) return;
         scalar t{}, v{};
-        if (!find_dip(g, i, t, v)) return;
-        add(e, {i.a, i.at_a, t, v}, g, solution);
-        if (v != scalar(0)) add(e, {t, v, i.b, i.at_b}, g, solution);
+        const auto dips = [&](const auto& f, const time_bracket<scalar>& j) {
+            return heads_for_zero(j.at_a, f(j.a + near)) && heads_for_zero(j.at_b, f(j.b - near)) &&
+                   find_dip(f, j, t, v);
+        };
+        if (!changes_sign(i)) {
+            if (!may_dip(e, i.at_a, i.at_b) || !dips(g, i)) return;
+            search(e, {i.a, i.at_a, t, v}, g, solution, depth + 1);
+            return search(e, {t, v, i.b, i.at_b}, g, solution, depth + 1);
+        }
+        time_bracket<scalar> root = i;
+        narrow(g, root, resolution());
+        add(e, root, g, solution);
+        const scalar r = root.b;
+        const auto other_factor = [&](const scalar& x) {
+            return x == r ? scalar(1) : scalar(g(x) / (x - r));
+        };
+        time_bracket<scalar> j = i;
+        if (abs(r - j.a) < abs(near)) j.a += near;
+        if (abs(r - j.b) < abs(near)) j.b -= near;
+        j.at_a = other_factor(j.a);
+        j.at_b = other_factor(j.b);
+        if (changes_sign(j) || !dips(other_factor, j)) return;
+        v *= t - r;
+        const auto part = [&](const scalar& from, const scalar& at_from, const scalar& to,
+                              const scalar& at_to) {
+            search(e, {from, at_from, to, at_to}, g, solution, depth + 1);
+        };
+        if (comes_before(t, r)) {
+            part(i.a, i.at_a, t, v);
+            part(t, v, root.a, root.at_a);
+            part(r, root.at_b, i.b, i.at_b);
+        } else {
+            part(i.a, i.at_a, root.a, root.at_a);
+            part(r, root.at_b, t, v);
+            part(t, v, i.b, i.at_b);
+        }
     }
 
+    /// True if a g with value `at` at an end of an interval and `inside` next to it comes nearer to zero.
+    static bool heads_for_zero(const scalar& at, const scalar& inside) {
+        return at < scalar(0) ? inside > at : inside < at;
+    }
+
+    /// The rounding of t in this step.
+    scalar resolution() const {
+        using std::abs;
+        return std::numeric_limits<scalar>::epsilon() *
+               std::max<scalar>(abs(samples_.front().t), abs(samples_.back().t));
+    }
+
+    /// Adds the one crossing in a bracket, if there is one and it counts.
     template <class G, class Solution>
     void add(std::size_t e, time_bracket<scalar> i, const G& g, const Solution& solution) {
         using std::abs;
+        if (!changes_sign(i)) return;
+        narrow(g, i, resolution());
         const crossing direction = i.at_a < scalar(0) ? crossing::rising : crossing::falling;
         const event_options& o = events_[e].options;
         if (o.direction != crossing::both && o.direction != direction) return;
-        const scalar t0 = samples_.front().t;
-        const scalar largest = std::max<scalar>(abs(t0), abs(samples_.back().t));
-        const scalar rounding = std::numeric_limits<scalar>::epsilon();
-        narrow(g, i, rounding * largest);
-        if (first_ && !(abs(i.b - t0) > 4 * rounding * std::max<scalar>(largest, span_))) return;
+        const scalar at_start =
+            4 * std::max<scalar>(resolution(), std::numeric_limits<scalar>::epsilon() * span_);
+        if (first_ && !(abs(i.b - samples_.front().t) > at_start)) return;
         found_.push_back({static_cast<int>(e), i.b, solution(i.b), direction});
     }
 
@@ -242,16 +288,17 @@ class event_watch {
 ///     auto watch = events<Vector2d>(event(height, {.terminal = true}), event(speed));
 ///     const auto r = integrate(method, problem, y0, t0, t1, options, watch);  // then watch.found()
 ///
-/// Every g(t, y) is evaluated at 2 s points of each step (at least four) and, where it comes near zero
-/// without changing sign, at the few more that show two crossings; each crossing is then narrowed down to the
-/// rounding of t. Two crossings closer than about a 500th of a step, or a g that oscillates within a step,
-/// may be missed: options.max_step is the cure. The time reported is the first at which g is zero or has its
-/// new sign, so that a run continued from there does not meet the event again; one within rounding of t0 is
-/// not reported. A g that reaches zero and turns back counts as reaching it. g may be evaluated anywhere in a
-/// step, also beyond a terminal event. Events are reported in the order of the run, simultaneous ones in the
-/// order of the list; the first terminal one ends the run: result.t and result.y are its, result.status is
-/// status::event. A g that gives NaN within the run ends it with status::function_threw (std::domain_error
-/// naming the event and t).
+/// Every g(t, y) is evaluated at 2 s points of each step (at least four) and, where it comes near zero, at
+/// the few more that show pairs of crossings; each crossing is then narrowed down to the rounding of t. A
+/// pair closer than about a 5000th of a step, or with a third crossing as near as the next sample, and a g
+/// that oscillates within a step may be missed: options.max_step is the cure. The time reported is the first
+/// at which g is zero or has its new sign, so that a run continued from there does not meet the event again;
+/// one within rounding of t0 is not reported. A g that reaches zero exactly and turns back counts as reaching
+/// it. The accuracy of the time is that of the continuous solution (dense_output.hpp). g may be evaluated
+/// anywhere in a step, also beyond a terminal event. Events are reported in the order of the run,
+/// simultaneous ones in the order of the list; the first terminal one ends the run: result.t and result.y are
+/// its, result.status is status::event. A g that gives NaN within the run ends it with status::function_threw
+/// (std::domain_error naming the event and t).
 template <class Vector, class... Functions>
 event_watch<Vector> events(event_function<Functions>... list) {
     using function = typename event_watch<Vector>::function;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE events
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -154,6 +155,24 @@ BOOST_AUTO_TEST_CASE(a_run_continued_from_an_event_does_not_meet_it_again) {
             y = r.y;
         }
     }
+}
+
+// Between two samples: a pair before or after a third crossing, and a pair closer than a 1000th of a sample.
+BOOST_AUTO_TEST_CASE(crossings_close_together_are_all_found) {
+    for (const bool forth : {true, false})
+        for (std::vector<double> roots :
+             {std::vector{0.510, 0.515, 0.55}, std::vector{0.52, 0.56, 0.561}, std::vector{0.3, 0.30015}}) {
+            auto watch = sc::events<V1>(sc::event([&](double, const V1& y) {
+                double product = 1;
+                for (const double root : roots) product *= y[0] - root;
+                return product;
+            }));
+            run_clock(forth ? 0 : 1, forth ? 1 : 0, 1, watch);
+            BOOST_REQUIRE(watch.found().size() == roots.size());
+            if (!forth) std::reverse(roots.begin(), roots.end());
+            for (std::size_t k = 0; k < roots.size(); ++k)
+                BOOST_TEST(std::abs(watch.found()[k].t - roots[k]) < 4e-16);
+        }
 }
 
 // One step from 0 to 1 (or back): every zero in the order of the run, two of one function included.
