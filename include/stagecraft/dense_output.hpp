@@ -127,7 +127,10 @@ class dense_output {
     /// Adds delta (t - t0)/h, so that the end is moved by delta and the start stays.
     template <class Delta>
     void move_end(const Delta& delta) {
-        for (int j = 0; j < nodes_->size; ++j) z_.col(nodes_->first_column + j) += nodes_->c[j] * delta;
+        for (int j = 0; j < nodes_->size; ++j) {
+            const scalar part = nodes_->c[j] == scalar(0) ? scalar(1) : nodes_->c[j];  // a slope, or a value
+            z_.col(nodes_->first_column + j) += part * delta;
+        }
     }
 
     // What a stepper fills in; z holds z_i = Y_i - y0 in its columns.

@@ -59,17 +59,20 @@ BOOST_AUTO_TEST_CASE(a_matrix_without_a_basis_of_eigenvectors_has_none) {
     BOOST_TEST(sc::block_diagonal(entries(jordan), 2).has_value());
 }
 
+namespace {
+struct chain {
+    void operator()(double t, const Eigen::VectorXd& y, Eigen::VectorXd& f) const {
+        const int n = static_cast<int>(y.size());
+        for (int i = 0; i < n; ++i)
+            f[i] = 100 * ((i > 0 ? y[i - 1] : std::sin(t)) - 2 * y[i] + (i + 1 < n ? y[i + 1] : 0));
+    }
+};
+struct banded_chain : chain {
+    sc::bandwidth bandwidth() const { return {1, 1}; }
+};
+}  // namespace
+
 BOOST_AUTO_TEST_CASE(the_structure_of_the_jacobian_makes_no_difference) {
-    struct chain {
-        void operator()(double t, const Eigen::VectorXd& y, Eigen::VectorXd& f) const {
-            const int n = static_cast<int>(y.size());
-            for (int i = 0; i < n; ++i)
-                f[i] = 100 * ((i > 0 ? y[i - 1] : std::sin(t)) - 2 * y[i] + (i + 1 < n ? y[i + 1] : 0));
-        }
-    };
-    struct banded_chain : chain {
-        sc::bandwidth bandwidth() const { return {1, 1}; }
-    };
     const Eigen::VectorXd y0 = Eigen::VectorXd::Ones(4);
     const auto m = methods::lobatto_iiia_3();
     const sc::options<double> o{.rtol = 1e-10, .atol = 1e-10, .fixed_step = 0.05};
@@ -79,4 +82,14 @@ BOOST_AUTO_TEST_CASE(the_structure_of_the_jacobian_makes_no_difference) {
     BOOST_TEST(b.ok());
     BOOST_TEST((a.y - b.y).norm() < 1e-9);
     BOOST_TEST((a.y - y0).norm() > 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_state_without_components_is_carried_to_the_end) {
+    for (const auto& m : {methods::classical(), methods::sdirk_4_3(), methods::tr_bdf2(),
+                          methods::lobatto_iiia_3(), methods::lobatto_iiib_3()}) {
+        const auto r = sc::integrate(m, chain{}, Eigen::VectorXd(0), 0, 1, {.fixed_step = 0.25});
+        BOOST_TEST(r.ok());
+        BOOST_TEST(r.t == 1);
+        BOOST_TEST(r.report.steps == 4);
+    }
 }
