@@ -82,8 +82,9 @@ class basis_values {
 /// II.IV.8): continuous over the steps. For methods with C(s) its error is O(h^{s+1}) in y, also of index 1;
 /// O(h^s) in components of index 2 and O(h^{s-1}) in those of index 3; one order less for Lobatto IIIC
 /// (degree s - 1). The ends of the steps are of the higher order of the method: at tight tolerances they are
-/// more accurate than what lies between, and options.max_step is what improves that. Evaluated only where it
-/// is asked, and valid until the next step; copy it to keep it.
+/// more accurate than what lies between, and options.max_step is what improves that. For methods given by
+/// their tableau see step/stage_output.hpp. Evaluated only where it is asked, and valid until the next step;
+/// copy it to keep it.
 template <class Vector, int MaxStages>
 class dense_output {
   public:

@@ -29,7 +29,8 @@ struct result {
 /// method   a transformed_tableau (regular A: Radau IA/IIA, Gauss, Lobatto IIIC), e.g. radau_iia<3>() from
 ///          coefficients/radau_iia.hpp, with stages known at compile time or at run time; a variable_order
 ///          set; or any tableau: explicit and diagonally implicit methods are solved stage by stage, others
-///          as one dense system of size s n. Adaptive steps of a tableau need its b_embedded.
+///          together, in real and complex blocks where A has a basis of eigenvectors. Adaptive steps of a
+///          tableau need its b_embedded.
 /// problem  anything with problem(t, y, f). Detected members: jacobian(t, y, J), mass(), index(),
 ///          constant_jacobian(), second_order_components, bandwidth(), sparsity() (problem/capabilities.hpp);
 ///          a generic right-hand side without jacobian() is differentiated automatically, any other by finite

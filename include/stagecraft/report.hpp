@@ -9,7 +9,7 @@ namespace stagecraft {
 /// `f` counts evaluations of the right-hand side outside of the Jacobian, `f_jacobian` those that finite
 /// differences or automatic differentiation spent on it. A factorisation is one set of real and complex
 /// blocks; `solves` counts such sets as well (one per Newton iteration), `error_solves` those of the error
-/// estimate.
+/// estimate. Diagonally implicit methods iterate stage by stage, so a set of theirs is one system of size n.
 template <class Scalar>
 struct report {
     long steps = 0;

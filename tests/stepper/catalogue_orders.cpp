@@ -113,4 +113,11 @@ BOOST_AUTO_TEST_CASE(entries_are_rounded_once) {
     const auto wide = sc::tableaux::rounded<fifty>(file);
     BOOST_TEST(abs(wide.b[0] * wide.b[0] * 2 - 1) < fifty("1e-49"));
     BOOST_TEST(!sc::tableaux::rounded<double>(catalogue().at("classical_rk4")).facts.stiffly_accurate);
+    // an exact tableau is rounded as its file is
+    const auto& fractions = catalogue().at("dormand_prince_5_4");
+    const auto a = sc::tableaux::rounded<double>(sc::tableaux::to_rational(fractions));
+    const auto b = sc::tableaux::rounded<double>(fractions);
+    BOOST_TEST((a.A == b.A && a.b == b.b && a.c == b.c && a.b_embedded == b.b_embedded));
+    BOOST_TEST(a.A(6, 2) == 500.0 / 1113);
+    BOOST_TEST(a.A(6, 2) != std::nextafter(500.0 / 1113, 1.0));
 }

@@ -53,8 +53,9 @@ bool least_solution(std::array<Column, 4> rows, std::array<Scalar, 4> right, int
 ///     order conditions up to order 3, or to 2, or 1, as far as the stages allow, and are smallest;
 ///   - with a singular M, whose left slope is not known, the quadratic through both ends and the stage
 ///     nearest the middle (all stages where C(s) holds).
-/// Where facts are wrong or the coefficients are rounded it is never of lower order than these conditions
-/// say, as they are looked at in the numbers.
+/// The conditions are looked at in the numbers, not in the facts. No form evaluates f: where y1 is no stage
+/// the slope there is not used, and a method of few stages has a continuous solution of order 2 (three stages
+/// without C(3), such as Lobatto IIIB) or 1 (one stage).
 template <class Scalar, int N, int Stages, int MaxStages>
 class stage_output {
   public:
@@ -143,8 +144,8 @@ class stage_output {
         return abs(c - Scalar(1) / 2);
     }
 
-    /// b(1/2) and b'(0): with b(1) = b of order q they determine a cubic of weights of order min(q, 3) for
-    /// every theta, if the conditions in theta hold at these places.
+    /// b(1/2) and b'(0): with b(0) = 0 and b(1) = b they determine the cubic, and the conditions up to order
+    /// 3 are cubics in theta, so that they hold for every theta if they hold at these places.
     void find_weights(const tableau<Scalar, Stages>& m) {
         using column = Eigen::Matrix<Scalar, Stages, 1>;
         const int s = m.stages();
