@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(the_parts_of_a_semi_explicit_system_may_have_run_time_sizes
     const auto b = sc::integrate(sc::radau_iia<3>(), open, Eigen::VectorXd(Vector3d(1, 1, 1)), 0, 1, tol);
     BOOST_TEST(b.ok());
     BOOST_TEST(a.report.steps == b.report.steps);
-    BOOST_TEST((a.y - b.y).norm() < 1e-12);
+    BOOST_TEST((a.y - b.y).norm() < 1e-10);  // other eliminations: rounding, over h in z
     const auto c =
         sc::integrate(sc::radau_iia<3>(), sc::semi_explicit(dae::decay, dae::decay_constraint, 1, 1),
                       Eigen::VectorXd(Vector2d(1, -1)), 0, 1, tol);
