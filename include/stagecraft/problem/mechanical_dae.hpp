@@ -85,8 +85,8 @@ class index_reduced_ode {
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template tail<n>();
-        const multiplier_vector<S, Model> lambda = multiplier(q, v, t);
-        detail::motion<S, Model>(model_, t, y, model_.G(q), lambda, f);
+        f.template head<n>() = v;
+        f.template tail<n>() = constrained<S>(q, v, t).acceleration;
     }
 
     template <class S>
@@ -109,17 +109,37 @@ class index_reduced_ode {
     template <class S>
     multiplier_vector<S, Model> multiplier(const coordinate_vector<S, Model>& q,
                                            const coordinate_vector<S, Model>& v, const S& t) const {
-        const mass_inverse<S, Model> solve(model_, q);
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
-        const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model_, q, v);
-        const multiplier_vector<S, Model> rhs =
-            G * solve(force<S>(model_, q, v, t)) + curvature + S(r_) * (G * v);
-        return small_ldlt<S, m>(constraint_inertia<S>(model_, q)).solve(rhs);
+        return constrained<S>(q, v, t).multiplier;
     }
 
     const Model& model() const { return model_; }
 
   private:
+    template <class S>
+    struct motion {
+        coordinate_vector<S, Model> acceleration;
+        multiplier_vector<S, Model> multiplier;
+    };
+    // One factorisation of M for a = M^-1 F - (M^-1 G^T) lambda and for G M^-1 G^T.
+    template <class S>
+    motion<S> constrained(const coordinate_vector<S, Model>& q, const coordinate_vector<S, Model>& v,
+                          const S& t) const {
+        const mass_inverse<S, Model> solve(model_, q);
+        const Eigen::Matrix<S, m, n> G = model_.G(q);
+        const coordinate_vector<S, Model> free = solve(force<S>(model_, q, v, t));
+        Eigen::Matrix<S, n, m> W;
+        multiplier_matrix<S, Model> inertia;
+        for (int k = 0; k < m; ++k) {
+            const coordinate_vector<S, Model> row = G.row(k).transpose(), column = solve(row);
+            W.col(k) = column;
+            inertia.col(k) = G * column;
+        }
+        const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model_, q, v),
+                                          rhs = G * free + curvature + S(r_) * (G * v),
+                                          lambda = small_ldlt<S, m>(inertia).solve(rhs);
+        return {free - W * lambda, lambda};
+    }
+
     Model model_;
     Scalar r_;
 };
