@@ -194,12 +194,19 @@ outcome nonholonomic_bodies() {
         "fig_ball", "A ball rolling in an upright cylinder does not fall", "t [s]", "", false, false, {}};
     figure energies{
         "fig_energies", "Change of the energy, tol 10^{-11}", "t [s]", "|change| [J]", false, true, {}};
+    figure lost{"fig_misprint",
+                "The disc with F as printed and corrected",
+                "t [s]",
+                "|change of the energy| [J]",
+                false,
+                true,
+                {}};
     knife(o, paths, energies);
     sleigh(o, paths, energies);
     ball(o, heights, energies);
-    misprint(o, energies);
+    misprint(o, lost);
     falling_disc(o);
-    o.figures = {paths, heights, energies};
+    o.figures = {paths, heights, energies, lost};
     return o;
 }
 

@@ -18,6 +18,18 @@ thesis::trajectory run(const Problem& problem, const vector& y0, double end, dou
     return thesis::solve<double>({thesis::erased(problem), y0, {}}, {.tolerance = tolerance, .end = end});
 }
 
+// A knife edge turned by a torque that depends on time: phi'' = cos t.
+struct steered_edge : thesis::knife_edge {
+    template <class S>
+    Eigen::Matrix<S, 3, 1> F(const Eigen::Matrix<S, 3, 1>& q, const Eigen::Matrix<S, 3, 1>& v,
+                             const S& t) const {
+        using std::cos;
+        Eigen::Matrix<S, 3, 1> F = knife_edge::F(q, v);
+        F[2] += S(inertia) * S(cos(t));
+        return F;
+    }
+};
+
 // Largest change of the energy over a run whose states begin with (q, v).
 template <class Model>
 double drift(const Model& model, const thesis::trajectory& r) {
@@ -51,6 +63,16 @@ BOOST_AUTO_TEST_CASE(the_knife_edge_moves_on_its_cycloid) {
     start << 0, 0, 0, 0, 0, omega;
     const vector reduced = run(index_reduced(model), start, t, 1e-11).path.back().y;
     BOOST_TEST((reduced - y.head(6)).norm() < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(forces_may_depend_on_time) {
+    const auto dae = index_2(steered_edge());
+    const auto r = run(dae, dae.initial_state(vector3(0, 0, 0), vector3(0, 0, 0)), 3, 1e-10);
+    for (const auto& p : r.path) BOOST_TEST(std::abs(p.y[2] - (1 - std::cos(p.t))) < 1e-8);
+    vector start = vector::Zero(6);
+    const vector reduced = run(index_reduced(steered_edge()), start, 3, 1e-10).path.back().y;
+    BOOST_TEST((reduced - r.path.back().y.head(6)).norm() < 1e-6);
+    BOOST_TEST(drift(steered_edge(), r) > 1e-2);  // the torque does work
 }
 
 BOOST_AUTO_TEST_CASE(the_chaplygin_sleigh_keeps_its_energy_and_straightens) {
