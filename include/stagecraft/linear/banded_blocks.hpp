@@ -154,11 +154,14 @@ struct banded_blocks {
     }
 };
 
-template <class Scalar>
-block_work<Scalar> work_of(const banded_matrix<Scalar>& J) {
-    const Scalar n = Scalar(J.size()), lower = Scalar(J.lower()), band = lower + Scalar(J.upper());
-    return {n * (20 + 5 * lower * band), n * (25 + 5 * band)};
-}
+template <class Number>
+struct work_of<banded_matrix<Number>> {
+    template <class Scalar>
+    static block_work<Scalar> estimate(const banded_matrix<Number>& J) {
+        const Scalar n = Scalar(J.size()), lower = Scalar(J.lower()), band = lower + Scalar(J.upper());
+        return {n * (20 + 5 * lower * band), n * (25 + 5 * band)};
+    }
+};
 
 template <class Scalar>
 struct default_blocks<banded_matrix<Scalar>> {

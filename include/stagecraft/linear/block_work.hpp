@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
-
 namespace stagecraft {
 
 /// What linear algebra costs, in units of about a nanosecond: once per step (a factorisation) and once per
@@ -13,12 +11,14 @@ struct block_work {
     Scalar step, iteration;
 };
 
-/// For one stage, with a dense Jacobian; other structures overload it beside their solvers.
-template <class Derived>
-auto work_of(const Eigen::MatrixBase<Derived>& J) -> block_work<typename Derived::Scalar> {
-    using scalar = typename Derived::Scalar;
-    const scalar n = scalar(J.rows());
-    return {n * n * n / 3 + 4 * n, n * n};
-}
+/// For one stage, by the type of the Jacobian: dense here, other structures beside their solvers.
+template <class Matrix>
+struct work_of {
+    template <class Scalar>
+    static block_work<Scalar> estimate(const Matrix& J) {
+        const Scalar n = Scalar(J.rows());
+        return {n * n * n / 3 + 4 * n, n * n};
+    }
+};
 
 }  // namespace stagecraft

@@ -103,11 +103,14 @@ struct sparse_blocks {
 };
 
 /// The fill is not known before the first factorisation: two-dimensional problems cost more than this says.
-template <class Scalar, int Options, class Index>
-block_work<Scalar> work_of(const Eigen::SparseMatrix<Scalar, Options, Index>& J) {
-    const Scalar n = Scalar(J.rows()), entries = Scalar(J.nonZeros());
-    return {8 * n + 70 * entries, 30 * n + 15 * entries};
-}
+template <class Number, int Options, class Index>
+struct work_of<Eigen::SparseMatrix<Number, Options, Index>> {
+    template <class Scalar>
+    static block_work<Scalar> estimate(const Eigen::SparseMatrix<Number, Options, Index>& J) {
+        const Scalar n = Scalar(J.rows()), entries = Scalar(J.nonZeros());
+        return {8 * n + 70 * entries, 30 * n + 15 * entries};
+    }
+};
 
 template <class Scalar, int Options, class Index>
 struct default_blocks<Eigen::SparseMatrix<Scalar, Options, Index>> {

@@ -87,10 +87,12 @@ class transformed_stages {
     block_work<Scalar> work(const System& system) const {
         const Scalar s = Scalar(stages()), n = Scalar(size()), m = n - Scalar(positions);
         block_work<Scalar> blocks;
-        if constexpr (in_lanes)
+        if constexpr (in_lanes) {
             blocks = {m * m * m * 6 / 5, m * m * 4};
-        else
-            blocks = {s * work_of(system.jacobian()).step, s * work_of(system.jacobian()).iteration};
+        } else {
+            const auto one = work_of<typename System::matrix>::template estimate<Scalar>(system.jacobian());
+            blocks = {s * one.step, s * one.iteration};
+        }
         return {20 + s * (10 + 2 * n) + blocks.step,
                 20 + s * (15 + 3 * n) + s * s * n * 3 / 10 + blocks.iteration};
     }
