@@ -38,7 +38,7 @@ inline bool wanted(const std::vector<std::string>& names, const std::string& nam
 }
 
 template <class Problem>
-outcome run_rosenbrock4(const Problem& problem, double tol) {
+outcome run_rosenbrock4(const Problem& problem, double tol, double t1) {
     using state = state_of<Problem>;
     outcome out;
     const state y0 = problem.initial();
@@ -56,8 +56,7 @@ outcome run_rosenbrock4(const Problem& problem, double tol) {
         Eigen::Map<Eigen::Matrix<double, Problem::size, Problem::size, Eigen::RowMajor>>{to} = J;
         ++out.jacobians;
     };
-    out.ok = peers::rosenbrock4(y, Problem::t0, Problem::t1, tol, tol * Problem::atol_scale, f, jacobian,
-                                out.steps);
+    out.ok = peers::rosenbrock4(y, Problem::t0, t1, tol, tol * Problem::atol_scale, f, jacobian, out.steps);
     out.factorisations = out.jacobians;
     out.y = Eigen::Map<const Eigen::VectorXd>(y.data(), y0.size());
     return out;
@@ -72,36 +71,47 @@ std::vector<entrant> entrants(const Problem& problem) {
     constexpr bool has_index = requires { problem.index(); };
     constexpr bool dense = Problem::size != Eigen::Dynamic;
     if constexpr (!sparse) {
-        if (peers::radau5_available()) add("radau5", [&](double tol) { return peers::radau5(problem, tol); });
+        if (peers::radau5_available())
+            add("radau5", [&](double tol, double t1) { return peers::radau5(problem, tol, t1); });
 #ifdef HAVE_SUNDIALS
         if constexpr (has_mass && !has_index)
-            add("ida", [&](double tol) { return peers::sundials::ida(problem, tol); });
+            add("ida", [&](double tol, double t1) { return peers::sundials::ida(problem, tol, t1); });
         if constexpr (!has_mass) {
-            add("cvode", [&](double tol) { return peers::sundials::cvode(problem, tol); });
-            add("arkode", [&](double tol) { return peers::sundials::arkode(problem, tol); });
+            add("cvode", [&](double tol, double t1) { return peers::sundials::cvode(problem, tol, t1); });
+            add("arkode", [&](double tol, double t1) { return peers::sundials::arkode(problem, tol, t1); });
         }
 #endif
         if constexpr (!has_mass && dense)
-            add("rosenbrock4", [&](double tol) { return run_rosenbrock4(problem, tol); });
+            add("rosenbrock4", [&](double tol, double t1) { return run_rosenbrock4(problem, tol, t1); });
     }
     return all;
 }
 
-/// Measures every wanted solver at every tolerance; `end` is the reference at t1.
+/// Measures every wanted solver at every tolerance; `end` is the reference at t1, `inside` those known at
+/// times between: the error there is that of runs which end there, not timed.
 template <class Problem>
 void compete(const Problem& problem, const Eigen::VectorXd& end, const settings& set,
-             std::vector<curve>& curves) {
+             std::vector<curve>& curves, const std::vector<reference_point>& inside = {}) {
     if (!wanted(set.problems, Problem::name)) return;
     std::vector<entrant> all = entrants(problem);
     std::erase_if(all, [&](const entrant& e) { return !wanted(set.solvers, e.solver); });
     const auto error = [&](const Eigen::VectorXd& y) { return scaled_error(y, end, Problem::atol_scale); };
     std::vector<curve> result;
     for (const entrant& e : all)
-        result.push_back({Problem::name, e.solver, static_cast<int>(end.size()), {}});
+        result.push_back({Problem::name, e.solver, static_cast<int>(end.size()), !inside.empty(), {}});
     for (const double tol : set.tolerances) {
         std::cerr << "\r" << Problem::name << "  tol " << tol << "        " << std::flush;
-        const std::vector<point> points = measure(all, tol, set.repeats, set.patience, error);
-        for (std::size_t e = 0; e < all.size(); ++e) result[e].points.push_back(points[e]);
+        std::vector<point> points = measure(all, tol, Problem::t1, set.repeats, set.patience, error);
+        for (std::size_t e = 0; e < all.size(); ++e) {
+            points[e].largest_error = points[e].error;
+            for (const reference_point& r : inside) {
+                const outcome at = all[e].run(tol, r.t);
+                const double there = at.ok ? scaled_error(at.y, r.y, Problem::atol_scale)
+                                           : std::numeric_limits<double>::infinity();
+                points[e].largest_error = std::max(points[e].largest_error, there);
+            }
+            result[e].points.push_back(points[e]);
+        }
     }
     curves.insert(curves.end(), result.begin(), result.end());
 }

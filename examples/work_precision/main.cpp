@@ -10,6 +10,7 @@ void compete_on_reactions(const settings&, std::vector<curve>&);
 void compete_on_larger_systems(const settings&, std::vector<curve>&);
 void compete_on_mechanics(const settings&, std::vector<curve>&);
 void compete_on_diffusion(const settings&, std::vector<curve>&);
+void print_growth();
 
 int main(int argc, char** argv) {
     settings set;
@@ -23,7 +24,13 @@ int main(int argc, char** argv) {
     app.add_option("--repeats", set.repeats, "runs of each solver, interleaved")->check(CLI::PositiveNumber);
     app.add_option("--csv", csv, "write the table to this file");
     app.add_option("--svg", svg, "write one work-precision diagram per problem to this directory");
+    bool growth = false;
+    app.add_flag("--growth", growth, "only the table of how the cost grows with n, s and the tolerance");
     CLI11_PARSE(app, argc, argv);
+    if (growth) {
+        print_growth();
+        return 0;
+    }
     if (set.tolerances.empty())
         for (int k = 2; k <= 12; ++k) set.tolerances.push_back(std::pow(10.0, -k));
     if (!peers::radau5_available()) std::cerr << "radau5 is left out: install r-cran-desolve to have it\n";

@@ -16,25 +16,33 @@
 /// One solver at one tolerance on one problem.
 struct point {
     double tolerance, error = 0, minimum_us = 0, median_us = 0;
+    double largest_error = 0;  ///< over the times with a reference, the end among them
     outcome counts;
 };
 
 struct curve {
     std::string problem, solver;
     int size = 0;
+    bool references_inside = false;  ///< the reference is known at times before the end as well
     std::vector<point> points;
 };
 
-/// A solver on a problem: what to run for a tolerance.
+/// The solution at a time.
+struct reference_point {
+    double t;
+    Eigen::VectorXd y;
+};
+
+/// A solver on a problem: what to run for a tolerance, from the problem's t0 to t1.
 struct entrant {
     std::string solver;
-    std::function<outcome(double tolerance)> run;
+    std::function<outcome(double tolerance, double t1)> run;
 };
 
 /// Runs every entrant `repeats` times at one tolerance, in turn (A B C A B C ...), so that a slow moment of
 /// the machine hits all of them. A run much longer than `patience` seconds in all is repeated less often.
-inline std::vector<point> measure(const std::vector<entrant>& entrants, double tolerance, int repeats,
-                                  double patience,
+inline std::vector<point> measure(const std::vector<entrant>& entrants, double tolerance, double t1,
+                                  int repeats, double patience,
                                   const std::function<double(const Eigen::VectorXd&)>& error) {
     using clock = std::chrono::steady_clock;
     std::vector<point> points(entrants.size());
@@ -44,7 +52,7 @@ inline std::vector<point> measure(const std::vector<entrant>& entrants, double t
         for (std::size_t e = 0; e < entrants.size(); ++e) {
             if (k >= 2 && spent[e] > patience * 1e6) continue;
             const auto start = clock::now();
-            points[e].counts = entrants[e].run(tolerance);
+            points[e].counts = entrants[e].run(tolerance, t1);
             times[e].push_back(std::chrono::duration<double, std::micro>(clock::now() - start).count());
             spent[e] += times[e].back();
         }

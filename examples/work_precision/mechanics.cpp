@@ -6,17 +6,29 @@
 
 namespace {
 
-Eigen::VectorXd disc_reference() {
+Eigen::VectorXd disc_reference(const std::string& time) {
     std::ifstream in(std::string(DATA_DIR) + "/../../rolling_disc/data/disc.json");
-    const auto values = nlohmann::json::parse(in).at("t=1.0").at("values");
+    const auto values = nlohmann::json::parse(in).at("t=" + time).at("values");
     Eigen::VectorXd y(values.size());
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = std::stod(values[i].get<std::string>());
     return y;
 }
 
+/// The ellipse of eccentricity e and semi-axis 1 from Kepler's equation E - e sin E = t, by Newton.
+reference_point kepler_ellipse(double t) {
+    const double e = 0.6, b = std::sqrt(1 - e * e);
+    double E = t;
+    for (int k = 0; k < 50; ++k) E -= (E - e * std::sin(E) - t) / (1 - e * std::cos(E));
+    const double w = 1 / (1 - e * std::cos(E));
+    return {t, Eigen::Vector4d(std::cos(E) - e, b * std::sin(E), -w * std::sin(E), w * b * std::cos(E))};
+}
+
 }  // namespace
 
 void compete_on_mechanics(const settings& set, std::vector<curve>& curves) {
-    compete(problems::kepler{}, reference("kepler"), set, curves);
-    compete(problems::rolling_disc{}, disc_reference(), set, curves);
+    std::vector<reference_point> ellipse;
+    for (int t = 1; t < 20; t += 2) ellipse.push_back(kepler_ellipse(t));
+    compete(problems::kepler{}, reference("kepler"), set, curves, ellipse);
+    compete(problems::rolling_disc{}, disc_reference("1.0"), set, curves,
+            {{0.1, disc_reference("0.1")}, {0.5, disc_reference("0.5")}});
 }

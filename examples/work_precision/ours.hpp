@@ -11,13 +11,12 @@
 #include "measure.hpp"
 
 template <class Method, class Problem>
-outcome run_ours(const Method& method, const Problem& problem, double tol) {
+outcome run_ours(const Method& method, const Problem& problem, double tol, double t1) {
     stagecraft::options<double> options;
     options.rtol = tol;
     options.atol = tol * Problem::atol_scale;
     options.max_steps = 10'000'000;
-    const auto r =
-        stagecraft::integrate(method, problem, problem.initial(), Problem::t0, Problem::t1, options);
+    const auto r = stagecraft::integrate(method, problem, problem.initial(), Problem::t0, t1, options);
     return {.y = r.y,
             .ok = r.ok(),
             .steps = r.report.steps + r.report.rejected(),
@@ -30,7 +29,9 @@ template <class Problem>
 std::vector<entrant> our_entrants(const Problem& problem) {
     using stagecraft::radau_iia;
     return {
-        {"stagecraft", [=](double tol) { return run_ours(stagecraft::radau_iia_variable(), problem, tol); }},
-        {"stagecraft s=3", [=](double tol) { return run_ours(radau_iia<3>(), problem, tol); }},
-        {"stagecraft s=5", [=](double tol) { return run_ours(radau_iia<5>(), problem, tol); }}};
+        {"stagecraft",
+         [=](double tol, double t1) { return run_ours(stagecraft::radau_iia_variable(), problem, tol, t1); }},
+        {"stagecraft s=3", [=](double tol, double t1) { return run_ours(radau_iia<3>(), problem, tol, t1); }},
+        {"stagecraft s=5",
+         [=](double tol, double t1) { return run_ours(radau_iia<5>(), problem, tol, t1); }}};
 }

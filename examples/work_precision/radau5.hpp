@@ -34,7 +34,7 @@ inline bool radau5_available() { return radau5_symbol() != nullptr; }
 
 /// Integrates `problem` with RADAU5, whose option M1 = M2 serves q' = v where the problem has it.
 template <class Problem>
-outcome radau5(const Problem& problem, double rtol) {
+outcome radau5(const Problem& problem, double rtol, double t1) {
     static const Problem* current;
     current = &problem;
     static int first_row;  // rows of q' = v that RADAU5 handles by itself
@@ -85,7 +85,7 @@ outcome radau5(const Problem& problem, double rtol) {
     };
     const auto solout = [](int*, double*, double*, double*, double*, int*, int*, double*, int*, int*) {};
 
-    double t = Problem::t0, t_end = Problem::t1, h = 0, atol = rtol * Problem::atol_scale, rpar = 0;
+    double t = Problem::t0, t_end = t1, h = 0, atol = rtol * Problem::atol_scale, rpar = 0;
     int itol = 0, ijac = 1, iout = 0, ipar = 0, idid = 0;
     int ml = n, mu = n;
     if constexpr (banded) ml = Problem::lower, mu = Problem::upper;

@@ -17,28 +17,37 @@ std::vector<std::string> distinct(const std::vector<curve>& curves, std::string 
     return names;
 }
 
+/// The largest error over the interval, where it is known.
+std::string largest(const curve& c, const point& p) {
+    char text[16] = "";
+    if (c.references_inside) std::snprintf(text, sizeof text, "%.2e", p.largest_error);
+    return text;
+}
+
 }  // namespace
 
 void print_table(const std::vector<curve>& curves) {
-    std::printf("%-14s %-16s %8s %10s %12s %12s %9s %9s %7s %7s\n", "problem", "solver", "tol", "error",
-                "min us", "median us", "steps", "f", "J", "LU");
+    std::printf("%-14s %-16s %8s %10s %10s %12s %12s %9s %9s %7s %7s\n", "problem", "solver", "tol", "error",
+                "max over t", "min us", "median us", "steps", "f", "J", "LU");
     for (const curve& c : curves)
         for (const point& p : c.points)
-            std::printf("%-14s %-16s %8.0e %10.2e %12.1f %12.1f %9ld %9ld %7ld %7ld%s\n", c.problem.c_str(),
-                        c.solver.c_str(), p.tolerance, p.error, p.minimum_us, p.median_us, p.counts.steps,
-                        p.counts.f, p.counts.jacobians, p.counts.factorisations,
-                        p.counts.ok ? "" : "  stopped early");
+            std::printf("%-14s %-16s %8.0e %10.2e %10s %12.1f %12.1f %9ld %9ld %7ld %7ld%s\n",
+                        c.problem.c_str(), c.solver.c_str(), p.tolerance, p.error, largest(c, p).c_str(),
+                        p.minimum_us, p.median_us, p.counts.steps, p.counts.f, p.counts.jacobians,
+                        p.counts.factorisations, p.counts.ok ? "" : "  stopped early");
 }
 
 void write_csv(const std::vector<curve>& curves, const std::string& file) {
     std::ofstream out(file);
     if (!out) throw std::runtime_error("--csv: cannot write " + file);
-    out << "problem,solver,n,tolerance,error,minimum_us,median_us,steps,f,jacobians,factorisations,ok\n";
+    out << "problem,solver,n,tolerance,error,largest_error,minimum_us,median_us,steps,f,jacobians,"
+           "factorisations,ok\n";
     for (const curve& c : curves)
         for (const point& p : c.points)
             out << c.problem << ',' << c.solver << ',' << c.size << ',' << p.tolerance << ',' << p.error
-                << ',' << p.minimum_us << ',' << p.median_us << ',' << p.counts.steps << ',' << p.counts.f
-                << ',' << p.counts.jacobians << ',' << p.counts.factorisations << ',' << p.counts.ok << '\n';
+                << ',' << largest(c, p) << ',' << p.minimum_us << ',' << p.median_us << ',' << p.counts.steps
+                << ',' << p.counts.f << ',' << p.counts.jacobians << ',' << p.counts.factorisations << ','
+                << p.counts.ok << '\n';
 }
 
 void write_diagrams(const std::vector<curve>& curves, const std::string& directory) {

@@ -90,7 +90,7 @@ int jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector
 }
 
 template <class Problem>
-outcome cvode(const Problem& problem, double rtol) {
+outcome cvode(const Problem& problem, double rtol, double t1) {
     context ctx;
     const Eigen::VectorXd y0 = problem.initial();
     const auto y = vector(y0, ctx);
@@ -104,9 +104,9 @@ outcome cvode(const Problem& problem, double rtol) {
     const auto linear = solver(problem, y.get(), J.get(), ctx);
     CVodeSetLinearSolver(memory, linear.get(), J.get());
     CVodeSetJacFn(memory, jacobian<Problem>);
-    CVodeSetStopTime(memory, Problem::t1);
+    CVodeSetStopTime(memory, t1);
     realtype t = Problem::t0;
-    const int flag = CVode(memory, Problem::t1, y.get(), &t, CV_NORMAL);
+    const int flag = CVode(memory, t1, y.get(), &t, CV_NORMAL);
     outcome out{.y = values(y.get()), .ok = flag >= 0};
     CVodeGetNumSteps(memory, &out.steps);
     CVodeGetNumRhsEvals(memory, &out.f);
@@ -116,14 +116,13 @@ outcome cvode(const Problem& problem, double rtol) {
     return out;
 }
 
-/// ARKODE's default fifth-order diagonally implicit method; M y' = f is not asked of it.
+/// ARKODE's default diagonally implicit method (order 4); M y' = f is not asked of it.
 template <class Problem>
-outcome arkode(const Problem& problem, double rtol) {
+outcome arkode(const Problem& problem, double rtol, double t1) {
     context ctx;
     const Eigen::VectorXd y0 = problem.initial();
     const auto y = vector(y0, ctx);
     void* memory = ARKStepCreate(nullptr, rhs<Problem>, Problem::t0, y.get(), ctx.handle);
-    ARKStepSetOrder(memory, 5);
     ARKStepSStolerances(memory, rtol, rtol * Problem::atol_scale);
     ARKStepSetUserData(memory, const_cast<Problem*>(&problem));
     ARKStepSetMaxNumSteps(memory, 10'000'000);
@@ -132,9 +131,9 @@ outcome arkode(const Problem& problem, double rtol) {
     const auto linear = solver(problem, y.get(), J.get(), ctx);
     ARKStepSetLinearSolver(memory, linear.get(), J.get());
     ARKStepSetJacFn(memory, jacobian<Problem>);
-    ARKStepSetStopTime(memory, Problem::t1);
+    ARKStepSetStopTime(memory, t1);
     realtype t = Problem::t0;
-    const int flag = ARKStepEvolve(memory, Problem::t1, y.get(), &t, ARK_NORMAL);
+    const int flag = ARKStepEvolve(memory, t1, y.get(), &t, ARK_NORMAL);
     outcome out{.y = values(y.get()), .ok = flag >= 0};
     long explicit_f = 0;
     ARKStepGetNumSteps(memory, &out.steps);
@@ -152,7 +151,7 @@ struct ida_data {
 };
 
 template <class Problem>
-outcome ida(const Problem& problem, double rtol) requires requires {
+outcome ida(const Problem& problem, double rtol, double t1) requires requires {
     problem.mass();
 }
 {
@@ -194,9 +193,9 @@ outcome ida(const Problem& problem, double rtol) requires requires {
     const auto linear = solver(problem, y.get(), J.get(), ctx);
     IDASetLinearSolver(memory, linear.get(), J.get());
     IDASetJacFn(memory, jac);
-    IDASetStopTime(memory, Problem::t1);
+    IDASetStopTime(memory, t1);
     realtype t = Problem::t0;
-    const int flag = IDASolve(memory, Problem::t1, &t, y.get(), yp.get(), IDA_NORMAL);
+    const int flag = IDASolve(memory, t1, &t, y.get(), yp.get(), IDA_NORMAL);
     outcome out{.y = values(y.get()), .ok = flag >= 0};
     IDAGetNumSteps(memory, &out.steps);
     IDAGetNumResEvals(memory, &out.f);
