@@ -146,7 +146,9 @@ BOOST_AUTO_TEST_CASE(index_2_shows_the_predicted_orders_of_y_and_z) {
     for (const auto& m : regular) BOOST_TEST_CONTEXT(name(m.f) << " s = " << m.s) {
             const auto predicted = sc::theory::predict_index2(exact(m));
             BOOST_REQUIRE(predicted.applies());
-            const auto seen = slopes(method(m), {kind::index_2}, 256);
+            // Low orders are asymptotic later.
+            const bool late = m.s == 2 || (m.f == lobatto_iiic && m.s == 3);
+            const auto seen = slopes(method(m), {kind::index_2}, late ? 256 : 128);
             is(seen[0], *predicted.y);
             is(seen[1], *predicted.y);
             is(seen[2], *predicted.z);
