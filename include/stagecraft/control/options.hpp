@@ -8,6 +8,9 @@
 
 namespace stagecraft {
 
+/// How the next step size follows from the estimates of this one and the one before (control/step_size.hpp).
+enum class step_control { predictive, proportional_integral };
+
 /// Everything a run may be told; the defaults suit a first try. Steps are magnitudes (the direction of time
 /// is that of t1 - t0), zero meaning "not given". The weight of component i is 1/(atol_i + rtol |y_i|), times
 /// |h| for an index-2 and h^2 for an index-3 component (HLR89 section 7).
@@ -16,10 +19,11 @@ struct options {
     Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, > 0
     Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, > 0
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> atol_components{};  ///< instead of atol: one per component
-    Scalar fixed_step{0};       ///< > 0: equal steps of at most this size, no error estimate at all
-    Scalar initial_step{0};     ///< 0: chosen from f(t0, y0) and the tolerances
-    Scalar min_step{0};         ///< below it the run ends in status::step_underflow
-    Scalar max_step{0};         ///< 0: no bound
+    Scalar fixed_step{0};    ///< > 0: equal steps of at most this size, no error estimate at all
+    Scalar initial_step{0};  ///< 0: chosen from f(t0, y0) and the tolerances
+    Scalar min_step{0};      ///< below it the run ends in status::step_underflow
+    Scalar max_step{0};      ///< 0: no bound
+    step_control control = step_control::predictive;
     long max_steps = 1000000;   ///< attempts, accepted or not
     int newton_iterations = 0;  ///< at most this many per step; 0: 7 + (5 s - 15)/2 as the stages grow
     Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50

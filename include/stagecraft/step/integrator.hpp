@@ -11,7 +11,7 @@
 #include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/control/order.hpp>
-#include <stagecraft/control/predictive.hpp>
+#include <stagecraft/control/step_size.hpp>
 #include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
@@ -250,7 +250,7 @@ class integrator {
     std::array<output_type, 2> outputs_;
     int current_ = 0;
     std::array<scalar, static_cast<std::size_t>(method_count<Method>)> ratio_{};
-    predictive_controller<scalar> controller_{};
+    step_size_controller<scalar> controller_{options_.control};
     order_controller<scalar, method_count<Method>> order_{};
     scalar h_{0}, factored_h_{0}, theta_{0};
     int factored_order_ = 0, iterations_ = 0, failures_ = 0;

@@ -3,13 +3,20 @@
 
 #include <cmath>
 
+#include <stagecraft/control/options.hpp>
+
 namespace stagecraft {
 
-/// Gustafsson's predictive controller (Hairer-Wanner II.IV.8): err_n = C_n h_n^q with C_{n+1}/C_n =
-/// C_n/C_{n-1}, never more optimistic than the elementary controller.
+/// The size of the next step from err_n = C_n h_n^q.
+/// Predictive (Gustafsson; Hairer-Wanner II.IV.8): C_{n+1}/C_n = C_n/C_{n-1}, never more optimistic than the
+/// elementary controller, which is good where stiffness lets the step grow by orders of magnitude.
+/// Proportional-integral (Hairer-Wanner II.IV.2): h_{n+1}/h_n = err_n^{-0.7/q} err_{n-1}^{0.4/q}, smoother
+/// where stability bounds the step of an explicit method.
 template <class Scalar>
-class predictive_controller {
+class step_size_controller {
   public:
+    explicit step_size_controller(step_control kind) : kind_(kind) {}
+
     /// Factor for the step after an accepted one with error `err` (in units of the tolerance).
     Scalar after_accepted(const Scalar& h, const Scalar& err, int q, const Scalar& safety) {
         using std::abs;
@@ -17,7 +24,10 @@ class predictive_controller {
         const Scalar e = err > floor() ? err : floor();
         const Scalar root = pow(e, Scalar(1) / Scalar(q));
         Scalar factor = safety / root;
-        if (has_last_ && last_q_ == q) {
+        if (kind_ == step_control::proportional_integral) {
+            const Scalar before = has_last_ && last_q_ == q ? last_root_ : root;
+            factor = safety * pow(root, Scalar(-7) / 10) * pow(before, Scalar(4) / 10);
+        } else if (has_last_ && last_q_ == q) {
             const Scalar predicted = factor * abs(h / last_h_) * (last_root_ / root);
             if (predicted < factor) factor = predicted;
         }
@@ -42,6 +52,7 @@ class predictive_controller {
         const Scalar low = Scalar(1) / 8, high = Scalar(8);
         return x < low ? low : x > high ? high : x;
     }
+    step_control kind_;
     bool has_last_ = false;
     int last_q_ = 0;
     Scalar last_h_{0}, last_root_{0};

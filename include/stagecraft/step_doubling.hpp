@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stdexcept>
+
+#include <stagecraft/stages/order_conditions.hpp>
+#include <stagecraft/tableau.hpp>
+
+namespace stagecraft {
+
+/// The method that takes two half steps of m and estimates their error by a whole one (lecture 2.4.1;
+/// Hairer-Norsett-Wanner I.II.4): for a method without embedded weights.
+///
+/// The result is a tableau of 3 s stages, those of the whole step first, and 3 s - 1 where the first stage of
+/// m is f(t, y), which the whole and the first half step share. It is explicit, diagonally implicit or
+/// stiffly accurate if m is; the stages of another method are solved as one system. Its embedded weights are
+/// such that b - b_embedded is (b - b_whole) / (2^p - 1), the leading term of the error, p being
+/// m.facts.order or, where that is not set, the order found. Throws std::invalid_argument if m has no stages
+/// or order 0.
+template <class Scalar, int Stages>
+tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
+    const int s = m.stages();
+    if (s < 1) throw std::invalid_argument("step_doubling: method has no stages");
+    const int p = classical_order(m);
+    if (p < 1) throw std::invalid_argument("step_doubling: method has order 0");
+    bool shared = true;  // the first stage
+    for (int j = 0; j < s; ++j) shared = shared && m.A(0, j) == Scalar(0);
+    const int first = shared ? 1 : 0, size = 3 * s - first;
+    // Stages of the whole step are 0 ... s-1; those of the first half follow, save a shared one; then the
+    // second.
+    const auto whole = [](int i) { return i; };
+    const auto left = [&](int i) { return i < first ? i : s + i - first; };
+    const auto right = [&](int i) { return 2 * s + i - first; };
+
+    tableau<Scalar> r;
+    r.A = decltype(r.A)::Constant(size, size, Scalar(0));
+    r.b = r.c = decltype(r.b)::Constant(size, Scalar(0));
+    Scalar power = Scalar(1);
+    for (int k = 0; k < p; ++k) power *= Scalar(2);
+    const Scalar half = Scalar(1) / Scalar(2), share = Scalar(1) / (power - Scalar(1));
+    for (int i = 0; i < s; ++i) {
+        r.c[whole(i)] = m.c[i];
+        if (i >= first) r.c[left(i)] = m.c[i] * half;
+        r.c[right(i)] = half + m.c[i] * half;
+        for (int j = 0; j < s; ++j) {
+            r.A(whole(i), whole(j)) = m.A(i, j);
+            if (i >= first) r.A(left(i), left(j)) = m.A(i, j) * half;
+            r.A(right(i), left(j)) = m.b[j] * half;
+            r.A(right(i), right(j)) = m.A(i, j) * half;
+        }
+        r.b[left(i)] = m.b[i] * half;
+        r.b[right(i)] = m.b[i] * half;
+    }
+    r.b_embedded = r.b * (Scalar(1) - share);
+    for (int i = 0; i < s; ++i) r.b_embedded[whole(i)] += m.b[i] * share;
+    r.facts = m.facts;  // two steps of a method have these properties where one has
+    r.facts.order = p;
+    r.facts.stage_order = 0;
+    r.facts.r_infinity = m.facts.r_infinity * m.facts.r_infinity;
+    return r;
+}
+
+}  // namespace stagecraft
