@@ -40,21 +40,27 @@ struct entrant {
 };
 
 /// Runs every entrant `repeats` times at one tolerance, in turn (A B C A B C ...), so that a slow moment of
-/// the machine hits all of them. A run much longer than `patience` seconds in all is repeated less often.
+/// the machine hits all of them. A turn lasts at least two milliseconds: short runs are repeated in it, so
+/// that every solver is seen with warm caches, whoever came before. A run much longer than `patience` seconds
+/// in all is repeated less often.
 inline std::vector<point> measure(const std::vector<entrant>& entrants, double tolerance, double t1,
                                   int repeats, double patience,
                                   const std::function<double(const Eigen::VectorXd&)>& error) {
     using clock = std::chrono::steady_clock;
+    const auto microseconds = [](auto a, auto b) {
+        return std::chrono::duration<double, std::micro>(b - a).count();
+    };
     std::vector<point> points(entrants.size());
     std::vector<std::vector<double>> times(entrants.size());
     std::vector<double> spent(entrants.size(), 0);
     for (int k = 0; k < repeats; ++k)
         for (std::size_t e = 0; e < entrants.size(); ++e) {
             if (k >= 2 && spent[e] > patience * 1e6) continue;
-            const auto start = clock::now();
-            points[e].counts = entrants[e].run(tolerance, t1);
-            times[e].push_back(std::chrono::duration<double, std::micro>(clock::now() - start).count());
-            spent[e] += times[e].back();
+            for (const double end = spent[e] + 2000; spent[e] < end; spent[e] += times[e].back()) {
+                const auto start = clock::now();
+                points[e].counts = entrants[e].run(tolerance, t1);
+                times[e].push_back(microseconds(start, clock::now()));
+            }
         }
     for (std::size_t e = 0; e < entrants.size(); ++e) {
         auto& t = times[e];
