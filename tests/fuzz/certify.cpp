@@ -227,10 +227,9 @@ BOOST_AUTO_TEST_CASE(mutated_files_end_with_0_1_or_2_in_time) {
             continue;
         }
         const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-        if (seconds > slowest) {
-            slowest = seconds;
-            if (seconds > 1) std::ofstream(STAGECRAFT_BINARY_DIR "/fuzz_slowest.json") << text;
-        }
+        slowest = std::max(slowest, seconds);
+        if (seconds > 1)
+            std::ofstream(STAGECRAFT_BINARY_DIR "/fuzz_slow_" + std::to_string(i) + ".json") << text;
         if (code < 0 || code > 2) {
             BOOST_ERROR("file " << i << " ends with " << code << "\n" << text);
             continue;

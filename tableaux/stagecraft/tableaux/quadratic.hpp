@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -82,6 +81,8 @@ class quadratic {
     /// The squarefree d, or 0 for a rational number.
     std::uint64_t radicand() const { return d_; }
     bool is_rational() const { return d_ == 0; }
+    /// The least common denominator of a and b.
+    integer denominator() const { return lcm(a_.denominator(), b_.denominator()); }
 
     /// a - b sqrt(d).
     quadratic conjugate() const { return {a_, -b_, d_, canonical{}}; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/multiprecision/integer.hpp>
 #include <optional>
 #include <stdexcept>
 #include <vector>

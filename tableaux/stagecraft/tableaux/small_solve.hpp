@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "stagecraft/tableaux/integer.hpp"
 #include "stagecraft/tableaux/polynomial.hpp"
 
 namespace stagecraft::tableaux {
@@ -143,17 +144,65 @@ faddeev_leverrier<K> leverrier(const dense<K>& m) {
     return out;
 }
 
-/// det(x I - M).
+/// A common denominator of the entries: 1 where K has none.
+template <class K>
+K common_denominator(const dense<K>& m) {
+    if constexpr (requires(const K& a) { K(lcm(a.denominator(), a.denominator())); }) {
+        auto common = K(1).denominator();
+        for (Eigen::Index i = 0; i < m.size(); ++i) common = lcm(common, m.data()[i].denominator());
+        return K(common);
+    } else {
+        return K(1);
+    }
+}
+
+namespace detail {
+
+// 1, c_1, ..., c_n of leverrier(m), found for a matrix of integers: fractions would be cancelled in each of
+// the O(n^4) operations, here they are in each of the n coefficients.
+template <class K>
+std::vector<K> characteristic_coefficients(dense<K> m) {
+    const K common = common_denominator<K>(m);
+    for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = m.data()[i] * common;
+    auto c = leverrier<K>(m).c;
+    K power(1);
+    for (K& entry : c) {
+        entry = entry / power;
+        power = power * common;
+    }
+    return c;
+}
+
+}  // namespace detail
+
+/// det(x I - M). O(n^4) operations on integers for rational entries.
 template <class K>
 polynomial<K> characteristic_polynomial(const dense<K>& m) {
-    auto c = leverrier<K>(m).c;
+    auto c = detail::characteristic_coefficients<K>(m);
     return polynomial<K>(std::vector<K>(c.rbegin(), c.rend()));
 }
 
-/// det(I - z M), a polynomial in z with value 1 at z = 0.
+/// det(I - z M), a polynomial in z with value 1 at z = 0: the product over the diagonal blocks where M is
+/// block lower triangular, as the matrix of every explicit or diagonally implicit method is. O(s n^3)
+/// operations for blocks of size n <= s.
 template <class K>
 polynomial<K> determinant_of_one_minus_z(const dense<K>& m) {
-    return polynomial<K>(leverrier<K>(m).c);
+    detail::require_square(m, "determinant_of_one_minus_z");
+    const auto n = m.rows();
+    polynomial<K> product{K(1)};
+    for (Eigen::Index first = 0, end = 0; first < n; first = end) {
+        end = first + 1;  // the block ends where no row above reaches further right
+        for (Eigen::Index i = first; i < end; ++i) {
+            for (Eigen::Index j = n - 1; j >= end; --j) {
+                if (m(i, j) == K(0)) continue;
+                end = j + 1;
+                break;
+            }
+        }
+        const dense<K> block = m.block(first, first, end - first, end - first);
+        product = product * polynomial<K>(detail::characteristic_coefficients<K>(block));
+    }
+    return product;
 }
 
 /// Sylvester's inertia.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "stagecraft/tableaux/integer.hpp"
 #include "stagecraft/tableaux/polynomial.hpp"
 
 namespace stagecraft::tableaux {

@@ -127,7 +127,7 @@ class matrix_model {
             for (K& x : r) x = K(0);
             return r;
         } else {
-            return element(b_.size(), K(0));
+            return element(b_.size());  // value-initialised: zeros
         }
     }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <boost/multiprecision/integer.hpp>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -48,7 +47,8 @@ inline scaled_polynomial determinant_of_one_minus_z(const band_matrix<rational>&
         }
         scaled_polynomial next;
         for (const term& t : terms)
-            next.denominator = lcm(next.denominator, integer(t.minor->denominator * t.factor.denominator()));
+            next.denominator =
+                tableaux::lcm(next.denominator, integer(t.minor->denominator * t.factor.denominator()));
         next.numerators.resize(static_cast<std::size_t>(k) + 2);
         for (const term& t : terms) {
             const integer scale =
