@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE dae_order
 #include <boost/test/unit_test.hpp>
 #include <stagecraft/theory/dae_order.hpp>
+#include <stagecraft/theory/dae_order_left_stage.hpp>
 
 #include "../stability/methods.hpp"
 
@@ -136,6 +137,27 @@ BOOST_AUTO_TEST_CASE(index_1_orders) {
     const auto p = predict_index1(methods::rk4());
     BOOST_TEST(!p.applies());
     BOOST_TEST(refused(p, "A is regular") == "det A = 0");
+}
+
+BOOST_AUTO_TEST_CASE(stiffly_accurate_methods_with_a_left_stage_have_orders_of_index_1_and_2) {
+    // Lobatto IIIA: (2s-2, s) for even s, where R(inf) = -1, (2s-2, s-1) for odd s
+    BOOST_TEST(text(predict_index1_left_stage(methods::trapezoidal())) == "2 2");
+    BOOST_TEST(text(predict_index1_left_stage(methods::lobatto_iiia3())) == "4 4");
+    BOOST_TEST(text(predict_index2_left_stage(methods::trapezoidal())) == "2 2");
+    BOOST_TEST(text(predict_index2_left_stage(methods::lobatto_iiia3())) == "4 2");
+    const auto iiib = predict_index2_left_stage(methods::lobatto_iiib3());
+    BOOST_TEST(!iiib.applies());
+    BOOST_TEST(refused(iiib, "the first stage is the left end") == "a_1j != 0");
+    BOOST_TEST(!predict_index1_left_stage(methods::radau_iia3()).applies());
+    const auto rk4 = predict_index1_left_stage(methods::rk4());
+    BOOST_TEST(refused(rk4, "A is regular without its first row and column") == "det A_r = 0");
+    // collocation at 0 and 2/3 (Radau I): not stiffly accurate
+    const auto radau_i = tableaux::collocation<rational>({0, q(2, 3)}).tableau;
+    BOOST_TEST(refused(predict_index1_left_stage(radau_i), "stiffly accurate") != "");
+    // collocation at 0, 1/4, 1: R(inf) = 3
+    const auto growing = tableaux::collocation<rational>({0, q(1, 4), 1}).tableau;
+    BOOST_TEST(predict_index1_left_stage(growing).applies());
+    BOOST_TEST(refused(predict_index2_left_stage(growing), "|R(inf)| <= 1") != "");
 }
 
 BOOST_AUTO_TEST_CASE(index_3_orders_are_promised_for_stiffly_accurate_collocation_only) {
