@@ -17,8 +17,9 @@
 namespace stagecraft {
 
 /// The linear solvers for shift M - J with J an Eigen::SparseMatrix, on any sparse direct solvers with
-/// Eigen's interface: analyzePattern, factorize, solve, info (SparseLU by default; KLU or UmfPackLU where
-/// SuiteSparse is installed). The pattern is analysed once per pattern of J, so J must keep explicit zeros.
+/// Eigen's interface: analyzePattern, factorize, solve, info. SparseLU by default; where SuiteSparse is
+/// installed linear/klu.hpp and linear/umfpack.hpp have KLU and UMFPACK. The pattern is analysed once per
+/// pattern of J, so J must keep explicit zeros.
 template <class Scalar,
           class RealSolver = Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::COLAMDOrdering<int>>,
           class ComplexSolver =

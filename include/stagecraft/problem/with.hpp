@@ -35,6 +35,13 @@ struct rhs_with_index : Rhs {
     const Index& index() const { return flags; }
 };
 
+template <class Solver, class Problem>
+struct problem_with_solver : Problem {
+    using linear_solver = Solver;
+    explicit problem_with_solver(Problem p) : Problem(std::move(p)) {}
+    using Problem::operator();
+};
+
 }  // namespace detail
 
 /// A right-hand side (a lambda, say) together with a constant mass matrix: M y' = f(t, y). Nests with the
@@ -54,6 +61,13 @@ auto with_jacobian(Rhs rhs, Jacobian jacobian) {
 template <class Rhs, class Index>
 auto with_index(Rhs rhs, Index index) {
     return detail::rhs_with_index<Rhs, Index>(std::move(rhs), std::move(index));
+}
+
+/// A problem, with all it brings, whose linear systems are solved by `Solver` (problem/capabilities.hpp says
+/// what that has to be): with_linear_solver<klu_blocks>(problem).
+template <class Solver, class Problem>
+auto with_linear_solver(Problem problem) {
+    return detail::problem_with_solver<Solver, Problem>(std::move(problem));
 }
 
 }  // namespace stagecraft
