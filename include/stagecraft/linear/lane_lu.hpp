@@ -14,7 +14,8 @@ namespace stagecraft {
 /// that the arithmetic is vectorised over matrices: at n = 3 or 8 the loops within one matrix are too short
 /// for that, and their dependent steps leave the processor waiting. Each lane pivots for itself (its rows are
 /// exchanged in its own lane). The blocks of a step, one per pair of eigenvalues and the real one, are such
-/// matrices.
+/// matrices. (Flattened: a pack is two or four numbers, and a call for each sum of two takes longer than the
+/// sum.)
 template <class Scalar, int N, int Lanes>
 class lane_lu {
   public:
@@ -24,7 +25,7 @@ class lane_lu {
     pack& imaginary(int i, int j) { return im_[i + j * N]; }
 
     /// False if the matrix in one of the lanes is singular or not finite.
-    bool factor() {
+    [[gnu::flatten]] bool factor() {
         for (int l = 0; l < Lanes; ++l)
             for (int i = 0; i < N; ++i) from_[i][l] = i;
         bool good = true;
@@ -69,7 +70,7 @@ class lane_lu {
     /// Solves in all lanes; lane l takes its right-hand side from re[l], im[l] (n numbers each) and leaves
     /// the solution there, for l < used.
     template <class Pointers>
-    void solve(const Pointers& re, const Pointers& im, int used) const {
+    [[gnu::flatten]] void solve(const Pointers& re, const Pointers& im, int used) const {
         std::array<pack, N> x, y;
         for (int l = 0; l < Lanes; ++l)
             for (int i = 0; i < N; ++i) {
