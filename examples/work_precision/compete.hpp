@@ -14,7 +14,8 @@
 #include "ours.hpp"
 #include "radau5.hpp"
 #ifdef HAVE_SUNDIALS
-#include "sundials.hpp"
+#include "sundials_arkode.hpp"
+#include "sundials_ida.hpp"
 #endif
 
 struct settings {
@@ -68,13 +69,12 @@ std::vector<entrant> entrants(const Problem& problem) {
     const auto add = [&](std::string name, auto run) { all.push_back({std::move(name), run}); };
     constexpr bool sparse = requires { problem.sparsity(); };  // the peers run the same problem banded
     constexpr bool has_mass = requires { problem.mass(); };
-    constexpr bool has_index = requires { problem.index(); };
     constexpr bool dense = Problem::size != Eigen::Dynamic;
     if constexpr (!sparse) {
         if (peers::radau5_available())
             add("radau5", [&](double tol, double t1) { return peers::radau5(problem, tol, t1); });
 #ifdef HAVE_SUNDIALS
-        if constexpr (has_mass && !has_index)
+        if constexpr (has_mass)
             add("ida", [&](double tol, double t1) { return peers::sundials::ida(problem, tol, t1); });
         if constexpr (!has_mass) {
             add("cvode", [&](double tol, double t1) { return peers::sundials::cvode(problem, tol, t1); });
@@ -94,6 +94,9 @@ void compete(const Problem& problem, const Eigen::VectorXd& end, const settings&
              std::vector<curve>& curves, const std::vector<reference_point>& inside = {}) {
     if (!wanted(set.problems, Problem::name)) return;
     std::vector<entrant> all = entrants(problem);
+    if constexpr (requires { problem.mass(); })
+        std::cerr << "\r" << Problem::name
+                  << ": cvode, arkode and rosenbrock4 are left out: they take no singular mass matrix\n";
     std::erase_if(all, [&](const entrant& e) { return !wanted(set.solvers, e.solver); });
     const auto error = [&](const Eigen::VectorXd& y) { return scaled_error(y, end, Problem::atol_scale); };
     std::vector<curve> result;

@@ -158,6 +158,7 @@ struct transistor_amplifier {
 struct kepler {
     static constexpr const char* name = "kepler";
     static constexpr int size = 4, second_order_components = 2;
+    static constexpr bool nonstiff = true;
     static constexpr double t0 = 0, t1 = 20, atol_scale = 1;
     static vec<double, 4> initial() { return {0.4, 0, 0, 2}; }
 

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-// SUNDIALS: CVODE (BDF), IDA (BDF for M y' = f with singular M) and ARKODE (fifth-order ESDIRK), each with
-// the problem's own Jacobian and a dense or banded direct solver.
+// SUNDIALS' CVODE, with the problem's own Jacobian and a dense or banded direct solver: BDF with Newton's
+// method, or Adams-Moulton with fixed-point iteration on a nonstiff problem, as its manual recommends.
 #pragma once
 
-#include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
-#include <ida/ida.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_band.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_band.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <Eigen/LU>
 #include <memory>
 
 #include "run.hpp"
@@ -41,6 +39,11 @@ inline Eigen::Map<Eigen::VectorXd> values(N_Vector v) { return {N_VGetArrayPoint
 template <class Problem>
 constexpr bool banded = requires {
     Problem::lower;
+};
+
+template <class Problem>
+constexpr bool nonstiff = requires {
+    Problem::nonstiff;
 };
 
 template <class Problem>
@@ -94,7 +97,7 @@ outcome cvode(const Problem& problem, double rtol, double t1) {
     context ctx;
     const Eigen::VectorXd y0 = problem.initial();
     const auto y = vector(y0, ctx);
-    void* memory = CVodeCreate(CV_BDF, ctx.handle);
+    void* memory = CVodeCreate(nonstiff<Problem> ? CV_ADAMS : CV_BDF, ctx.handle);
     CVodeInit(memory, rhs<Problem>, Problem::t0, y.get());
     CVodeSStolerances(memory, rtol, rtol * Problem::atol_scale);
     CVodeSetUserData(memory, const_cast<Problem*>(&problem));
@@ -102,106 +105,25 @@ outcome cvode(const Problem& problem, double rtol, double t1) {
     CVodeSetErrFile(memory, nullptr);
     const auto J = matrix(problem, y0.size(), ctx);
     const auto linear = solver(problem, y.get(), J.get(), ctx);
-    CVodeSetLinearSolver(memory, linear.get(), J.get());
-    CVodeSetJacFn(memory, jacobian<Problem>);
+    const auto fixed_point = owned(SUNNonlinSol_FixedPoint(y.get(), 0, ctx.handle),
+                                   [](SUNNonlinearSolver p) { SUNNonlinSolFree(p); });
+    if constexpr (nonstiff<Problem>) {
+        CVodeSetNonlinearSolver(memory, fixed_point.get());
+    } else {
+        CVodeSetLinearSolver(memory, linear.get(), J.get());
+        CVodeSetJacFn(memory, jacobian<Problem>);
+    }
     CVodeSetStopTime(memory, t1);
     realtype t = Problem::t0;
     const int flag = CVode(memory, t1, y.get(), &t, CV_NORMAL);
     outcome out{.y = values(y.get()), .ok = flag >= 0};
     CVodeGetNumSteps(memory, &out.steps);
     CVodeGetNumRhsEvals(memory, &out.f);
-    CVodeGetNumJacEvals(memory, &out.jacobians);
-    CVodeGetNumLinSolvSetups(memory, &out.factorisations);
+    if constexpr (!nonstiff<Problem>) {
+        CVodeGetNumJacEvals(memory, &out.jacobians);
+        CVodeGetNumLinSolvSetups(memory, &out.factorisations);
+    }
     CVodeFree(&memory);
-    return out;
-}
-
-/// ARKODE's default diagonally implicit method (order 4); M y' = f is not asked of it.
-template <class Problem>
-outcome arkode(const Problem& problem, double rtol, double t1) {
-    context ctx;
-    const Eigen::VectorXd y0 = problem.initial();
-    const auto y = vector(y0, ctx);
-    void* memory = ARKStepCreate(nullptr, rhs<Problem>, Problem::t0, y.get(), ctx.handle);
-    ARKStepSStolerances(memory, rtol, rtol * Problem::atol_scale);
-    ARKStepSetUserData(memory, const_cast<Problem*>(&problem));
-    ARKStepSetMaxNumSteps(memory, 10'000'000);
-    ARKStepSetErrFile(memory, nullptr);
-    const auto J = matrix(problem, y0.size(), ctx);
-    const auto linear = solver(problem, y.get(), J.get(), ctx);
-    ARKStepSetLinearSolver(memory, linear.get(), J.get());
-    ARKStepSetJacFn(memory, jacobian<Problem>);
-    ARKStepSetStopTime(memory, t1);
-    realtype t = Problem::t0;
-    const int flag = ARKStepEvolve(memory, t1, y.get(), &t, ARK_NORMAL);
-    outcome out{.y = values(y.get()), .ok = flag >= 0};
-    long explicit_f = 0;
-    ARKStepGetNumSteps(memory, &out.steps);
-    ARKStepGetNumRhsEvals(memory, &explicit_f, &out.f);
-    ARKStepGetNumJacEvals(memory, &out.jacobians);
-    ARKStepGetNumLinSolvSetups(memory, &out.factorisations);
-    ARKStepFree(&memory);
-    return out;
-}
-
-template <class Problem>
-struct ida_data {
-    const Problem* problem;
-    Eigen::MatrixXd mass;
-};
-
-template <class Problem>
-outcome ida(const Problem& problem, double rtol, double t1) requires requires {
-    problem.mass();
-}
-{
-    context ctx;
-    const Eigen::VectorXd y0 = problem.initial();
-    ida_data<Problem> data{&problem, problem.mass()};
-    const auto residual = [](realtype t, N_Vector y, N_Vector yp, N_Vector r, void* user) {
-        const auto& d = *static_cast<ida_data<Problem>*>(user);
-        thread_local state_of<Problem> in, out;
-        in = values(y);
-        out.resize(in.size());
-        (*d.problem)(t, in, out);
-        values(r) = d.mass * values(yp) - out;
-        return 0;
-    };
-    const auto jac = [](realtype t, realtype cj, N_Vector y, N_Vector, N_Vector, SUNMatrix J, void* user,
-                        N_Vector, N_Vector, N_Vector) {
-        const auto& d = *static_cast<ida_data<Problem>*>(user);
-        thread_local state_of<Problem> in;
-        thread_local jacobian_of<Problem> out;
-        in = values(y);
-        out.resize(in.size(), in.size());
-        d.problem->jacobian(t, in, out);
-        Eigen::Map<Eigen::MatrixXd>(SM_DATA_D(J), out.rows(), out.cols()) = cj * d.mass - out;
-        return 0;
-    };
-    const auto y = vector(y0, ctx);
-    state_of<Problem> f(y0.size()), start = y0;
-    problem(double(Problem::t0), start, f);
-    // M y' = f has many solutions y' where M is singular; IDA starts from the one of least norm.
-    const auto yp = vector(data.mass.fullPivLu().solve(Eigen::VectorXd(f)), ctx);
-    void* memory = IDACreate(ctx.handle);
-    IDAInit(memory, residual, Problem::t0, y.get(), yp.get());
-    IDASStolerances(memory, rtol, rtol * Problem::atol_scale);
-    IDASetUserData(memory, &data);
-    IDASetMaxNumSteps(memory, 10'000'000);
-    IDASetErrFile(memory, nullptr);
-    const auto J = matrix(problem, y0.size(), ctx);
-    const auto linear = solver(problem, y.get(), J.get(), ctx);
-    IDASetLinearSolver(memory, linear.get(), J.get());
-    IDASetJacFn(memory, jac);
-    IDASetStopTime(memory, t1);
-    realtype t = Problem::t0;
-    const int flag = IDASolve(memory, t1, &t, y.get(), yp.get(), IDA_NORMAL);
-    outcome out{.y = values(y.get()), .ok = flag >= 0};
-    IDAGetNumSteps(memory, &out.steps);
-    IDAGetNumResEvals(memory, &out.f);
-    IDAGetNumJacEvals(memory, &out.jacobians);
-    IDAGetNumLinSolvSetups(memory, &out.factorisations);
-    IDAFree(&memory);
     return out;
 }
 
