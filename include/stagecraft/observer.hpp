@@ -37,7 +37,10 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
             return true;
         }
     };
-    if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&, const Output&>)
+    if constexpr (std::is_same_v<std::remove_const_t<Observer>, no_observer>)
+        return true;
+    else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&,
+                                           const Output&>)
         return call(t, y, h, output);
     else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&>)
         return call(t, y, h);

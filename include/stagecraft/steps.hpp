@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -55,6 +57,19 @@ class step_range {
                const options<scalar>& o)
         : problem_(std::forward<Problem>(problem)), run_(method, problem_, y0, t0, t1, o) {}
 
+    template <class Correction>
+    step_range(const Method& method, Problem&& problem, const Vector& y0, const scalar& t0, const scalar& t1,
+               const options<scalar>& o, Correction&& correction)
+        : step_range(method, std::forward<Problem>(problem), y0, t0, t1, o) {
+        detail::announce(correction, t0, y0, t1);
+        if constexpr (std::is_lvalue_reference_v<Correction>) {
+            correct_ = [&correction](run_type& run) { detail::correct(correction, run); };
+        } else {
+            auto own = std::make_shared<Correction>(std::move(correction));
+            correct_ = [own](run_type& run) { detail::correct(*own, run); };
+        }
+    }
+
     /// Takes the first step; later calls go on where the loop before has left off.
     iterator begin() {
         if (!begun_) advance();
@@ -76,7 +91,9 @@ class step_range {
         begun_ = true;
         has_step_ = false;
         try {
-            has_step_ = run_.step();
+            const bool taken = run_.step();
+            if (taken && correct_) correct_(run_);
+            has_step_ = taken;
         } catch (const size_change&) {
             resized_ = true;
         }
@@ -85,6 +102,7 @@ class step_range {
 
     Problem problem_;
     run_type run_;
+    std::function<void(run_type&)> correct_;
     bool begun_ = false, has_step_ = false, resized_ = false;
 };
 
@@ -96,7 +114,10 @@ class step_range {
 ///
 /// An input range, so the algorithms of std::ranges take it (as an lvalue). Arguments and errors as for
 /// integrate(), except that what the problem throws leaves the loop. An observer is called by hand:
-/// watch(step.t, step.y, step.h, step.output).
+/// watch(step.t, step.y, step.h, step.output). Only what corrects states has to be called before the step is
+/// seen, and is given last: projection(problem), projection_onto<M>(g) (dae/projection.hpp) or anything else
+/// with correct(t, y) (observer.hpp), taken by reference if it is an lvalue. Its other members are not
+/// called, but start() is. What it throws leaves the loop, with t() and y() at the state it was to correct.
 template <class Method, class Problem, class Derived>
 requires right_hand_side < std::remove_reference_t<Problem>,
 typename Derived::PlainObject >
@@ -105,6 +126,16 @@ typename Derived::PlainObject >
         std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
         const options<typename Derived::Scalar>& o = {}) {
     return {method, std::forward<Problem>(problem), y0, t0, t1, o};
+}
+
+/// The same with a correction of every step.
+template <class Method, class Problem, class Derived,
+          detail::correcting_observer<typename Derived::Scalar, typename Derived::PlainObject> Correction>
+step_range<Method, Problem, typename Derived::PlainObject> steps(
+    const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
+    std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
+    const options<typename Derived::Scalar>& o, Correction&& correction) {
+    return {method, std::forward<Problem>(problem), y0, t0, t1, o, std::forward<Correction>(correction)};
 }
 
 }  // namespace stagecraft

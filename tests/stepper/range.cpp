@@ -4,8 +4,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/dae/projection.hpp>
 #include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/observers.hpp>
 #include <stagecraft/steps.hpp>
 #include <stdexcept>
 #include <vector>
@@ -116,4 +118,50 @@ BOOST_AUTO_TEST_CASE(an_observer_may_be_called_by_hand) {
         if (!watch(step.t, step.y, step.h, step.output)) break;
     BOOST_REQUIRE(watch.ended());
     BOOST_TEST(watch.found().back().t == std::acos(-1.0), boost::test_tools::tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(a_correction_is_made_before_the_step_is_seen_as_in_integrate) {
+    const auto unit = [](const auto&, const auto& y, auto& g) {
+        g[0] = (y[0] * y[0] + y[1] * y[1] - 1.0) / 2.0;
+    };
+    auto keep = sc::projection_onto<1>(unit);
+    const auto r = sc::integrate(radau, circle, Vector2d(0, 1), 0, 20, {}, keep);
+    const long corrections = keep.corrections();
+    double drift = 0, gap = 0;
+    auto run = sc::steps(radau, circle, Vector2d(0, 1), 0, 20, {}, keep);
+    for (const auto& step : run) {
+        drift = std::max(drift, std::abs(step.y.norm() - 1));
+        gap = std::max(gap, (step.output(step.t) - step.y).norm());
+    }
+    BOOST_TEST(sc::name(run.status()) == "success");
+    BOOST_TEST((run.y() == r.y));
+    BOOST_TEST(drift < 1e-15);
+    BOOST_TEST(gap < 1e-14);
+    BOOST_TEST(corrections > 10);
+    BOOST_TEST(keep.corrections() == 2 * corrections);
+    // A temporary lives as long as the range; without a correction the norm drifts.
+    double kept = 0, lost = 0;
+    for (const auto& step : sc::steps(radau, circle, Vector2d(0, 1), 0, 20, {}, sc::projection_onto<1>(unit)))
+        kept = std::max(kept, std::abs(step.y.norm() - 1));
+    for (const auto& step : sc::steps(radau, circle, Vector2d(0, 1), 0, 20))
+        lost = std::max(lost, std::abs(step.y.norm() - 1));
+    BOOST_TEST(kept < 1e-15);
+    BOOST_TEST(lost > 1e-6);
+    // What a correction throws leaves the loop.
+    const auto nowhere = [](double, const Vector2d& y, Eigen::Matrix<double, 1, 1>& g) {
+        g[0] = y.squaredNorm() + 1;
+    };
+    auto stuck = sc::steps(radau, circle, Vector2d(0, 1), 0, 20, {}, sc::projection_onto<1>(nowhere));
+    BOOST_CHECK_THROW(std::ranges::for_each(stuck, [](const auto&) {}), std::domain_error);
+    BOOST_TEST(sc::name(stuck.status()) == "stopped");
+}
+
+BOOST_AUTO_TEST_CASE(no_observer_among_several_is_none) {
+    long calls = 0;
+    const auto count = [&](double, const Vector2d&) { ++calls; };
+    sc::no_observer none;
+    const auto r =
+        sc::integrate(radau, circle, Vector2d(0, 1), 0, 5, {}, sc::observers(none, count, sc::no_observer{}));
+    BOOST_TEST(r.ok());
+    BOOST_TEST(calls == r.report.steps);
 }

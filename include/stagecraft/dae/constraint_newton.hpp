@@ -77,7 +77,7 @@ class constraint_newton {
             const matrix& N = system_.algebraic_directions();
             rows -= detail::product(detail::product(rows, N), N.transpose());
             const matrix along = along_algebraic ? system_.slope_by_algebraic(linear) : matrix(0, 0);
-            const detail::row_scaled<scalar> block(along_algebraic ? detail::product(rows, along) : rows,
+            const detail::row_scaled<matrix> block(along_algebraic ? detail::product(rows, along) : rows,
                                                    rows, zero());
             if (block.rank() < rows.rows()) {
                 std::ostringstream text;
@@ -100,7 +100,7 @@ class constraint_newton {
         const auto residual = [&](const Vector& at) { return system_.all(t, at, chosen_); };
         const auto step = [&](const Vector& at, const vector& r) {
             const matrix by_x = system_.all_jacobian(t, at, chosen_);
-            const detail::row_scaled<scalar> block(detail::product(by_x, N), by_x, zero());
+            const detail::row_scaled<matrix> block(detail::product(by_x, N), by_x, zero());
             if (block.rank() < N.cols())
                 throw std::domain_error(what_ + ": " +
                                         detail::singular_text(system_.depth(), block.rank(), N.cols(), t));
@@ -117,7 +117,7 @@ class constraint_newton {
             const matrix by_x = system_.all_jacobian(t, at, chosen_);
             matrix by_free(by_x.rows(), static_cast<Eigen::Index>(free.size()));
             for (std::size_t j = 0; j < free.size(); ++j) by_free.col(j) = by_x.col(free[j]);
-            const detail::row_scaled<scalar> block(by_free, by_x, zero());
+            const detail::row_scaled<matrix> block(by_free, by_x, zero());
             if (block.rank() < by_free.rows()) {
                 std::ostringstream text;
                 text << what_ << ": the free components do not determine the constraints, rank "

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include <stagecraft/dae/rank.hpp>
@@ -36,9 +37,12 @@ template <class Problem, class Vector>
 class constraint_system {
   public:
     using scalar = typename Vector::Scalar;
-    using vector = Eigen::Matrix<scalar, Eigen::Dynamic, 1>;
-    using matrix = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
     static constexpr int N = Vector::RowsAtCompileTime;
+    /// Of constraints and hidden constraints there are at most 3 N: on the stack for small fixed sizes.
+    static constexpr int most = N > 0 && N <= 16 && std::is_floating_point_v<scalar> ? 3 * N
+                                                                                     : int(Eigen::Dynamic);
+    using vector = detail::bounded_vector<scalar, most>;
+    using matrix = detail::bounded_matrix<scalar, most>;
     static constexpr bool generic = automatically_differentiable<Problem, scalar, N>;
 
     /// Which combinations are differentiated: the rows of `once` combine constraints, those of `twice` the
@@ -66,10 +70,10 @@ class constraint_system {
         else
             for (const auto& e : mass.entries()) M(e.row, e.column) += e.value;
         const scalar zero = scalar(n_ + 1) * std::numeric_limits<scalar>::epsilon() * scalar(8);
-        row_scale_ = detail::scale_rows<scalar>(M, matrix(M));
-        mass_ = detail::rank_revealing<scalar>(M, zero);
+        row_scale_ = detail::scale_rows(M, matrix(M));
+        mass_ = detail::rank_revealing<matrix>(M, zero);
         directions_ = mass_.kernel();
-        combinations_ = detail::rank_revealing<scalar>(matrix(M.transpose()), zero).kernel().transpose();
+        combinations_ = detail::rank_revealing<matrix>(matrix(M.transpose()), zero).kernel().transpose();
         detail::reduce_rows(combinations_, zero);
         for (int i = 0; i < n_; ++i) combinations_.col(i) *= row_scale_[i];
         for (int i = 0; i < count(); ++i)
@@ -154,13 +158,13 @@ class constraint_system {
         selection s{matrix(0, count()), matrix(0, 0)};
         if (depth_ < 2 || count() == 0) return s;
         const matrix c_x = constraint_jacobian(linearise(t, x));
-        s.once = detail::invisible_combinations<scalar>(c_x, directions_, zero());
+        s.once = detail::invisible_combinations<matrix>(c_x, directions_, zero());
         if (depth_ < 3 || s.once.rows() == 0) {
             s.twice = matrix(0, s.once.rows());
             return s;
         }
         s.twice =
-            detail::invisible_combinations<scalar>(hidden_jacobian(t, x, s), directions_, difference_zero());
+            detail::invisible_combinations<matrix>(hidden_jacobian(t, x, s), directions_, difference_zero());
         return s;
     }
 
@@ -268,7 +272,7 @@ class constraint_system {
     int n_, depth_ = 1;
     scalar time_scale_;
     vector row_scale_;
-    detail::rank_revealing<scalar> mass_;
+    detail::rank_revealing<matrix> mass_;
     matrix combinations_, directions_;  // L, N
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <any>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -174,18 +175,24 @@ struct projection_options {
 /// An observer that moves every accepted state of a differential-algebraic problem onto its constraints
 /// (those binding the differential components, of index 2 and 3), and on request onto the hidden ones by the
 /// algebraic components. Made by `projection`. Costs one Jacobian and a few f per step, with `hidden` n more
-/// of each, and allocates; stiffly accurate methods satisfy g = 0 to the tolerance of Newton's iteration
-/// without it.
+/// of each; what depends on M alone is kept from step to step. Allocates nothing after the first step for
+/// states of fixed size up to 16 in double, otherwise its matrices in every step. Stiffly accurate methods
+/// satisfy g = 0 to the tolerance of Newton's iteration without it.
 template <class Problem>
 class constraint_projection {
   public:
     constraint_projection(Problem& problem, const projection_options& o) : problem_(problem), options_(o) {}
 
+    /// A run begins: the mass matrix and the index flags are read anew.
+    template <class Vector>
+    void start(const typename Vector::Scalar&, const Vector&, const typename Vector::Scalar&) {
+        newton_.reset();
+    }
     /// Called by `integrate`; throws as consistent_initial_values does, which ends the run with
     /// status::function_threw.
     template <class Vector>
     bool correct(const typename Vector::Scalar& t, Vector& y) {
-        constraint_newton<Problem, Vector> newton(problem_, y.size(), 1, 20, "projection");
+        auto& newton = newton_for(y);
         if (newton.system().count() == 0) return false;
         const Vector before = y;
         newton.select(t, y);
@@ -202,7 +209,17 @@ class constraint_projection {
 
   private:
     Problem& problem_;
+    template <class Vector>
+    constraint_newton<Problem, Vector>& newton_for(const Vector& y) {
+        using newton = constraint_newton<Problem, Vector>;
+        auto* kept = std::any_cast<newton>(&newton_);
+        if (!kept || kept->system().size() != y.size())
+            kept = &newton_.emplace<newton>(problem_, y.size(), 1, 20, "projection");
+        return *kept;
+    }
+
     projection_options options_;
+    std::any newton_;  // of the state's type, which only the run knows
     detail::projection_record<double> record_;
 };
 
