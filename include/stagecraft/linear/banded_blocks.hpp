@@ -7,13 +7,14 @@
 #include <stagecraft/linear/complex_number.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/mass.hpp>
+#include <type_traits>
 #include <vector>
 
 namespace stagecraft {
 
 /// LU with row pivoting of a banded matrix over T (a scalar or a complex_number). Row exchanges widen the
-/// upper band by `lower` diagonals; O(n lower (lower + upper)) operations, O(n (2 lower + upper)) storage,
-/// taken once.
+/// upper band by up to `lower` diagonals, which cost nothing where there are none; O(n lower (lower + upper))
+/// operations, O(n (2 lower + upper)) storage, taken once.
 template <class T>
 class banded_lu {
   public:
@@ -32,12 +33,51 @@ class banded_lu {
 
     /// False if the matrix is singular or not finite.
     bool factor() {
+        return with_lower([this](auto lower) { return this->factor_band<lower>(); });
+    }
+
+    /// x := A^-1 x; x is indexed from 0 to n - 1.
+    template <class X>
+    void solve(X&& x) const {
+        with_lower([&](auto lower) { return this->template solve_lower<lower>(x); });
+        for (int k = n_ - 1; k >= 0; --k) {
+            const T* ck = column(k);
+            const T m = x[k] * ck[k];
+            x.set(k, m);
+            for (int i = std::max(0, k - width_); i < k; ++i) x.set(i, x[i] - ck[i] * m);
+        }
+    }
+
+  private:
+    /// f(the number of lower diagonals as a constant), 0 standing for more than four: loops that short are
+    /// unrolled.
+    template <class F>
+    bool with_lower(F&& f) const {
+        switch (lower_) {
+            case 1:
+                return f(std::integral_constant<int, 1>());
+            case 2:
+                return f(std::integral_constant<int, 2>());
+            case 3:
+                return f(std::integral_constant<int, 3>());
+            case 4:
+                return f(std::integral_constant<int, 4>());
+            default:
+                return f(std::integral_constant<int, 0>());
+        }
+    }
+
+    // Rows below the last are stored as zeros, so that no column has to stop short of them.
+    template <int Lower>
+    bool factor_band() {
+        const int lower = Lower > 0 ? Lower : lower_;
+        int last_column = 0;  // the furthest that one of the rows met so far reaches
+        width_ = 0;
         for (int k = 0; k < n_; ++k) {
             T* ck = column(k);
-            const int last_row = std::min(k + lower_, n_ - 1);
             int p = k;
             auto largest = size_of(ck[k]);
-            for (int i = k + 1; i <= last_row; ++i) {
+            for (int i = k + 1; i <= k + lower; ++i) {
                 const auto candidate = size_of(ck[i]);
                 if (candidate > largest) largest = candidate, p = i;
             }
@@ -45,45 +85,44 @@ class banded_lu {
             pivot_[k] = p;
             std::swap(ck[k], ck[p]);
             ck[k] = inverse_of(ck[k]);
-            for (int i = k + 1; i <= last_row; ++i) ck[i] = ck[i] * ck[k];
-            const int last_column = std::min(k + lower_ + upper_, n_ - 1);
+            for (int i = k + 1; i <= k + lower; ++i) ck[i] = ck[i] * ck[k];
+            last_column = std::max(last_column, std::min(p + upper_, n_ - 1));
+            width_ = std::max(width_, last_column - k);
             for (int j = k + 1; j <= last_column; ++j) {
                 T* cj = column(j);
                 const T m = cj[p];
                 cj[p] = cj[k];
                 cj[k] = m;
-                for (int i = k + 1; i <= last_row; ++i) cj[i] = cj[i] - ck[i] * m;
+                for (int i = k + 1; i <= k + lower; ++i) cj[i] = cj[i] - ck[i] * m;
             }
         }
         return true;
     }
 
-    /// x := A^-1 x; x is indexed from 0 to n - 1.
-    template <class X>
-    void solve(X&& x) const {
+    template <int Lower, class X>
+    bool solve_lower(X& x) const {
+        const int lower = Lower > 0 ? Lower : lower_;
         for (int k = 0; k < n_; ++k) {
             const T* ck = column(k);
-            const int p = pivot_[k], last_row = std::min(k + lower_, n_ - 1);
+            const int p = pivot_[k];
             const T m = x[p];
             if (p != k) x.set(p, x[k]);
             x.set(k, m);
-            for (int i = k + 1; i <= last_row; ++i) x.set(i, x[i] - ck[i] * m);
+            if (k + lower < n_) {
+                for (int i = k + 1; i <= k + lower; ++i) x.set(i, x[i] - ck[i] * m);
+            } else {
+                for (int i = k + 1; i < n_; ++i) x.set(i, x[i] - ck[i] * m);
+            }
         }
-        for (int k = n_ - 1; k >= 0; --k) {
-            const T* ck = column(k);
-            const T m = x[k] * ck[k];
-            x.set(k, m);
-            for (int i = std::max(0, k - lower_ - upper_); i < k; ++i) x.set(i, x[i] - ck[i] * m);
-        }
+        return true;
     }
 
-  private:
     /// Column j such that column(j)[i] is entry (i, j).
     T* column(int j) { return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j); }
     const T* column(int j) const {
         return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j);
     }
-    int n_ = -1, lower_ = 0, upper_ = 0, height_ = 1;
+    int n_ = -1, lower_ = 0, upper_ = 0, height_ = 1, width_ = 0;  // width_: of the upper factor
     std::vector<T> a_;
     std::vector<int> pivot_;
 };
