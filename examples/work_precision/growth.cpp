@@ -97,7 +97,7 @@ void print_growth() {
         }));
     print("stages", all);
 
-    std::printf("\nthe same, N = 500, order chosen among s = 3, 5, 7\n");
+    std::printf("\nthe same, N = 500, order chosen among s = 3, 5, 7, 9\n");
     all.clear();
     for (int k = 2; k <= 12; ++k) {
         const double tol = std::pow(10.0, -k);

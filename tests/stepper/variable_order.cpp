@@ -49,6 +49,16 @@ BOOST_AUTO_TEST_CASE(a_loose_tolerance_does_not_take_the_highest_order) {
     BOOST_TEST(chosen.report.largest_stages < 7);
 }
 
+BOOST_AUTO_TEST_CASE(nine_stages_are_chosen_where_the_tolerance_asks_for_them) {
+    const auto largest = [](double tol) {
+        return sc::integrate(sc::radau_iia_variable(), problems::van_der_pol{}, vdp0, 0, 2,
+                             {.rtol = tol, .atol = tol})
+            .report.largest_stages;
+    };
+    BOOST_TEST(largest(1e-12) == 9);
+    BOOST_TEST(largest(1e-8) <= 7);
+}
+
 BOOST_AUTO_TEST_CASE(the_family_may_be_any_list_of_stages) {
     const auto r = robertson(sc::radau_iia_variable<1, 2, 3, 4, 5>(), 1e-8);
     BOOST_TEST(r.ok());

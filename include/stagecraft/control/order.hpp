@@ -25,6 +25,7 @@ struct order_candidate {
     int power;     ///< the estimate is O(h^power)
     Scalar ratio;  ///< estimates are multiplied by it to have tolerance 1
     block_work<Scalar> work;
+    bool admitted;  ///< false if it is not to be chosen at the tolerance of the run
 };
 
 /// Chooses among `Count` methods ordered by stages; with one method there is nothing to hold and to decide.
@@ -63,7 +64,7 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         int best = current_;
         Scalar least = here;
         for (int k = current_ - 1; k <= current_ + 1; k += 2) {
-            if (k < 0 || k >= Count) continue;
+            if (k < 0 || k >= Count || !candidates_[k].admitted) continue;
             // A change has to promise something, one to more stages more: its prediction is the bolder one.
             const Scalar w = work_per_length(k, e) * (k > current_ ? Scalar(5) / 4 : Scalar(10) / 9);
             if (w < least) least = w, best = k;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
@@ -142,7 +143,8 @@ class integrator {
             m.prepare(system_, fixed());
             ratio_[k] = m.estimate_ratio(options_.rtol);
             if constexpr (variable)
-                order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_)});
+                order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_),
+                                   m.count() <= 7 || options_.rtol <= scalar(1) / 10000000000});
         });
     }
 
@@ -201,6 +203,13 @@ class integrator {
                (system_type::finite_difference && method.implicit() && (!fixed() || want_jacobian_));
     }
 
+    /// True if the polynomial of the last step is to start the iteration. What is left in components of
+    /// index 2 and 3, about the tolerance divided by h, grows by orders of magnitude on the way: once an
+    /// iteration failed, the same step is tried from a constant, and the steps after it for a while.
+    bool extrapolates() const {
+        return has_output_ && (system_.has_raised_index() ? skipped_ == 0 : failures_ < 2);
+    }
+
     /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
     newton_limits<scalar> newton_limits_for(int s) {
         const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
@@ -220,7 +229,7 @@ class integrator {
                 negligible_[i] = moved > small ? moved : small;
             }
         }
-        ahead_ = !system_type::finite_difference && has_output_ && failures_ == 0 && !fixed();
+        ahead_ = !system_type::finite_difference && extrapolates() && failures_ == 0 && !fixed();
         if (ahead_) {
             // Two fifths into the step the Jacobian serves all stages best; not further than the last step
             // was long, as that is where the state comes from. (Differences need f there as well: they stay
@@ -257,6 +266,7 @@ class integrator {
     long equal_steps_ = 0, attempts_ = 0;
     bool started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
          fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false;
+    int skip_ = 0, skipped_ = 0;  // steps to be made without extrapolation, after one that failed with it
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 
@@ -302,7 +312,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         newton_outcome<scalar> newton;
         if (factored_) {
             method.begin(f0_);
-            method.guess(has_output_ && failures_ < 2 ? &outputs_[current_] : nullptr, y_, h, now);
+            method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
             newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
                                            report_.solves);
         }
@@ -323,8 +333,13 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
                 continue;
             }
             if (fixed()) return end(obstacle_);
-            h_ = h / 2;
             want_jacobian_ = ahead_;  // where the extrapolation went astray the Jacobian did
+            if (system_.has_raised_index() && extrapolates()) {
+                skip_ = skip_ < 8 ? 2 * skip_ + 1 : skip_;
+                skipped_ = skip_;
+                continue;
+            }
+            h_ = h / 2;
             if constexpr (variable)
                 if (failures_ > 1 && order_.newton_failed()) return attempt_end::change_method;
             continue;
@@ -393,6 +408,10 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     if (s > report_.largest_stages) report_.largest_stages = s;
     ++report_.steps;
     last_was_rejected_ = false;
+    if (skipped_ == 0)
+        skip_ = 0;
+    else
+        --skipped_;
     fresh_jacobian_ = false;
     set_scale();
     if (t_ == t1_) return attempt_end::accepted;
