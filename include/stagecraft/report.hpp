@@ -27,6 +27,15 @@ struct report {
     int smallest_stages = 0;
 
     long rejected() const { return rejected_error + rejected_newton; }
+
+    /// Takes in an accepted step of magnitude h by a method of so many stages.
+    void count_step(const Scalar& h, int stages) {
+        if (steps == 0 || h < smallest_step) smallest_step = h;
+        if (h > largest_step) largest_step = h;
+        if (steps == 0 || stages < smallest_stages) smallest_stages = stages;
+        if (stages > largest_stages) largest_stages = stages;
+        ++steps;
+    }
 };
 
 }  // namespace stagecraft

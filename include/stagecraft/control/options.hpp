@@ -55,4 +55,27 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
     demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0), "newton_factor must not be negative");
 }
 
+/// Throws std::invalid_argument that names what of the start and the end is not finite.
+template <class Vector, class Scalar>
+void validate_interval(const Vector& y0, const Scalar& t0, const Scalar& t1) {
+    const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };
+    if (!finite(t0)) throw std::invalid_argument("integrate: t0 must be finite");
+    if (!finite(t1) || !finite(t1 - t0)) throw std::invalid_argument("integrate: t1 must be finite");
+    for (Eigen::Index i = 0; i < y0.size(); ++i)
+        if (!finite(y0[i])) throw std::invalid_argument("integrate: y0 must be finite");
+}
+
+template <class Scalar>
+Scalar absolute_tolerance(const options<Scalar>& o, Eigen::Index i) {
+    return o.atol_components.size() > 0 ? o.atol_components[i] : o.atol;
+}
+
+/// weights_i := 1/(atol_i + rtol |y_i|).
+template <class Vector, class Scalar>
+void set_weights(const options<Scalar>& o, const Vector& y, Vector& weights) {
+    using std::abs;
+    for (Eigen::Index i = 0; i < y.size(); ++i)
+        weights[i] = Scalar(1) / (absolute_tolerance(o, i) + o.rtol * abs(y[i]));
+}
+
 }  // namespace stagecraft

@@ -27,6 +27,31 @@ struct newton_limits {
     bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
 };
 
+/// Iterations a step by s coupled stages may take.
+inline int usual_iterations(int s) { return 7 + (s > 3 ? (5 * (s - 3)) / 2 : 0); }
+
+/// Whether the polynomial of the last step is good enough to start the next iteration. What the tolerance
+/// leaves in components of index 2 and 3, about rtol / h, grows by orders of magnitude when it is
+/// extrapolated with many stages: once an iteration failed, the same step is tried from a constant, and so
+/// are the next ones, twice as many after each failure.
+class extrapolation_trust {
+  public:
+    bool trusted() const { return skipped_ == 0; }
+    void failed() {
+        if (skip_ < 8) skip_ = 2 * skip_ + 1;
+        skipped_ = skip_;
+    }
+    void stepped() {
+        if (skipped_ == 0)
+            skip_ = 0;
+        else
+            --skipped_;
+    }
+
+  private:
+    int skip_ = 0, skipped_ = 0;
+};
+
 /// Watches a simplified Newton iteration by the sizes of its increments and says when it is over.
 template <class Scalar>
 class newton_monitor {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
+#include <stagecraft/control/equal_steps.hpp>
 #include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/control/order.hpp>
@@ -54,14 +54,13 @@ class integrator {
           negligible_(n_),
           outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())} {
         validate(o, n_);
-        const auto finite = [](const scalar& x) { return x - x == scalar(0); };
-        if (!finite(t0)) throw std::invalid_argument("integrate: t0 must be finite");
-        if (!finite(t1) || !finite(t1 - t0)) throw std::invalid_argument("integrate: t1 must be finite");
-        for (int i = 0; i < n_; ++i)
-            if (!finite(y0[i])) throw std::invalid_argument("integrate: y0 must be finite");
+        validate_interval(y0, t0, t1);
         f0_.setZero();
-        set_scale();
-        if (o.fixed_step > scalar(0)) plan_equal_steps();
+        set_weights(options_, y_, scale_);
+        if (o.fixed_step > scalar(0)) {
+            plan_ = plan_equal_steps(t0, t1, o.fixed_step);
+            h_ = plan_.h;
+        }
         for (int k = 0; k < method_count<Method>; ++k) set_tolerances(k);
     }
     integrator(const integrator&) = delete;
@@ -85,7 +84,7 @@ class integrator {
                     "integrate: the corrected state must be finite and of the same size");
         if (has_output_) outputs_[current_].move_end(y - y_);
         y_ = y;
-        set_scale();
+        set_weights(options_, y_, scale_);
         visit_current([&](auto& m) {
             m.replaced();
             if (t_ != t1_ && this->needs_left_value(m)) system_(t_, y_, f0_);
@@ -118,24 +117,10 @@ class integrator {
         std::apply([&](auto&... m) { ((most = m.columns() > most ? m.columns() : most), ...); }, steps_);
         return most;
     }
-    bool fixed() const { return equal_steps_ > 0; }
+    bool fixed() const { return plan_.count > 0; }
     attempt_end end(stagecraft::status s) {
         status_ = s;
         return attempt_end::given_up;
-    }
-
-    void plan_equal_steps() {
-        using std::abs;
-        using std::ceil;
-        const scalar count = ceil(abs(t1_ - t_) / options_.fixed_step * (scalar(1) - scalar(1) / 1000000000));
-        if (!(count < scalar(1) / std::numeric_limits<scalar>::epsilon()))
-            throw std::invalid_argument("integrate: fixed_step is too small for t1 - t0");
-        equal_steps_ = static_cast<long>(count) > 0 ? static_cast<long>(count) : 1;
-        t0_ = t_;
-        h_ = (t1_ - t_) / scalar(equal_steps_);
-        const scalar eps = std::numeric_limits<scalar>::epsilon(), last = abs(t1_), first = abs(t_);
-        if (t1_ != t_ && !(abs(h_) > 4 * eps * (first < last ? last : first)))
-            throw std::invalid_argument("integrate: fixed_step is below the resolution of t");
     }
 
     void set_tolerances(int k) {
@@ -148,18 +133,6 @@ class integrator {
         });
     }
 
-    scalar absolute_tolerance(int i) const {
-        return options_.atol_components.size() > 0 ? options_.atol_components[i] : options_.atol;
-    }
-    void set_scale() {
-        using std::abs;
-        if (options_.atol_components.size() > 0) {
-            for (int i = 0; i < n_; ++i)
-                scale_[i] = scalar(1) / (options_.atol_components[i] + options_.rtol * abs(y_[i]));
-        } else {
-            for (int i = 0; i < n_; ++i) scale_[i] = scalar(1) / (options_.atol + options_.rtol * abs(y_[i]));
-        }
-    }
     scalar norm(const Vector& x, const Vector& w) const { return weighted_norm(x, w, n_); }
 
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
@@ -203,11 +176,9 @@ class integrator {
                (system_type::finite_difference && method.implicit() && (!fixed() || want_jacobian_));
     }
 
-    /// True if the polynomial of the last step is to start the iteration. What is left in components of
-    /// index 2 and 3, about the tolerance divided by h, grows by orders of magnitude on the way: once an
-    /// iteration failed, the same step is tried from a constant, and the steps after it for a while.
+    /// True if the polynomial of the last step is to start the iteration.
     bool extrapolates() const {
-        return has_output_ && (system_.has_raised_index() ? skipped_ == 0 : failures_ < 2);
+        return has_output_ && (system_.has_raised_index() ? extrapolation_.trusted() : failures_ < 2);
     }
 
     /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
@@ -219,13 +190,13 @@ class integrator {
         return {options_.newton_factor > scalar(0) ? options_.newton_factor : scalar(1) / 50, 4 * rounding,
                 100 * rounding, most, system_.constant_jacobian()};
     }
-    static int usual_iterations(int s) { return 7 + (s > 3 ? (5 * (s - 3)) / 2 : 0); }
 
     void refresh_jacobian(const scalar& h) {
         using std::abs;
         if constexpr (system_type::finite_difference) {
             for (int i = 0; i < n_; ++i) {
-                const scalar moved = abs(h * f0_[i]), small = absolute_tolerance(i) / options_.rtol / 1000;
+                const scalar moved = abs(h * f0_[i]),
+                             small = absolute_tolerance(options_, i) / options_.rtol / 1000;
                 negligible_[i] = moved > small ? moved : small;
             }
         }
@@ -253,7 +224,8 @@ class integrator {
     report<scalar> report_{};
     system_type system_;
     typename steps::type steps_;
-    scalar t_, t1_, t0_{0};
+    equal_steps<scalar> plan_;
+    scalar t_, t1_;
     int direction_;
     Vector y_, y1_, f0_, error_, scale_, weights_, negligible_;
     std::array<output_type, 2> outputs_;
@@ -261,12 +233,12 @@ class integrator {
     std::array<scalar, static_cast<std::size_t>(method_count<Method>)> ratio_{};
     step_size_controller<scalar> controller_{options_.control};
     order_controller<scalar, method_count<Method>> order_{};
+    extrapolation_trust extrapolation_;
     scalar h_{0}, factored_h_{0}, theta_{0};
     int factored_order_ = 0, iterations_ = 0, failures_ = 0;
-    long equal_steps_ = 0, attempts_ = 0;
+    long attempts_ = 0;
     bool started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
          fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false;
-    int skip_ = 0, skipped_ = 0;  // steps to be made without extrapolation, after one that failed with it
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 
@@ -282,7 +254,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         if (attempts_++ >= options_.max_steps) return end(status::too_many_steps);
         scalar h = h_, t_next = t_;
         if (fixed()) {
-            t_next = report_.steps + 1 == equal_steps_ ? t1_ : scalar(t0_ + h_ * scalar(report_.steps + 1));
+            t_next = plan_.end(report_.steps + 1);
         } else {
             const scalar rest = t1_ - t_;
             if (abs(h) * (scalar(1) + scalar(1) / 100000) >= abs(rest)) {
@@ -335,8 +307,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             if (fixed()) return end(obstacle_);
             want_jacobian_ = ahead_;  // where the extrapolation went astray the Jacobian did
             if (system_.has_raised_index() && extrapolates()) {
-                skip_ = skip_ < 8 ? 2 * skip_ + 1 : skip_;
-                skipped_ = skip_;
+                extrapolation_.failed();
                 continue;
             }
             h_ = h / 2;
@@ -400,20 +371,11 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     has_output_ = true;
     t_ = t_next;
     y_ = y1_;
-    const scalar size = abs(h);
-    if (report_.steps == 0 || size < report_.smallest_step) report_.smallest_step = size;
-    if (size > report_.largest_step) report_.largest_step = size;
-    const int s = method.count();
-    if (report_.steps == 0 || s < report_.smallest_stages) report_.smallest_stages = s;
-    if (s > report_.largest_stages) report_.largest_stages = s;
-    ++report_.steps;
+    report_.count_step(abs(h), method.count());
     last_was_rejected_ = false;
-    if (skipped_ == 0)
-        skip_ = 0;
-    else
-        --skipped_;
+    extrapolation_.stepped();
     fresh_jacobian_ = false;
-    set_scale();
+    set_weights(options_, y_, scale_);
     if (t_ == t1_) return attempt_end::accepted;
     want_jacobian_ = theta_ > scalar(1) / 1000 && !system_.constant_jacobian();
     if (needs_left_value(method)) system_(t_, y_, f0_);

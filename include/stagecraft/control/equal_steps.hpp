@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace stagecraft {
+
+/// The times of a run with fixed steps; none (count = 0) where steps are chosen by their errors.
+template <class Scalar>
+struct equal_steps {
+    long count = 0;
+    Scalar first{0}, last{0}, h{0};  ///< h with the sign of last - first
+
+    /// The end of step k = 1, ..., count: the last one to the bit.
+    Scalar end(long k) const { return k == count ? last : Scalar(first + h * Scalar(k)); }
+};
+
+/// As few steps as there are none above `largest` > 0, one more where rounding leaves it open. Throws
+/// std::invalid_argument (fixed_step) where their number or their size is beyond the arithmetic.
+template <class Scalar>
+equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const Scalar& largest) {
+    using std::abs;
+    using std::ceil;
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon(), start = abs(t0), end = abs(t1);
+    const Scalar count = ceil(abs(t1 - t0) / largest * (Scalar(1) - Scalar(1) / 1000000000));
+    if (!(count < Scalar(1) / eps))
+        throw std::invalid_argument("integrate: fixed_step is too small for t1 - t0");
+    const long n = static_cast<long>(count) > 0 ? static_cast<long>(count) : 1;
+    const Scalar h = (t1 - t0) / Scalar(n);
+    if (t1 != t0 && !(abs(h) > 4 * eps * (start < end ? start : end)))
+        throw std::invalid_argument("integrate: fixed_step is below the resolution of t");
+    return {n, t0, t1, h};
+}
+
+}  // namespace stagecraft
