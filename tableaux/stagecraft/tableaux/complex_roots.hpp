@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <stagecraft/tableaux/complex_ball.hpp>
@@ -33,16 +34,55 @@ inline std::pair<complex_ball, complex_ball> horner(const std::vector<ball>& a, 
     return {value, slope};
 }
 
-/// Approximations of all roots of a monic polynomial by the Ehrlich-Aberth iteration, from a circle whose
-/// radius is the geometric mean of the moduli. Radii are dropped: the proof comes later.
+/// Approximations of all roots of a monic polynomial by the Ehrlich-Aberth iteration in long double, from a
+/// circle whose radius is the geometric mean of the moduli. They may be poor; the circle itself where the
+/// iteration leaves the range of the numbers or runs two of them together.
+inline std::vector<std::complex<bound>> rough(const std::vector<ball>& a) {
+    using complex = std::complex<bound>;
+    const auto n = a.size() - 1;
+    std::vector<bound> p;
+    for (const ball& x : a)
+        p.push_back(std::ldexp(x.digits().convert_to<bound>(), static_cast<int>(x.exponent())));
+    const bound size = std::exp2(std::log2(a[0].magnitude()) / static_cast<bound>(n));
+    std::vector<complex> circle;
+    for (std::size_t k = 0; k < n; ++k)
+        circle.push_back(std::polar(
+            size, 2 * std::numbers::pi_v<bound> * (static_cast<bound>(k) + 0.3L) / static_cast<bound>(n)));
+    std::vector<complex> z = circle;
+    const auto over = [](const complex& x) { return std::conj(x) / std::norm(x); };
+    for (int sweep = 0; sweep < 60; ++sweep) {
+        bound largest = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            complex value = p[n], slope = 0, repulsion = 0;
+            for (auto i = n; i-- > 0;) {
+                slope = slope * z[k] + value;
+                value = value * z[k] + p[i];
+            }
+            if (value == complex(0)) continue;
+            for (std::size_t j = 0; j < n; ++j)
+                if (j != k) repulsion += over(z[k] - z[j]);
+            const complex step = over(slope * over(value) - repulsion);
+            z[k] -= step;
+            if (!std::isfinite(z[k].real()) || !std::isfinite(z[k].imag())) return circle;
+            largest = std::max(largest, std::abs(step) / std::abs(z[k]));
+        }
+        if (largest < 1e-9L) return z;
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (std::abs(z[i] - z[j]) < 1e-15L * std::abs(z[i])) return circle;
+    return z;
+}
+
+/// The same to `bits` bits. Radii are dropped: the proof comes later.
 inline std::vector<complex_ball> approximate(const std::vector<ball>& a, int bits) {
     const auto n = a.size() - 1;
-    const double size = std::exp2(std::log2(static_cast<double>(a[0].magnitude())) / static_cast<double>(n));
     std::vector<complex_ball> z;
-    for (std::size_t k = 0; k < n; ++k) {
-        const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.3) / static_cast<double>(n);
-        z.push_back({exact_ball(size * std::cos(angle), bits), exact_ball(size * std::sin(angle), bits)});
-    }
+    const auto exactly = [&](bound x) {
+        const auto [m, e] = ball::bound_parts(x);
+        return ball(m, e, 0, bits);
+    };
+    for (const auto& x : rough(a)) z.push_back({exactly(x.real()), exactly(x.imag())});
     const bound close = std::ldexp(bound(1), -bits / 2);
     for (int sweep = 0; sweep < 200; ++sweep) {
         bound largest = 0;
@@ -68,10 +108,11 @@ inline std::vector<complex_ball> approximate(const std::vector<ball>& a, int bit
 /// Enclosures of all roots of p, which must be simple and non-zero. The proof: by Smith's theorem (1970) the
 /// discs |z - z_i| <= n |p(z_i)| / |prod_{j != i} (z_i - z_j)| of a monic p contain all roots, one each where
 /// they are disjoint; a disc around a real z_i then holds a real root, for the conjugate of a root is one.
-/// O(n^2) operations a sweep. Throws undecided where `bits` is too small (or p has a multiple root).
-inline root_enclosures enclose_roots(const polynomial<rational>& p, int bits) {
-    const std::vector<ball> a = enclosed(monic(p).coefficients(), bits);
-    const int n = p.degree();
+/// `a` are the coefficients of p, ascending, the last one 1; where they are not exact, the enclosures hold
+/// the roots of every p among them. O(n^2) operations a sweep. Throws undecided where `bits` is too small,
+/// the coefficients too uncertain, or p has a multiple root. In no order.
+inline root_enclosures locate_roots(const std::vector<ball>& a, int bits) {
+    const int n = static_cast<int>(a.size()) - 1;
     const int start = std::min(bits, 64 + 6 * n);
     std::vector<complex_ball> all;  // real ones, and of each pair the upper one followed by its conjugate
     root_enclosures found;
@@ -114,6 +155,14 @@ inline root_enclosures enclose_roots(const polynomial<rational>& p, int bits) {
             ++i;
         }
     }
+    for (const auto& z : found.upper)
+        if (!certainly_positive(z.im)) throw undecided("roots: a root too close to the real axis");
+    return found;
+}
+
+/// The same for exact coefficients, in order. Throws undecided where two pairs have the same imaginary part.
+inline root_enclosures enclose_roots(const polynomial<rational>& p, int bits) {
+    root_enclosures found = locate_roots(enclosed(monic(p).coefficients(), bits), bits);
     const auto by_order = [](const ball& x, const ball& y) {
         const auto order = compare(x, y);
         if (order == std::partial_ordering::unordered) throw undecided("roots: their order is undecided");
@@ -122,8 +171,6 @@ inline root_enclosures enclose_roots(const polynomial<rational>& p, int bits) {
     std::sort(found.real.begin(), found.real.end(), by_order);
     std::sort(found.upper.begin(), found.upper.end(),
               [&](const complex_ball& x, const complex_ball& y) { return &x != &y && by_order(x.im, y.im); });
-    for (const auto& z : found.upper)
-        if (!certainly_positive(z.im)) throw undecided("roots: a root too close to the real axis");
     return found;
 }
 

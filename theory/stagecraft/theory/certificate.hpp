@@ -11,6 +11,7 @@
 #include "stagecraft/tableau.hpp"
 #include "stagecraft/tableaux/rational.hpp"
 #include "stagecraft/theory/simplifying.hpp"
+#include "stagecraft/theory/spectrum.hpp"
 #include "stagecraft/theory/stability_function.hpp"
 #include "stagecraft/theory/verdict.hpp"
 
@@ -33,6 +34,7 @@ struct certificate {
     stability_function<tableaux::rational> R;
     std::optional<tableaux::rational> r_infinity;  ///< empty where R has a pole at infinity
     tableaux::rational error_constant;             ///< |R(z) - e^z| = error_constant |z|^{order+1} + ...
+    theory::spectra spectra;                       ///< eigenvalues of A, poles of R
     tableaux::inertia weights;                     ///< signs of the weights b
     tableaux::inertia M;                           ///< inertia of the algebraic stability matrix
 
@@ -90,6 +92,7 @@ struct certificate {
             if (c.statement.size() <= width) out += std::string(width - c.statement.size(), ' ');
             out += "  " + c.verdict.text() + "\n";
         }
+        if (!spectra.note.empty()) out += "  " + spectra.note + "\n";
         return out;
     }
 };

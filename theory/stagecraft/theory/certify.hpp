@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,6 +99,48 @@ inline void certify_stability_function(const exact_model& m, certificate& out) {
         out.l_stable =
             *out.r_infinity == 0 ? verdict::proved("A-stable and " + limit) : verdict::refuted(limit);
     }
+}
+
+// A itself where it is upper Hessenberg, its transpose where that is.
+inline std::optional<band_matrix<rational>> hessenberg_form(const band_matrix<rational>& a) {
+    const int n = a.size();
+    bool upper = true, lower = true;
+    for (int i = 0; i < n; ++i)
+        for (int j = a.first_column(i); j < a.end_column(i); ++j) {
+            upper = upper && (j >= i - 1 || a(i, j) == 0);
+            lower = lower && (j <= i + 1 || a(i, j) == 0);
+        }
+    if (upper) return a;
+    if (!lower) return {};
+    band_matrix<rational> t(n, a.upper(), a.lower());
+    for (int i = 0; i < n; ++i)
+        for (int j = a.first_column(i); j < a.end_column(i); ++j) t.entry(j, i) = a(i, j);
+    return t;
+}
+
+inline void certify_spectrum(const exact_model& m, certificate& out) {
+    const int s = m.stages();
+    if (s > largest_spectrum) {
+        out.spectra.note = beyond_largest_spectrum();
+        return;
+    }
+    try {
+        out.spectra.poles = roots_of(out.R.denominator);
+        if (count(*out.spectra.poles) == s)
+            out.spectra.eigenvalues = reciprocals(*out.spectra.poles);
+        else if (const auto h = hessenberg_form(m.A()))
+            out.spectra.eigenvalues = eigenvalues_of(unscaled(determinant_of_one_minus_z(*h, s, (*h)(0, 0))),
+                                                     s, *out.spectra.poles);
+        else
+            out.spectra.note = "no eigenvalues: A is not of Hessenberg form in Legendre coordinates";
+    } catch (const tableaux::undecided& e) {
+        out.spectra.note = std::string("no eigenvalues and poles: ") + e.what();
+    }
+    const std::string how = "enclosed; digits correctly rounded";
+    if (out.spectra.poles)
+        out.others.push_back({"poles of R: " + text(*out.spectra.poles), verdict::proved(how)});
+    if (out.spectra.eigenvalues)
+        out.others.push_back({"eigenvalues of A: " + text(*out.spectra.eigenvalues), verdict::proved(how)});
 }
 
 // A stage vector u with u^T S u < 0 for a symmetric S in Legendre coordinates, and that value.
@@ -212,6 +255,7 @@ inline certificate certify(const exact_model& m, std::string method, std::string
     out.others.push_back({"stage order " + std::to_string(k.stage_order()), verdict::proved("min(B, C)")});
     certify_order(m, out);
     certify_stability_function(m, out);
+    certify_spectrum(m, out);
     certify_algebraic_stability(m, out);
     out.symmetric = symmetry(m);
     out.stiffly_accurate = stiff_accuracy(m);
@@ -222,8 +266,9 @@ inline certificate certify(const exact_model& m, std::string method, std::string
 
 /// Everything that exact arithmetic decides of a family's member with s stages: maximal B, C, D; the order;
 /// R(z), R(infinity), error constant; A-, L-, algebraic and B-stability; symmetry, symplecticity, stiff
-/// accuracy. O(s^2) operations on exact integers; s = 50 takes a few milliseconds.
-/// Throws std::invalid_argument where the family has no member with s stages.
+/// accuracy; poles of R and eigenvalues of A for s <= largest_spectrum. O(s^2) operations on exact integers,
+/// some milliseconds for s = 50; the poles take up to ten more. Throws std::invalid_argument where the family
+/// has no member with s stages.
 inline certificate certify(tableaux::family f, int s) {
     return detail::certify(legendre_model<tableaux::rational>(f, s), std::string(name(f)),
                            "roots of orthogonal polynomials on [0, 1], and its ends");

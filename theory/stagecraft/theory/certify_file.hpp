@@ -7,6 +7,7 @@
 #include <stagecraft/theory/claims.hpp>
 #include <stagecraft/theory/file_certificate.hpp>
 #include <stagecraft/theory/nearest.hpp>
+#include <stagecraft/theory/spectra.hpp>
 #include <stagecraft/theory/subject.hpp>
 #include <stagecraft/theory/suspects.hpp>
 #include <string>
@@ -82,18 +83,22 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
 }  // namespace detail
 
 /// Judges a tableau file: order, stage order, row sums, every property claimed; where something claimed is
-/// refuted, the failing conditions and the suspects; for rounded data the nearest family. Exact data are
-/// decided; rounded and enclosed data are refuted or found consistent.
+/// refuted, the failing conditions and the suspects; eigenvalues of A and poles of R; for rounded data the
+/// nearest family. Exact data are decided; rounded and enclosed data are refuted or found consistent.
 inline file_certificate certify(const tableaux::tableau_file& file) {
     file_certificate certificate;
     certificate.name = file.name;
     certificate.source = file.source;
     certificate.data = tableaux::name(file.kind());
     certificate.stages = file.stages();
+    const auto examine = [&](const auto& subject) {
+        judge(subject, file.claims, certificate);
+        certificate.spectra = spectra_of(subject);
+    };
     if (file.kind() <= tableaux::number_kind::quadratic)
-        judge(detail::exact_subject(file), file.claims, certificate);
+        examine(detail::exact_subject(file));
     else
-        judge(detail::enclosed_subject(file), file.claims, certificate);
+        examine(detail::enclosed_subject(file));
     certificate.nearest = nearest(file);
     if (certificate.overall() == standing::refuted) detail::find_suspects(file, certificate);
     return certificate;

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stagecraft/theory/spectrum.hpp>
 #include <stagecraft/theory/verdict.hpp>
 #include <stagecraft/theory/verdict_json.hpp>
 #include <string>
@@ -56,6 +57,7 @@ struct file_certificate {
     std::vector<suspect> suspects;
     std::string suspects_note;
     std::optional<nearest_family> nearest;
+    theory::spectra spectra;
 
     /// Refuted where any claim is, proved where all are, consistent otherwise.
     standing overall() const {
@@ -79,7 +81,7 @@ struct file_certificate {
 
 /// The certificate as JSON: name, source, data, stages, verdict; one object for each finding with `value` for
 /// orders, `verdict` on the statement (for orders: on the one claimed), `claimed` and the verdict `claim` on
-/// that; failures, suspects and nearest.
+/// that; eigenvalues of A, poles of R and spectrum_note; failures, suspects and nearest.
 inline nlohmann::ordered_json to_json(const file_certificate& c) {
     nlohmann::ordered_json j{{"name", c.name},
                              {"source", c.source},
@@ -99,6 +101,9 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
         }
         j[f.name] = std::move(entry);
     }
+    if (c.spectra.eigenvalues) j["eigenvalues"] = to_json(*c.spectra.eigenvalues);
+    if (c.spectra.poles) j["poles"] = to_json(*c.spectra.poles);
+    if (!c.spectra.note.empty()) j["spectrum_note"] = c.spectra.note;
     j["failures"] = nlohmann::ordered_json::array();
     for (const failure& f : c.failures)
         j["failures"].push_back({{"condition", f.condition}, {"tree", f.tree}, {"residual", f.residual}});
@@ -139,6 +144,9 @@ inline std::string to_text(const file_certificate& c) {
         }
         out += "\n";
     }
+    if (c.spectra.eigenvalues) out += "  eigenvalues of A: " + text(*c.spectra.eigenvalues) + "\n";
+    if (c.spectra.poles) out += "  poles of R: " + text(*c.spectra.poles) + "\n";
+    if (!c.spectra.note.empty()) out += "  " + c.spectra.note + "\n";
     // A true certificate need not show hundreds of conditions of the order that it does not claim.
     const std::size_t most = c.overall() == standing::refuted ? c.failures.size() : 6;
     if (!c.failures.empty()) out += "  failing conditions, of the first order that has some:\n";

@@ -89,6 +89,11 @@ std::vector<claim> function_claims(const stability_function<K>& r) {
                    verdict::proved(std::to_string(poles.left) + " in the left half-plane, " +
                                    std::to_string(poles.axis) + " on the axis, " +
                                    std::to_string(poles.right) + " in the right half-plane")});
+    try {
+        all.push_back({"poles: " + text(roots_of(r.denominator)),
+                       verdict::proved("enclosed; digits correctly rounded")});
+    } catch (const tableaux::undecided&) {  // the count above is all that can be said
+    }
     all.push_back({"A-stable", a_stable(r)});
     all.push_back({"strongly A-stable", strongly_a_stable(r)});
     all.push_back({"L-stable", l_stable(r)});
