@@ -25,6 +25,9 @@ BOOST_AUTO_TEST_CASE(the_report_states_every_decision_with_its_reason) {
     BOOST_TEST(line(report, "L-stable") ==
                "L-stable  proved: E(y) = 1/3600*y^6 >= 0, poles in the right half-plane, R(inf) = 0");
     BOOST_TEST(line(report, "R approximates").starts_with("R approximates e^z to order 5"));
+    BOOST_TEST(line(report, "poles: ") ==
+               "poles: 3.63783425274, 2.68108287363 +- 3.05043019925 i  proved: "
+               "enclosed; digits correctly rounded");
     BOOST_TEST(line(report, "index 2") ==
                "index 2: y O(h^5), z O(h^3)  proved: thesis, Theorem 5 and Corollary 2 (Hairer-Wanner II, "
                "Theorem VII.4.9)");

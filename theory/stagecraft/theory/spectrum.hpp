@@ -93,11 +93,11 @@ spectrum simple_roots(const tableaux::polynomial<K>& factor, int multiplicity, i
     const auto found = tableaux::locate_roots(a, bits);
     spectrum all;
     for (const auto& x : found.real) {
-        std::optional<tableaux::rational> candidate;
-        if (certainly_positive(x)) candidate = tableaux::simplest_between(x.lower(), x.upper());
-        if (certainly_negative(x)) candidate = -tableaux::simplest_between(-x.upper(), -x.lower());
-        if (candidate && factor(K(*candidate)) == K(0))
-            all.push_back(exactly(K(*candidate), multiplicity, bits));
+        tableaux::rational simplest(0);  // no root
+        if (certainly_positive(x)) simplest = tableaux::simplest_between(x.lower(), x.upper());
+        if (certainly_negative(x)) simplest = -tableaux::simplest_between(-x.upper(), -x.lower());
+        if (factor(K(simplest)) == K(0))
+            all.push_back(exactly(K(simplest), multiplicity, bits));
         else
             all.push_back({{x, 0}, {}, multiplicity});
     }
