@@ -5,6 +5,7 @@
 #include <string>
 
 #include "stagecraft/theory/certificate.hpp"
+#include "stagecraft/theory/spectrum_json.hpp"
 #include "stagecraft/theory/verdict_json.hpp"
 
 namespace stagecraft::theory {
@@ -46,9 +47,7 @@ inline nlohmann::ordered_json to_json(const certificate& c) {
         {"stability_function",
          {{"numerator", polynomial(c.R.numerator)}, {"denominator", polynomial(c.R.denominator)}}},
     };
-    if (c.spectra.eigenvalues) j["eigenvalues"] = to_json(*c.spectra.eigenvalues);
-    if (c.spectra.poles) j["poles"] = to_json(*c.spectra.poles);
-    if (!c.spectra.note.empty()) j["spectrum_note"] = c.spectra.note;
+    add_to_json(c.spectra, j);
     ordered_json claims = ordered_json::array();
     for (const claim& entry : c.claims()) {
         ordered_json e{{"statement", entry.statement}};

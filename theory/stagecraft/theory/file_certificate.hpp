@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stagecraft/theory/spectrum.hpp>
+#include <stagecraft/theory/spectrum_json.hpp>
 #include <stagecraft/theory/verdict.hpp>
 #include <stagecraft/theory/verdict_json.hpp>
 #include <string>
@@ -101,9 +101,7 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
         }
         j[f.name] = std::move(entry);
     }
-    if (c.spectra.eigenvalues) j["eigenvalues"] = to_json(*c.spectra.eigenvalues);
-    if (c.spectra.poles) j["poles"] = to_json(*c.spectra.poles);
-    if (!c.spectra.note.empty()) j["spectrum_note"] = c.spectra.note;
+    add_to_json(c.spectra, j);
     j["failures"] = nlohmann::ordered_json::array();
     for (const failure& f : c.failures)
         j["failures"].push_back({{"condition", f.condition}, {"tree", f.tree}, {"residual", f.residual}});

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stagecraft/tableaux/complex_roots.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
@@ -231,25 +230,6 @@ inline std::string text(const spectrum& all) {
         if (v.multiplicity > 1) out += " (multiplicity " + std::to_string(v.multiplicity) + ")";
     }
     return all.empty() ? "none" : out;
-}
-
-/// An array of {re, im, multiplicity}, one for each value (both of a pair): decimal strings, correctly
-/// rounded to 12 digits, with "exact" where known; with the bound "radius" for either part where the data
-/// leave the rounding open.
-inline nlohmann::ordered_json to_json(const spectrum& all) {
-    nlohmann::ordered_json array = nlohmann::ordered_json::array();
-    for (const auto& v : all)
-        for (const int sign : {1, -1}) {
-            if (v.is_real() && sign < 0) continue;
-            nlohmann::ordered_json entry{{"re", detail::digits_of(v.value.re)},
-                                         {"im", (sign < 0 ? "-" : "") + detail::digits_of(v.value.im)},
-                                         {"multiplicity", v.multiplicity}};
-            if (v.exact) entry["exact"] = v.exact->str();
-            if (!detail::is_certain(v.value.re) || !detail::is_certain(v.value.im))
-                entry["radius"] = brief(std::max(v.value.re.radius(), v.value.im.radius()));
-            array.push_back(std::move(entry));
-        }
-    return array;
 }
 
 }  // namespace stagecraft::theory
