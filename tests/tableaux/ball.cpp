@@ -6,6 +6,7 @@
 #include <random>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/tableaux/complex_ball.hpp>
+#include <stagecraft/tableaux/rough_ball.hpp>
 #include <stagecraft/tableaux/round.hpp>
 #include <vector>
 
@@ -239,4 +240,40 @@ BOOST_AUTO_TEST_CASE(decimals_are_correctly_rounded) {
     BOOST_TEST(!decimal_text(ball(rational(1, 4), 200).widened(1e-50L), 1).has_value());
     BOOST_TEST(*decimal_text(ball(rational(1, 4), 200).widened(1e-50L), 2) == "0.25");
     BOOST_TEST(!decimal_text(ball(rational(1, 7), 64), 40).has_value());
+}
+
+namespace {
+
+rational exactly(long double v) {
+    int e = 0;
+    const long double m = std::frexp(v, &e);
+    const rational n(integer(std::ldexp(m, 64)));
+    return e >= 64 ? n * rational(integer(1) << (e - 64)) : n / rational(integer(1) << (64 - e));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rough_balls_contain_the_results_and_decide_what_is_far_from_zero) {
+    rationals random;
+    const auto rough = [](const rational& q) { return rough_ball(ball(q, 128)); };
+    int decided = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const rational a = random(100), b = random(100), c = random(60);
+        if (b == 0) continue;
+        const rational value = (a + c) * a / b - c * rational(k);
+        const rough_ball x = (rough(a) + rough(c)) * rough(a) / rough(b) - rough(c) * rough_ball(k);
+        BOOST_REQUIRE(abs(value - exactly(x.middle())) <= exactly(x.radius()));
+        BOOST_REQUIRE(abs(value) <= exactly(x.magnitude()));
+        if (value == 0) BOOST_REQUIRE(!certainly_nonzero(x));
+        if (certainly_nonzero(x)) ++decided;
+    }
+    BOOST_TEST(decided > 1900);
+    const rough_ball third = rough(rational(1, 3));
+    BOOST_TEST(!certainly_nonzero(third * rough_ball(3) - rough_ball(1)));
+    BOOST_TEST(!certainly_nonzero(rough_ball(1) / (third * rough_ball(3) - rough_ball(1))));
+    // A number is not taken for zero because its square underflows, nor an infinite one for known.
+    rough_ball tiny = rough_ball(1), huge = rough_ball(10);
+    for (int k = 0; k < 20; ++k) tiny /= rough_ball(1000000000), huge *= huge;
+    BOOST_TEST(certainly_nonzero(tiny));
+    BOOST_TEST(!certainly_nonzero(huge));
 }

@@ -110,25 +110,32 @@ subject<K> make_subject(const tableaux::tableau_file& file, Convert convert) {
     return s;
 }
 
+/// The same tableau in other numbers, entry by entry.
+template <class To, class K, class Convert>
+subject<To> mapped(const subject<K>& s, Convert convert) {
+    subject<To> r{{}, s.nodes_given, s.strictly_lower, s.lower};
+    const auto map = [&](const auto& from, auto& to) {
+        to.resize(from.rows(), from.cols());
+        for (int i = 0; i < from.rows(); ++i)
+            for (int j = 0; j < from.cols(); ++j) to(i, j) = convert(from(i, j));
+    };
+    map(s.t.A, r.t.A);
+    map(s.t.b, r.t.b);
+    map(s.t.c, r.t.c);
+    map(s.t.b_embedded, r.t.b_embedded);
+    return r;
+}
+
 /// The same tableau modulo 2^61 - 1; empty where a denominator vanishes there, and for enclosures.
 template <class K>
 std::optional<subject<tableaux::residue>> reduced_modulo_prime(const subject<K>& s) {
     if constexpr (requires(const K& x) { tableaux::residue_of(x); }) {
-        subject<tableaux::residue> r{{}, s.nodes_given, s.strictly_lower, s.lower};
         bool regular = true;
-        const auto map = [&](const auto& from, auto& to) {
-            to.resize(from.rows(), from.cols());
-            for (int i = 0; i < from.rows(); ++i)
-                for (int j = 0; j < from.cols(); ++j) {
-                    const auto x = tableaux::residue_of(from(i, j));
-                    regular = regular && x;
-                    if (x) to(i, j) = *x;
-                }
-        };
-        map(s.t.A, r.t.A);
-        map(s.t.b, r.t.b);
-        map(s.t.c, r.t.c);
-        map(s.t.b_embedded, r.t.b_embedded);
+        auto r = mapped<tableaux::residue>(s, [&](const K& entry) {
+            const auto x = tableaux::residue_of(entry);
+            regular = regular && x;
+            return x.value_or(tableaux::residue());
+        });
         if (regular) return r;
     }
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/rough_ball.hpp>
 #include <stagecraft/theory/claims.hpp>
 #include <stagecraft/theory/file_certificate.hpp>
 #include <stagecraft/theory/subject.hpp>
@@ -134,7 +135,8 @@ std::optional<K> determined_value(const subject<K>& s, const place& p, const det
 /// Single entries, among `candidates`, whose change alone restores every claim, with their repaired values.
 /// For each entry the claims leave at most one value possible (row sums and the lower order conditions are
 /// affine in it); that value is put in and every claim is judged again. Over exact fields all of this is done
-/// modulo 2^61 - 1 first, which throws out wrong candidates in microseconds, and then exactly.
+/// modulo 2^61 - 1 first, which throws out wrong candidates in microseconds, and then exactly; enclosures of
+/// many digits come after those of a few.
 template <class K>
 std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims& claims,
                                     const std::vector<place>& candidates) {
@@ -148,14 +150,20 @@ std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims&
         return !refutes_a_condition(probe, claims);
     };
     const auto residues = exact_scalar<K> ? reduced_modulo_prime(s) : std::nullopt;
+    subject<tableaux::rough_ball> rough;
+    if constexpr (!exact_scalar<K>)
+        rough = mapped<tableaux::rough_ball>(s, [](const K& x) { return tableaux::rough_ball(x); });
     for (const place& p : candidates) {
         const auto d = residues ? detail::determined_by(*residues, p, claims, trees)
                                 : detail::determined_by(s, p, claims, trees);
         if (!d || (residues && !try_in(*residues, p, *d))) continue;
         auto value = detail::determined_value(s, p, *d, trees);
         if (!value) continue;
-        if constexpr (exact_scalar<K>) {
-            if (*value == value_at(s, p)) continue;
+        if (!certainly_nonzero(*value - value_at(s, p))) continue;  // nothing to repair
+        if constexpr (!exact_scalar<K>) {
+            auto probe = rough;
+            put(probe, p, tableaux::rough_ball(*value));
+            if (refutes_a_condition(probe, claims)) continue;
         }
         subject<K> changed = s;
         put(changed, p, *value);
