@@ -130,6 +130,14 @@ hypothesis stiff(const dae_traits<K>& m) {
     return {"stiffly accurate", decided(m.stiff, m.stiff ? "a_si = b_i" : "the last row of A is not b")};
 }
 template <class K>
+hypothesis bounded(const dae_traits<K>& m) {
+    return {"|R(inf)| <= 1", decided(modulus(m) <= 0, r_text(m))};
+}
+template <class K>
+hypothesis of_order_one(const dae_traits<K>& m) {
+    return {"p >= 1", decided(m.order >= 1, "p = " + std::to_string(m.order))};
+}
+template <class K>
 hypothesis is_collocation(const dae_traits<K>& m) {
     return {"collocation method", decided(m.collocation, "B(" + std::to_string(m.simplifying.B) + "), C(" +
                                                              std::to_string(m.simplifying.C) +
@@ -187,14 +195,8 @@ order_prediction predict_index1(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
     order_prediction p;
     p.theorem = "Hairer-Wanner II, Theorem VI.1.1";
-    p.hypotheses = {detail::regular(m),
-                    {"p >= 1", detail::decided(m.order >= 1, "p = " + std::to_string(m.order))}};
-    if (m.stiff) {
-        p.hypotheses.push_back(detail::stiff(m));
-    } else {
-        p.hypotheses.push_back(
-            {"|R(inf)| <= 1", detail::decided(detail::modulus(m) <= 0, detail::r_text(m))});
-    }
+    p.hypotheses = {detail::regular(m), detail::of_order_one(m),
+                    m.stiff ? detail::stiff(m) : detail::bounded(m)};
     if (!detail::all_proved(p.hypotheses)) {
         p.note = "no theorem applies";
         return p;

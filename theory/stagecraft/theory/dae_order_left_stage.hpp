@@ -38,7 +38,7 @@ order_prediction predict_index1_left_stage(const tableau<K>& t) {
     order_prediction p;
     p.theorem = "Hairer-Wanner II, section VI.1, state space form";
     p.hypotheses = detail::left_stage_hypotheses(t, m);
-    p.hypotheses.push_back({"p >= 1", detail::decided(m.order >= 1, "p = " + std::to_string(m.order))});
+    p.hypotheses.push_back(detail::of_order_one(m));
     if (!detail::all_proved(p.hypotheses)) {
         p.note = "no theorem applies";
         return p;
@@ -57,7 +57,7 @@ order_prediction predict_index2_left_stage(const tableau<K>& t) {
     p.theorem = "Jay 1993 (Hairer-Wanner II, Table VII.4.1)";
     p.hypotheses = detail::left_stage_hypotheses(t, m);
     p.hypotheses.push_back(detail::is_collocation(m));
-    p.hypotheses.push_back({"|R(inf)| <= 1", detail::decided(detail::modulus(m) <= 0, detail::r_text(m))});
+    p.hypotheses.push_back(detail::bounded(m));
     if (!detail::all_proved(p.hypotheses)) {
         p.note = "no theorem applies";
         return p;
