@@ -4,22 +4,18 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
-#include <cmath>
 #include <complex>
-#include <limits>
 #include <memory>
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
-#include <stagecraft/problem/mass.hpp>
-#include <type_traits>
-#include <vector>
+#include <stagecraft/linear/shifted_sparse.hpp>
 
 namespace stagecraft {
 
 /// The linear solvers for shift M - J with J an Eigen::SparseMatrix, on any sparse direct solvers with
 /// Eigen's interface: analyzePattern, factorize, solve, info. SparseLU by default; where SuiteSparse is
 /// installed linear/klu.hpp and linear/umfpack.hpp have KLU and UMFPACK. The pattern is analysed once per
-/// pattern of J, so J must keep explicit zeros.
+/// pattern of J, so J should keep explicit zeros; a matrix of the same pattern costs its factorisation only.
 template <class Scalar,
           class RealSolver = Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::COLAMDOrdering<int>>,
           class ComplexSolver =
@@ -31,7 +27,7 @@ struct sparse_blocks {
         /// Factors shift M - J; false if it is singular or not finite.
         template <class Mass>
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& shift) {
-            return refactor(*solver_, a_, nonzeros_, mass, J, shift);
+            return refactor(*solver_, a_, mass, J, shift);
         }
         void solve(Scalar* x) {
             if (x_.size() == 0) return;
@@ -42,8 +38,7 @@ struct sparse_blocks {
 
       private:
         std::unique_ptr<RealSolver> solver_ = std::make_unique<RealSolver>();  // the solvers cannot be moved
-        Eigen::SparseMatrix<Scalar> a_;
-        Eigen::Index nonzeros_ = -1;
+        shifted_sparse<Scalar> a_;
         Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
     };
 
@@ -56,7 +51,7 @@ struct sparse_blocks {
         template <class Mass>
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& re,
                             const Scalar& im) {
-            return refactor(*solver_, a_, nonzeros_, mass, J, number(re, im));
+            return refactor(*solver_, a_, mass, J, number(re, im));
         }
         void solve(Scalar* x, Scalar* y) {
             const Eigen::Index n = z_.size();
@@ -68,37 +63,22 @@ struct sparse_blocks {
 
       private:
         std::unique_ptr<ComplexSolver> solver_ = std::make_unique<ComplexSolver>();
-        Eigen::SparseMatrix<number> a_;
-        Eigen::Index nonzeros_ = -1;
+        shifted_sparse<number> a_;
         Eigen::Matrix<number, Eigen::Dynamic, 1> z_, w_;
     };
 
   private:
     template <class Solver, class T, class Mass>
-    static bool refactor(Solver& solver, Eigen::SparseMatrix<T>& a, Eigen::Index& nonzeros, const Mass& mass,
+    static bool refactor(Solver& solver, shifted_sparse<T>& a, const Mass& mass,
                          const Eigen::SparseMatrix<Scalar>& J, const T& shift) {
-        const Eigen::Index n = J.rows();
-        if (n == 0) return true;
-        for (Eigen::Index k = 0; k < J.nonZeros(); ++k)
-            if (!(J.valuePtr()[k] - J.valuePtr()[k] == Scalar(0))) return false;
-        if (!(std::abs(shift) < std::numeric_limits<Scalar>::infinity())) return false;
-        Eigen::SparseMatrix<T> m(n, n);
-        if constexpr (std::is_same_v<Mass, identity_mass>) {
-            m.setIdentity();
-            m *= shift;
-        } else {
-            std::vector<Eigen::Triplet<T>> entries;
-            entries.reserve(mass.entries().size());
-            for (const auto& e : mass.entries()) entries.emplace_back(e.row, e.column, shift * T(e.value));
-            m.setFromTriplets(entries.begin(), entries.end());
+        if (J.rows() == 0) return true;
+        if (!a.fill(mass, J, shift)) {
+            a.adopt(mass, J);
+            a.fill(mass, J, shift);
+            solver.analyzePattern(a.matrix());
         }
-        a = m - J.template cast<T>();
-        a.makeCompressed();
-        if (nonzeros != a.nonZeros()) {
-            solver.analyzePattern(a);
-            nonzeros = a.nonZeros();
-        }
-        solver.factorize(a);
+        if (!a.finite()) return false;
+        solver.factorize(a.matrix());
         return solver.info() == Eigen::Success;
     }
 };
