@@ -9,6 +9,7 @@
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
 #include <stagecraft/stages/tableau_structure.hpp>
+#include <stagecraft/step/embedded_estimate.hpp>
 #include <stagecraft/step/stage_output.hpp>
 
 namespace stagecraft {
@@ -18,9 +19,11 @@ namespace stagecraft {
 /// the left end of the step takes the slope of the last stage of the step before where the last row of A is b
 /// (FSAL), and f(t, y) else.
 ///
-/// Error estimate: h sum_j (b_j - b_embedded_j) k_j, of order min(p, p_embedded) + 1; for an implicit method
-/// filtered with its own matrix, (M - h a J)^-1 M, which bounds it for stiff components and carries it over
-/// to algebraic ones (Hairer-Wanner II.IV.8). A method without embedded weights has none: fixed steps only.
+/// Error estimate: h sum_j (b_j - b_embedded_j) k_j, of order min(p, p_embedded) + 1; for a stiffly accurate
+/// method filtered with its own matrix, (M - h a J)^-1 M, where that brings it to the size of the error in
+/// stiff components and carries it over to algebraic ones (Hairer-Wanner II.IV.8; embedded_estimate.hpp). A
+/// method without embedded weights has none: fixed steps only. Nor has one whose weights see no error of a
+/// quadrature.
 ///
 /// A singular M is served where A is regular, and where it is so without a first stage at the left end if the
 /// method is stiffly accurate.
@@ -47,6 +50,7 @@ class tableau_step {
             const int most = order_ < largest_tree_order ? order_ : largest_tree_order;
             power_ = order_by_trees(method, method.b_embedded, most) + 1;
             for (int j = 0; j < s; ++j) difference_[j] = method.b[j] - method.b_embedded[j];
+            filtered_ = needs_filter(method, is_, difference_);
         }
         left_slope_.setZero();
     }
@@ -68,7 +72,10 @@ class tableau_step {
                 v_.by_value = true;
             }
         }
-        filtered_ = is_.lower ? sequential_.implicit() : is_.regular && is_.stiffly_accurate;
+        if (!fixed && blind_to_quadrature(v_.method, difference_))
+            throw std::invalid_argument(
+                "integrate: method.b_embedded sees no error of y' = f(t); use options.fixed_step or "
+                "step_doubling(method)");
         output_.prepare(v_.method, is_.first_same_as_last(), v_.by_value);
     }
 
