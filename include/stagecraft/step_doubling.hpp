@@ -12,11 +12,12 @@ namespace stagecraft {
 /// Hairer-Norsett-Wanner I.II.4): for a method without embedded weights.
 ///
 /// The result is a tableau of 3 s stages, those of the whole step first, and 3 s - 1 where the first stage of
-/// m is f(t, y), which the whole and the first half step share. It is explicit, diagonally implicit or
-/// stiffly accurate if m is; the stages of another method are solved as one system. Its embedded weights are
-/// such that b - b_embedded is (b - b_whole) / (2^p - 1), the leading term of the error, p being
-/// m.facts.order or, where that is not set, the order found. Throws std::invalid_argument if m has no stages
-/// or order 0.
+/// m is f(t, y), which the whole and the first half step share; 3 s - 2 where the last stage is that of the
+/// next step besides (last row of A equal to b, c_s = 1), so that it serves both half steps, and singular
+/// mass matrices are those that m serves. It is explicit, diagonally implicit or stiffly accurate if m is;
+/// the stages of another method are solved as one system. Its embedded weights are such that b - b_embedded
+/// is (b - b_whole) / (2^p - 1), the leading term of the error, p being m.facts.order or, where that is not
+/// set, the order found. Throws std::invalid_argument if m has no stages or order 0.
 template <class Scalar, int Stages>
 tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
     const int s = m.stages();
@@ -25,12 +26,14 @@ tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
     if (p < 1) throw std::invalid_argument("step_doubling: method has order 0");
     bool shared = true;  // the first stage
     for (int j = 0; j < s; ++j) shared = shared && m.A(0, j) == Scalar(0);
-    const int first = shared ? 1 : 0, size = 3 * s - first;
-    // Stages of the whole step are 0 ... s-1; those of the first half follow, save a shared one; then the
-    // second.
+    bool handed_on = shared && s > 1 && m.c[s - 1] == Scalar(1);  // the last stage, to the next step
+    for (int j = 0; j < s; ++j) handed_on = handed_on && m.A(s - 1, j) == m.b[j];
+    const int first = shared ? 1 : 0, second = handed_on ? 1 : 0, size = 3 * s - first - second;
+    // Stages of the whole step are 0 ... s-1; those of the first half follow, save a shared one; then those
+    // of the second, save one handed on.
     const auto whole = [](int i) { return i; };
     const auto left = [&](int i) { return i < first ? i : s + i - first; };
-    const auto right = [&](int i) { return 2 * s + i - first; };
+    const auto right = [&](int i) { return i < second ? left(s - 1) : 2 * s + i - first - second; };
 
     tableau<Scalar> r;
     r.A = decltype(r.A)::Constant(size, size, Scalar(0));
@@ -41,15 +44,16 @@ tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
     for (int i = 0; i < s; ++i) {
         r.c[whole(i)] = m.c[i];
         if (i >= first) r.c[left(i)] = m.c[i] * half;
-        r.c[right(i)] = half + m.c[i] * half;
+        if (i >= second) r.c[right(i)] = half + m.c[i] * half;
         for (int j = 0; j < s; ++j) {
             r.A(whole(i), whole(j)) = m.A(i, j);
             if (i >= first) r.A(left(i), left(j)) = m.A(i, j) * half;
-            r.A(right(i), left(j)) = m.b[j] * half;
-            r.A(right(i), right(j)) = m.A(i, j) * half;
+            if (i < second) continue;
+            r.A(right(i), left(j)) += m.b[j] * half;
+            r.A(right(i), right(j)) += m.A(i, j) * half;
         }
-        r.b[left(i)] = m.b[i] * half;
-        r.b[right(i)] = m.b[i] * half;
+        r.b[left(i)] += m.b[i] * half;
+        r.b[right(i)] += m.b[i] * half;
     }
     r.b_embedded = r.b * (Scalar(1) - share);
     for (int i = 0; i < s; ++i) r.b_embedded[whole(i)] += m.b[i] * share;

@@ -95,6 +95,37 @@ BOOST_AUTO_TEST_CASE(step_doubling_of_diagonally_implicit_and_of_full_methods_ru
     }
 }
 
+BOOST_AUTO_TEST_CASE(half_steps_share_the_stage_between_them_so_that_singular_mass_matrices_are_served) {
+    auto lobatto = methods::lobatto_iiia_3();
+    lobatto.c(2) = 1;  // a sum of thirds and sixths is not
+    const auto m = sc::step_doubling(lobatto);
+    BOOST_TEST(m.stages() == 7);  // of nine, the first and the one in the middle are shared
+    BOOST_TEST(sc::order_by_trees(m, m.b, 8) == 4);
+    for (int i = 0; i < 7; ++i) BOOST_TEST(std::abs(m.A.row(i).sum() - m.c[i]) < 1e-15);
+    const double tight = 1e-13;
+    const auto doubled =
+        sc::integrate(m, kepler, pericentre, 0, 0.5, {.rtol = tight, .atol = tight, .fixed_step = 0.5});
+    const auto halves = sc::integrate(lobatto, kepler, pericentre, 0, 0.5,
+                                      {.rtol = tight, .atol = tight, .fixed_step = 0.25});
+    BOOST_TEST((doubled.y - halves.y).norm() < 1e-13);
+    // y = exp(sin t), 0 = y^2 - z: adaptive steps of a method with singular A and no embedded weights.
+    struct index_one {
+        void operator()(double t, const Eigen::Vector2d& y, Eigen::Vector2d& f) const {
+            f << y[1] / y[0] * std::cos(t), y[0] * y[0] - y[1];
+        }
+        Eigen::DiagonalMatrix<double, 2> mass() const { return Eigen::DiagonalMatrix<double, 2>(1, 0); }
+    };
+    const Eigen::Vector2d start(1, 1), end(std::exp(std::sin(5.0)), std::exp(2 * std::sin(5.0)));
+    for (const double tol : {1e-4, 1e-8}) {
+        const auto r = sc::integrate(m, index_one{}, start, 0, 5, {.rtol = tol, .atol = tol});
+        BOOST_TEST(r.ok());
+        BOOST_TEST(r.report.rejected() < r.report.steps / 5 + 5);
+        BOOST_TEST((r.y - end).lpNorm<Eigen::Infinity>() < 20 * tol);
+    }
+    // The stage is not shared where y1 is none: Lobatto IIIB.
+    BOOST_TEST(sc::step_doubling(methods::lobatto_iiib_3()).stages() == 9);
+}
+
 BOOST_AUTO_TEST_CASE(step_doubling_refuses_what_is_no_method) {
     sc::tableau<double> nothing;
     BOOST_CHECK_THROW(sc::step_doubling(nothing), std::invalid_argument);
