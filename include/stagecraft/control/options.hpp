@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -16,7 +17,7 @@ enum class step_control { predictive, proportional_integral };
 /// |h| for an index-2 and h^2 for an index-3 component (HLR89 section 7).
 template <class Scalar>
 struct options {
-    Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, > 0
+    Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, at least 4 epsilon
     Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, > 0
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> atol_components{};  ///< instead of atol: one per component
     Scalar fixed_step{0};    ///< > 0: equal steps of at most this size, no error estimate at all
@@ -37,6 +38,9 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
         if (!good) throw std::invalid_argument(std::string("integrate: ") + what);
     };
     demand(finite(o.rtol) && o.rtol > Scalar(0), "rtol must be positive and finite");
+    // Below, rounding of y alone exceeds what Newton's iteration may leave, and nothing of atol would hold.
+    demand(o.rtol >= 4 * std::numeric_limits<Scalar>::epsilon(),
+           "rtol must be at least four times the epsilon of the scalar, below which it cannot be met");
     if (o.atol_components.size() == 0) {
         demand(finite(o.atol) && o.atol > Scalar(0), "atol must be positive and finite");
     } else {
