@@ -59,14 +59,14 @@ typename Derived::PlainObject >
                    std::type_identity_t<typename Derived::Scalar> t1,
                    const options<typename Derived::Scalar>& o = {}, Observer&& observer = {}) {
     using vector = typename Derived::PlainObject;
-    const vector start = y0;
+    vector start = y0;  // later the states to be corrected
     integrator<Method, std::remove_reference_t<Problem>, vector> run(method, problem, start, t0, t1, o);
     detail::announce(observer, run.t(), start, t1);
     std::exception_ptr thrown;
     status ended = status::success;
     try {
         while (run.step()) {
-            detail::correct(observer, run);
+            detail::correct(observer, run, start);
             if constexpr (!std::is_same_v<std::decay_t<Observer>, no_observer>)
                 if (!detail::observe(observer, run.t(), run.y(), run.output().step(), run.output()))
                     run.stop();

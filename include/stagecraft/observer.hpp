@@ -53,11 +53,11 @@ concept correcting_observer = requires(Observer& observer, const Scalar& t, Vect
     { observer.correct(t, y) } -> std::convertible_to<bool>;
 };
 
-template <class Observer, class Run>
-void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run) {
-    using vector = std::decay_t<decltype(run.y())>;
-    if constexpr (correcting_observer<Observer, typename vector::Scalar, vector>) {
-        vector y = run.y();
+/// Lets the observer correct the state of the run, in y.
+template <class Observer, class Run, class Vector>
+void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[maybe_unused]] Vector& y) {
+    if constexpr (correcting_observer<Observer, typename Vector::Scalar, Vector>) {
+        y = run.y();
         if (observer.correct(run.t(), y)) run.replace_state(y);
     }
 }

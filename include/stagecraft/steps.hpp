@@ -63,10 +63,10 @@ class step_range {
         : step_range(method, std::forward<Problem>(problem), y0, t0, t1, o) {
         detail::announce(correction, t0, y0, t1);
         if constexpr (std::is_lvalue_reference_v<Correction>) {
-            correct_ = [&correction](run_type& run) { detail::correct(correction, run); };
+            correct_ = [&correction, y = y0](run_type& run) mutable { detail::correct(correction, run, y); };
         } else {
             auto own = std::make_shared<Correction>(std::move(correction));
-            correct_ = [own](run_type& run) { detail::correct(*own, run); };
+            correct_ = [own, y = y0](run_type& run) mutable { detail::correct(*own, run, y); };
         }
     }
 

@@ -1,42 +1,32 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE projection_cost
-#include <boost/test/unit_test.hpp>
-#include <stagecraft/coefficients/gauss.hpp>
-#include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/dae/projection.hpp>
-#include <stagecraft/integrate.hpp>
-#include <stagecraft/problem/semi_explicit.hpp>
+#include "projection_cost.hpp"
 
-#include "../allocations.hpp"
-#include "problems.hpp"
-
-namespace sc = stagecraft;
 using Eigen::Vector3d;
 
 namespace {
 
 const auto index_2 = sc::semi_explicit<2, 1>(dae::hlr_f{}, dae::hlr_g{});
 
-// Allocations of a run of so many equal steps, each corrected.
-template <class Method, class Problem, class Vector>
-long allocations_of_run(const Method& method, const Problem& p, const Vector& y0, int steps,
-                        const sc::projection_options& o) {
-    auto keep = sc::projection(p, o);
-    const long before = allocations;
-    const auto r = sc::integrate(method, p, y0, 0, 0.4, {.fixed_step = 0.4 / steps}, keep);
-    const long made = allocations - before;
-    BOOST_TEST(r.ok());
-    BOOST_TEST(r.report.steps == steps);
-    BOOST_TEST(keep.corrections() == steps);
-    return made;
-}
-// What each of 36 more steps allocates.
-template <class Method, class Problem, class Vector>
-double allocations_per_step(const Method& method, const Problem& p, const Vector& y0,
-                            const sc::projection_options& o) {
-    const long few = allocations_of_run(method, p, y0, 4, o), many = allocations_of_run(method, p, y0, 40, o);
-    return static_cast<double>(many - few) / 36;
-}
+// y0^2 + y1^2 and y2 + y3 of y0' = y1, y1' = -y0, y2' = -y2, y3' = y2.
+struct rotation {
+    void operator()(double, const Eigen::VectorXd& y, Eigen::VectorXd& f) const {
+        f << y[1], -y[0], -y[2], y[2];
+    }
+};
+template <derivatives Known>
+struct invariants {
+    template <class S>
+    requires(Known == derivatives::automatic || std::is_same_v<S, double>) void operator()(
+        double, const Eigen::Matrix<S, Eigen::Dynamic, 1>& y, Eigen::Matrix<S, 2, 1>& g) const {
+        g[0] = y[0] * y[0] + y[1] * y[1] - 1.0;
+        g[1] = y[2] + y[3] - 1.0;
+    }
+    void jacobian(double, const Eigen::VectorXd& y, Eigen::Matrix<double, 2, Eigen::Dynamic>& G) const
+        requires(Known == derivatives::own) {
+        G << 2 * y[0], 2 * y[1], 0, 0, 0, 0, 1, 1;
+    }
+};
 
 }  // namespace
 
@@ -50,11 +40,23 @@ BOOST_AUTO_TEST_CASE(a_projection_allocates_nothing_per_step_for_states_of_fixed
     BOOST_TEST(allocations_per_step(sc::radau_iia<2>(), index_3, start, {.hidden = true}) == 0);
 }
 
-// As its description says; and what would be seen above.
-BOOST_AUTO_TEST_CASE(for_states_of_run_time_size_a_projection_allocates_its_matrices_in_every_step) {
-    const auto open = sc::semi_explicit(dae::hlr_f{}, dae::hlr_g{}, 2, 1);
-    const Eigen::VectorXd start = Vector3d(1, 1, 1);
-    const double per_step = allocations_per_step(sc::gauss<2>(), open, start, {});
-    BOOST_TEST(per_step > 10);
-    BOOST_TEST_MESSAGE(per_step << " per step");
+BOOST_AUTO_TEST_CASE(nor_does_a_projection_onto_invariants_of_a_state_of_run_time_size) {
+    const Eigen::VectorXd start = Eigen::Vector4d(1, 0, 0.25, 0.75);
+    const auto per_step = [&](auto g) {
+        return allocations_per_step([&](int steps) {
+            auto keep = sc::projection_onto<2>(g);
+            const auto r =
+                sc::integrate(sc::radau_iia<2>(), rotation{}, start, 0, 4, {.fixed_step = 4.0 / steps}, keep);
+            if (!r.ok() || keep.corrections() != steps)
+                throw std::runtime_error("not every step was corrected");
+        });
+    };
+    BOOST_TEST(per_step(invariants<derivatives::automatic>{}) == 0);
+    BOOST_TEST(per_step(invariants<derivatives::own>{}) == 0);
+    BOOST_TEST(per_step(invariants<derivatives::differences>{}) == 0);
+    const auto wasteful = [](double t, const Eigen::VectorXd& y, Eigen::Vector2d& g) {
+        const Eigen::VectorXd copy = y;
+        invariants<derivatives::differences>{}(t, copy, g);
+    };
+    BOOST_TEST(per_step(wasteful) > 0);
 }

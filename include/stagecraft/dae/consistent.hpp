@@ -81,7 +81,8 @@ auto check_consistent(Problem&& problem, std::type_identity_t<typename Derived::
     system constraints(problem, at.size(), time_scale);
     consistency<scalar> result;
     if (constraints.count() == 0) return result;
-    const auto s = constraints.select(t, at);
+    typename system::selection s;
+    constraints.select(t, at, s);
     const auto values = constraints.all(t, at, s);
     const int first = constraints.count(), second = static_cast<int>(s.once.rows());
     for (int i = 0; i < values.size(); ++i) {
@@ -95,8 +96,9 @@ auto check_consistent(Problem&& problem, std::type_identity_t<typename Derived::
     }
     const auto by_x = constraints.all_jacobian(t, at, s);
     const auto& N = constraints.algebraic_directions();
-    const detail::row_scaled<typename system::matrix> block(
-        detail::product(by_x, N), by_x, constraints.depth() > 1 ? system::difference_zero() : system::zero());
+    auto by_z = detail::product(constraints.work(), by_x, N);
+    const detail::row_scaled<scalar> block(
+        constraints.work(), by_z, by_x, constraints.depth() > 1 ? system::difference_zero() : system::zero());
     if (block.rank() < N.cols())
         result.singular = detail::singular_text(constraints.depth(), block.rank(), N.cols(), t);
     return result;

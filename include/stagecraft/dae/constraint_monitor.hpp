@@ -35,10 +35,10 @@ class constraint_monitor {
     void operator()(const scalar& t, const Vector& y) {
         if (!system_) system_.emplace(problem_, y.size());
         if (system_->count() == 0) return;
-        const auto chosen = system_->select(t, y);
+        system_->select(t, y, chosen_);
         look(0, t, system_->constraints(t, y));
-        look(1, t, system_->hidden(t, y, chosen));
-        look(2, t, system_->twice_hidden(t, y, chosen));
+        look(1, t, system_->hidden(t, y, chosen_));
+        look(2, t, system_->twice_hidden(t, y, chosen_));
     }
 
     /// The largest violation so far (the start included) of the constraints differentiated 0, 1 or 2 times, 0
@@ -59,7 +59,9 @@ class constraint_monitor {
     }
 
     Problem& problem_;
-    std::optional<constraint_system<Problem, Vector>> system_;
+    using system = constraint_system<Problem, Vector>;
+    std::optional<system> system_;
+    typename system::selection chosen_;
     std::array<worst, 3> worst_{};
 };
 

@@ -43,14 +43,16 @@ class constraint_newton {
     using scalar = typename Vector::Scalar;
     using vector = typename system_type::vector;
     using matrix = typename system_type::matrix;
+    using state = typename system_type::state;
 
     constraint_newton(Problem& problem, Eigen::Index n, const scalar& time_scale, int iterations,
                       std::string what)
         : system_(problem, n, time_scale), iterations_(iterations), what_(std::move(what)) {}
 
     system_type& system() { return system_; }
+    Eigen::Index size() const { return system_.size(); }
     /// Chooses at (t, x) what is differentiated; before the other two.
-    void select(const scalar& t, const Vector& x) { chosen_ = system_.select(t, x); }
+    void select(const scalar& t, const Vector& x) { system_.select(t, x, chosen_); }
     const typename system_type::selection& chosen() const { return chosen_; }
     bool binds_differential() const { return chosen_.once.rows() > 0; }
 
@@ -58,27 +60,30 @@ class constraint_newton {
     /// directions in which the algebraic components act (f_z of an index-2 problem). Returns the iterations.
     int bind(const scalar& t, Vector& x, bool along_algebraic) {
         if (!binds_differential()) return 0;
-        const auto residual = [&](const Vector& at) -> vector {
-            vector r(chosen_.once.rows() + chosen_.twice.rows());
-            r.head(chosen_.once.rows()) = chosen_.once * system_.constraints(t, at);
+        auto& work = system_.work();
+        const auto total = chosen_.once.rows() + chosen_.twice.rows();
+        const auto residual = [&](const Vector& at) {
+            vector r = work.take(total);
+            r.head(chosen_.once.rows()) = detail::product(work, chosen_.once, system_.constraints(t, at));
             if (chosen_.twice.rows() > 0)
-                r.tail(chosen_.twice.rows()) = chosen_.twice * system_.hidden(t, at, chosen_);
+                r.tail(chosen_.twice.rows()) =
+                    detail::product(work, chosen_.twice, system_.hidden(t, at, chosen_));
             return r;
         };
         const auto step = [&](const Vector& at, const vector& r) {
             const auto linear = system_.linearise(t, at);
-            matrix rows(r.size(), at.size());
+            matrix rows = work.take(total, at.size());
             rows.topRows(chosen_.once.rows()) =
-                detail::product(chosen_.once, system_.constraint_jacobian(linear));
+                detail::product(work, chosen_.once, system_.constraint_jacobian(linear));
             if (chosen_.twice.rows() > 0)
                 rows.bottomRows(chosen_.twice.rows()) =
-                    detail::product(chosen_.twice, system_.hidden_jacobian(t, at, chosen_));
+                    detail::product(work, chosen_.twice, system_.hidden_jacobian(t, at, chosen_));
             // The algebraic directions are seen through rounding only, and must not be used.
-            const matrix& N = system_.algebraic_directions();
-            rows -= detail::product(detail::product(rows, N), N.transpose());
-            const matrix along = along_algebraic ? system_.slope_by_algebraic(linear) : matrix(0, 0);
-            const detail::row_scaled<matrix> block(along_algebraic ? detail::product(rows, along) : rows,
-                                                   rows, zero());
+            const auto& N = system_.algebraic_directions();
+            rows -= detail::product(work, detail::product(work, rows, N), N.transpose());
+            const matrix along = along_algebraic ? system_.slope_by_algebraic(linear) : work.take(0, 0);
+            matrix seen = along_algebraic ? detail::product(work, rows, along) : work.take(0, 0);
+            const detail::row_scaled<scalar> block(work, along_algebraic ? seen : rows, rows, zero());
             if (block.rank() < rows.rows()) {
                 std::ostringstream text;
                 text << what_ << ": "
@@ -87,26 +92,28 @@ class constraint_newton {
                      << " is singular, rank " << block.rank() << " of " << rows.rows() << ", at t = " << t;
                 throw std::domain_error(text.str());
             }
-            vector change = block.solve(r);
-            if (along_algebraic) change = along * change;
-            return std::pair<Vector, vector>(-change, block.scale());
+            const vector moved = block.solve(r);
+            return along_algebraic ? correction(detail::product(work, along, moved), block)
+                                   : correction(moved, block);
         };
-        return detail::gauss_newton<scalar>(x, residual, step, iterations_, what_.c_str());
+        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
     }
 
     /// Moves the algebraic components so that all constraints hold. Returns the iterations.
     int determine(const scalar& t, Vector& x) {
-        const matrix& N = system_.algebraic_directions();
+        auto& work = system_.work();
+        const auto& N = system_.algebraic_directions();
         const auto residual = [&](const Vector& at) { return system_.all(t, at, chosen_); };
         const auto step = [&](const Vector& at, const vector& r) {
             const matrix by_x = system_.all_jacobian(t, at, chosen_);
-            const detail::row_scaled<matrix> block(detail::product(by_x, N), by_x, zero());
+            matrix by_z = detail::product(work, by_x, N);
+            const detail::row_scaled<scalar> block(work, by_z, by_x, zero());
             if (block.rank() < N.cols())
                 throw std::domain_error(what_ + ": " +
                                         detail::singular_text(system_.depth(), block.rank(), N.cols(), t));
-            return std::pair<Vector, vector>(-(N * block.solve(r)), block.scale());
+            return correction(detail::product(work, N, block.solve(r)), block);
         };
-        return detail::gauss_newton<scalar>(x, residual, step, iterations_, what_.c_str());
+        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
     }
 
     /// Moves exactly the components in `free`, by least change, so that all constraints hold.
@@ -115,9 +122,9 @@ class constraint_newton {
         const auto residual = [&](const Vector& at) { return system_.all(t, at, chosen_); };
         const auto step = [&](const Vector& at, const vector& r) {
             const matrix by_x = system_.all_jacobian(t, at, chosen_);
-            matrix by_free(by_x.rows(), static_cast<Eigen::Index>(free.size()));
+            matrix by_free = system_.work().take(by_x.rows(), static_cast<Eigen::Index>(free.size()));
             for (std::size_t j = 0; j < free.size(); ++j) by_free.col(j) = by_x.col(free[j]);
-            const detail::row_scaled<matrix> block(by_free, by_x, zero());
+            const detail::row_scaled<scalar> block(system_.work(), by_free, by_x, zero());
             if (block.rank() < by_free.rows()) {
                 std::ostringstream text;
                 text << what_ << ": the free components do not determine the constraints, rank "
@@ -125,19 +132,29 @@ class constraint_newton {
                 throw std::domain_error(text.str());
             }
             const vector moved = block.solve(r);
-            Vector change = Vector::Zero(at.size());
-            for (std::size_t j = 0; j < free.size(); ++j) change[free[j]] = -moved[j];
-            return std::pair<Vector, vector>(change, block.scale());
+            vector change = system_.work().take(at.size());
+            change.setZero();
+            for (std::size_t j = 0; j < free.size(); ++j) change[free[j]] = moved[j];
+            return correction(change, block);
         };
-        return detail::gauss_newton<scalar>(x, residual, step, iterations_, what_.c_str());
+        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
     }
 
     /// Entries below it, relative to their rows, count as zero.
     scalar zero() const { return system_.depth() > 1 ? system_type::difference_zero() : system_type::zero(); }
 
   private:
+    /// What gauss_newton is told: the change of the state is -moved.
+    std::pair<state, vector> correction(const vector& moved, const detail::row_scaled<scalar>& block) {
+        std::pair<state, vector> result(system_.states().take(moved.size()),
+                                        system_.work().take(block.scale().size()));
+        result.first = -moved;
+        result.second = block.scale();
+        return result;
+    }
+
     system_type system_;
-    typename system_type::selection chosen_{matrix(0, 0), matrix(0, 0)};
+    typename system_type::selection chosen_;
     int iterations_;
     std::string what_;
 };

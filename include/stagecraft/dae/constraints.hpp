@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
-#include <vector>
+#include <utility>
 
 #include <stagecraft/dae/rank.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
@@ -32,52 +32,57 @@ namespace stagecraft {
 /// constant, which it is in Hessenberg form.
 /// First derivatives are automatic where the problem is generic, its own where it brings a dense Jacobian,
 /// else central differences; h_x and the third kind are differences of these. O(n^2) storage, an O(n^3)
-/// decomposition of M once: a tool for starting a run and for looking at it.
+/// decomposition of M once: a tool for starting a run and for looking at it. What the functions return is
+/// lent by this object, which must live longer; asked again they allocate nothing.
 template <class Problem, class Vector>
 class constraint_system {
   public:
     using scalar = typename Vector::Scalar;
     static constexpr int N = Vector::RowsAtCompileTime;
-    /// Of constraints and hidden constraints there are at most 3 N: on the stack for small fixed sizes.
-    static constexpr int most = N > 0 && N <= 16 && std::is_floating_point_v<scalar> ? 3 * N
-                                                                                     : int(Eigen::Dynamic);
-    using vector = detail::bounded_vector<scalar, most>;
-    using matrix = detail::bounded_matrix<scalar, most>;
+    using workspace = detail::workspace<scalar>;
+    using vector = typename workspace::vector;
+    using matrix = typename workspace::matrix;
+    using kept_matrix = typename workspace::matrix_type;
+    using kept_vector = typename workspace::vector_type;
+    using state = typename detail::matrix_pool<Vector>::loan;
     static constexpr bool generic = automatically_differentiable<Problem, scalar, N>;
 
     /// Which combinations are differentiated: the rows of `once` combine constraints, those of `twice` the
     /// hidden constraints.
     struct selection {
-        matrix once, twice;
+        kept_matrix once, twice;
     };
     /// f and its derivatives at one point.
     struct linearisation {
-        Vector f, f_t;
+        state f, f_t;
         matrix J;
     };
 
     /// `time_scale`: a time over which the problem changes little, for difference quotients in t where t = 0;
     /// used by problems that are not generic. Throws std::invalid_argument for a mass matrix of another size.
     constraint_system(Problem& problem, Eigen::Index n, scalar time_scale = scalar(1))
-        : problem_(problem), n_(static_cast<int>(n)), time_scale_(time_scale) {
+        : problem_(problem), n_(static_cast<int>(n)), time_scale_(time_scale), engine_(n_) {
         if constexpr (has_index<Problem>)
             for (int i = 0; i < static_cast<int>(problem.index().size()); ++i)
                 depth_ = std::max(depth_, static_cast<int>(problem.index()[i]));
         const auto mass = make_mass<scalar>(problem, n);
-        matrix M = matrix::Zero(n_, n_);
+        kept_matrix M = kept_matrix::Zero(n_, n_);
         if constexpr (std::decay_t<decltype(mass)>::identity)
             M.setIdentity();
         else
             for (const auto& e : mass.entries()) M(e.row, e.column) += e.value;
         const scalar zero = scalar(n_ + 1) * std::numeric_limits<scalar>::epsilon() * scalar(8);
-        row_scale_ = detail::scale_rows(M, matrix(M));
-        mass_ = detail::rank_revealing<matrix>(M, zero);
-        directions_ = mass_.kernel();
-        combinations_ = detail::rank_revealing<matrix>(matrix(M.transpose()), zero).kernel().transpose();
+        const auto scale = detail::scale_rows(work_, M, kept_matrix(M));
+        const detail::rank_revealing<scalar> decomposed(work_, M, zero);
+        directions_ = decomposed.kernel();
+        combinations_ = detail::rank_revealing<scalar>(work_, M.transpose(), zero).kernel().transpose();
         detail::reduce_rows(combinations_, zero);
-        for (int i = 0; i < n_; ++i) combinations_.col(i) *= row_scale_[i];
+        for (int i = 0; i < n_; ++i) combinations_.col(i) *= scale[i];
         for (int i = 0; i < count(); ++i)
-            combinations_.row(i) /= combinations_(i, largest(combinations_.row(i)));
+            combinations_.row(i) /= scalar(combinations_(i, largest(combinations_.row(i))));
+        inverse_.resize(n_, n_);
+        for (int i = 0; i < n_; ++i)
+            inverse_.col(i) = decomposed.solve(kept_vector(scale[i] * kept_vector::Unit(n_, i)));
     }
 
     int size() const { return n_; }
@@ -86,35 +91,19 @@ class constraint_system {
     /// The largest index flag.
     int depth() const { return depth_; }
     /// Columns that span the algebraic directions N.
-    const matrix& algebraic_directions() const { return directions_; }
+    const kept_matrix& algebraic_directions() const { return directions_; }
     /// The equation that leads constraint i: the row of largest coefficient in it.
     int row(int i) const { return largest(combinations_.row(i)); }
+    /// Storage for what is computed with these, lent likewise.
+    workspace& work() { return work_; }
+    detail::matrix_pool<Vector>& states() { return states_; }
 
     linearisation linearise(const scalar& t, const Vector& x) {
-        linearisation at{Vector(n_), Vector::Zero(n_), matrix(n_, n_)};
-        problem_(t, x, at.f);
-        using square = Eigen::Matrix<scalar, N, N>;
-        if constexpr (generic) {
-            automatic_jacobian<scalar, N> engine(n_);
-            engine(problem_, t, x, at.f, at.J);
-        } else if constexpr (has_jacobian<Problem, Vector, square>) {
-            square J(n_, n_);
-            problem_.jacobian(t, x, J);
-            at.J = J;
-        } else {
-            Vector moved = x, up(n_), down(n_);
-            for (int j = 0; j < n_; ++j) {
-                const scalar step = increment(x, j, root());
-                moved[j] = x[j] + step;
-                problem_(t, moved, up);
-                moved[j] = x[j] - step;
-                problem_(t, moved, down);
-                at.J.col(j) = (up - down) / (2 * step);
-                moved[j] = x[j];
-            }
-        }
+        linearisation at{states_.take(n_), states_.take(n_), work_.take(n_, n_)};
+        evaluate(t, x, at.f);
+        differentiate(t, x, at.f, at.J);
         if constexpr (differentiable_with_dual_time<Problem, scalar, N>) {
-            dual_vector<scalar, N> y(n_), f(n_);
+            typename duals::loan y = duals_.take(n_), f = duals_.take(n_);
             dual<scalar, N> time(t);
             time.derivatives().setZero();
             if (time.derivatives().size() > 0) time.derivatives()[0] = scalar(1);
@@ -122,14 +111,14 @@ class constraint_system {
                 y[i].value() = x[i];
                 y[i].derivatives().setZero();
             }
-            problem_(time, y, f);
+            problem_(time, std::as_const(y).plain(), f.plain());
             for (int i = 0; i < n_; ++i) at.f_t[i] = f[i].derivatives()[0];
         } else {
             using std::abs;
             const scalar step = root() * std::max(scalar(abs(t)), time_scale_);
-            Vector up(n_), down(n_);
-            problem_(t + step, x, up);
-            problem_(t - step, x, down);
+            state up = states_.take(n_), down = states_.take(n_);
+            evaluate(t + step, x, up);
+            evaluate(t - step, x, down);
             at.f_t = (up - down) / (2 * step);
         }
         return at;
@@ -137,42 +126,45 @@ class constraint_system {
 
     /// c = L f.
     vector constraints(const scalar& t, const Vector& x) {
-        Vector f(n_);
-        problem_(t, x, f);
-        return combinations_ * f;
+        state f = states_.take(n_);
+        evaluate(t, x, f);
+        return detail::product(work_, combinations_, f);
     }
     /// c_x.
-    matrix constraint_jacobian(const linearisation& at) const { return detail::product(combinations_, at.J); }
-
-    /// An x' with M x' = f, up to a multiple of N and what the constraints violate.
-    vector slope(const vector& f) const { return mass_.solve(vector(row_scale_.asDiagonal() * f)); }
-    /// The same differentiated by the algebraic directions: M^+ f_x N, f_z in semi-explicit form.
-    matrix slope_by_algebraic(const linearisation& at) const {
-        matrix result = detail::product(at.J, directions_);
-        for (int j = 0; j < result.cols(); ++j) result.col(j) = slope(result.col(j));
-        return result;
+    matrix constraint_jacobian(const linearisation& at) {
+        return detail::product(work_, combinations_, at.J);
     }
 
-    /// The combinations to differentiate, found at (t, x).
-    selection select(const scalar& t, const Vector& x) {
-        selection s{matrix(0, count()), matrix(0, 0)};
-        if (depth_ < 2 || count() == 0) return s;
-        const matrix c_x = constraint_jacobian(linearise(t, x));
-        s.once = detail::invisible_combinations<matrix>(c_x, directions_, zero());
-        if (depth_ < 3 || s.once.rows() == 0) {
-            s.twice = matrix(0, s.once.rows());
-            return s;
+    /// An x' with M x' = f, up to a multiple of N and what the constraints violate.
+    vector slope(const Vector& f) { return detail::product(work_, inverse_, f); }
+    /// The same differentiated by the algebraic directions: M^+ f_x N, f_z in semi-explicit form.
+    matrix slope_by_algebraic(const linearisation& at) {
+        return detail::product(work_, inverse_, detail::product(work_, at.J, directions_));
+    }
+
+    /// Finds the combinations to differentiate at (t, x).
+    void select(const scalar& t, const Vector& x, selection& s) {
+        if (depth_ < 2 || count() == 0) {
+            s.once.resize(0, count());
+            s.twice.resize(0, 0);
+            return;
         }
-        s.twice =
-            detail::invisible_combinations<matrix>(hidden_jacobian(t, x, s), directions_, difference_zero());
-        return s;
+        s.once =
+            detail::invisible_combinations(work_, constraint_jacobian(linearise(t, x)), directions_, zero());
+        if (depth_ < 3 || s.once.rows() == 0)
+            s.twice.resize(0, s.once.rows());
+        else
+            s.twice = detail::invisible_combinations(work_, hidden_jacobian(t, x, s), directions_,
+                                                     difference_zero());
     }
 
     /// U (c_t + c_x x').
     vector hidden(const scalar& t, const Vector& x, const selection& s) {
-        if (s.once.rows() == 0) return vector(0);
+        if (s.once.rows() == 0) return work_.take(0);
         const linearisation at = linearise(t, x);
-        return s.once * (combinations_ * (at.f_t + at.J * slope(at.f)));
+        vector along = detail::product(work_, at.J, slope(at.f));
+        along += at.f_t;
+        return detail::product(work_, s.once, detail::product(work_, combinations_, along));
     }
 
     /// Its derivative by x, by differences.
@@ -187,28 +179,36 @@ class constraint_system {
     vector twice_hidden(const scalar& t, const Vector& x, const selection& s) {
         using std::abs;
         using std::pow;
-        if (s.twice.rows() == 0) return vector(0);
+        if (s.twice.rows() == 0) return work_.take(0);
         const vector v = slope(linearise(t, x).f);
         const scalar speed = v.size() > 0 ? v.cwiseAbs().maxCoeff() : scalar(0);
         const scalar size = x.cwiseAbs().maxCoeff();
         const scalar along = speed > scalar(0) && size > scalar(0) ? scalar(size / speed) : time_scale_;
         const scalar delta = pow(std::numeric_limits<scalar>::epsilon(), scalar(1) / scalar(5)) * along;
-        const auto difference = [&](const scalar& d) -> vector {
-            const Vector up = x + d * v, down = x - d * v;
-            return (hidden(t + d, up, s) - hidden(t - d, down, s)) / (2 * d);
+        state at = states_.take(n_);
+        const auto difference = [&](const scalar& d) {
+            at = x + d * v;
+            vector result = hidden(t + d, at, s);
+            at = x - d * v;
+            result = (result - hidden(t - d, at, s)) / (2 * d);
+            return result;
         };
-        return s.twice * ((4 * difference(delta / 2) - difference(delta)) / 3);
+        vector result = difference(delta / 2);
+        result = (4 * result - difference(delta)) / 3;
+        return detail::product(work_, s.twice, result);
     }
 
     /// All of them, one after the other.
     vector all(const scalar& t, const Vector& x, const selection& s) {
-        vector result(count() + s.once.rows() + s.twice.rows());
-        result << constraints(t, x), hidden(t, x, s), twice_hidden(t, x, s);
+        vector result = work_.take(count() + s.once.rows() + s.twice.rows());
+        result.head(count()) = constraints(t, x);
+        result.segment(count(), s.once.rows()) = hidden(t, x, s);
+        result.tail(s.twice.rows()) = twice_hidden(t, x, s);
         return result;
     }
     /// Their derivatives by x: exact for the constraints, differences for the others.
     matrix all_jacobian(const scalar& t, const Vector& x, const selection& s) {
-        matrix result(count() + s.once.rows() + s.twice.rows(), n_);
+        matrix result = work_.take(count() + s.once.rows() + s.twice.rows(), n_);
         result.topRows(count()) = constraint_jacobian(linearise(t, x));
         if (s.once.rows() > 0) result.middleRows(count(), s.once.rows()) = hidden_jacobian(t, x, s);
         if (s.twice.rows() > 0)
@@ -254,10 +254,39 @@ class constraint_system {
         return relative * (most > scalar(0) ? most : scalar(1));
     }
 
+    void evaluate(const scalar& t, const Vector& x, Vector& f) { problem_(t, x, f); }
+
+    /// J = f_x at (t, x), where f is known.
+    void differentiate(const scalar& t, const Vector& x, const Vector& f, kept_matrix& J) {
+        using square = Eigen::Matrix<scalar, N, N>;
+        if constexpr (generic) {
+            engine_(problem_, t, x, f, J);
+        } else if constexpr (has_jacobian<Problem, Vector, square> && std::is_same_v<square, kept_matrix>) {
+            problem_.jacobian(t, x, J);
+        } else if constexpr (has_jacobian<Problem, Vector, square>) {
+            square own;
+            problem_.jacobian(t, x, own);
+            J = own;
+        } else {
+            state moved = states_.take(n_), up = states_.take(n_), down = states_.take(n_);
+            moved = x;
+            for (int j = 0; j < n_; ++j) {
+                const scalar step = increment(x, j, root());
+                moved[j] = x[j] + step;
+                evaluate(t, moved, up);
+                moved[j] = x[j] - step;
+                evaluate(t, moved, down);
+                J.col(j) = (up - down) / (2 * step);
+                moved[j] = x[j];
+            }
+        }
+    }
+
     template <class F>
     matrix differences(const Vector& x, F&& value, int rows, const scalar& relative) {
-        matrix result(rows, n_);
-        Vector moved = x;
+        matrix result = work_.take(rows, n_);
+        state moved = states_.take(n_);
+        moved = x;
         for (int j = 0; j < n_; ++j) {
             const scalar step = increment(x, j, relative);
             moved[j] = x[j] + step;
@@ -268,12 +297,18 @@ class constraint_system {
         }
         return result;
     }
+
+    using duals = detail::matrix_pool<dual_vector<scalar, N>>;
+    using automatic = std::conditional_t<generic, automatic_jacobian<scalar, N>, int>;
+
     Problem& problem_;
     int n_, depth_ = 1;
     scalar time_scale_;
-    vector row_scale_;
-    detail::rank_revealing<matrix> mass_;
-    matrix combinations_, directions_;  // L, N
+    workspace work_;
+    detail::matrix_pool<Vector> states_;
+    duals duals_;
+    automatic engine_;
+    kept_matrix combinations_, directions_, inverse_;  // L, N, M^+
 };
 
 }  // namespace stagecraft

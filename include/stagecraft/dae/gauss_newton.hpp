@@ -4,17 +4,24 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include <stagecraft/dae/matrix_pool.hpp>
 
 namespace stagecraft::detail {
 
-/// Damped Gauss-Newton for r(x) = 0: `step(x)` returns the correction and the scale of the rows it was
-/// computed with. Ends when the correction is rounding, or no longer decreases near rounding.
-template <class Scalar, class Vector, class Residual, class Step>
-int gauss_newton(Vector& x, Residual&& residual, Step&& step, int most, const char* what) {
+/// Damped Gauss-Newton for r(x) = 0: `step(x, r)` returns the correction and the scale of the rows it was
+/// computed with. Ends when the correction is rounding, or no longer decreases near rounding. States come
+/// from the pool.
+template <class Vector, class Residual, class Step>
+int gauss_newton(matrix_pool<Vector>& states, Vector& x, Residual&& residual, Step&& step, int most,
+                 const char* what) {
     using std::sqrt;
+    using Scalar = typename Vector::Scalar;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     const auto fail = [&](const Scalar& left) {
         std::ostringstream text;
@@ -28,29 +35,36 @@ int gauss_newton(Vector& x, Residual&& residual, Step&& step, int most, const ch
     for (int k = 1; k <= most; ++k) {
         if (!r.allFinite())
             throw std::domain_error(std::string(what) + ": the equations are not finite at the given values");
-        const auto [change, scale] = step(x, r);
+        const auto correction = step(x, r);
+        const auto& change = correction.first;
+        const auto& scale = correction.second;
         if (!change.allFinite())
             throw std::domain_error(std::string(what) + ": the derivatives are not finite");
         const Scalar size = change.norm(), state = x.norm();
         if (size == Scalar(0)) return k;
         const Scalar violation = scale.cwiseProduct(r).norm();
-        Vector next = x + change;
-        auto r_next = residual(next);
+        auto next = states.take(x.size());
+        std::optional<decltype(residual(x))> r_next;
+        const auto move = [&](const Scalar& part) {
+            next = x + part * change;
+            r_next.reset();  // its storage serves again
+            r_next.emplace(residual(next));
+        };
+        move(Scalar(1));
         const bool tiny = size <= 1000 * eps * state;
         Scalar damping(1);
-        while (!tiny && !(scale.cwiseProduct(r_next).norm() <= violation) && damping > Scalar(1) / 1024) {
+        while (!tiny && !(scale.cwiseProduct(*r_next).norm() <= violation) && damping > Scalar(1) / 1024) {
             damping /= 2;
-            next = x + damping * change;
-            r_next = residual(next);
+            move(damping);
         }
-        if (!r_next.allFinite()) fail(r.cwiseAbs().maxCoeff());
+        if (!r_next->allFinite()) fail(r.cwiseAbs().maxCoeff());
         const bool stalled = before >= Scalar(0) && size > before / 2;
         if (!tiny && damping <= Scalar(1) / 1024) {
             if (size <= sqrt(eps) * state) return k;  // the violation is rounding: no step can reduce it
             fail(r.cwiseAbs().maxCoeff());
         }
-        x = next;
-        r = r_next;
+        x = next.plain();
+        r = *r_next;
         if (size <= 8 * eps * state || (tiny && stalled)) return k;
         before = size;
     }

@@ -32,15 +32,23 @@ struct projection_record {
     }
 };
 
+/// The T that `held` holds, made anew if it is none or none of this size.
+template <class T, class... Arguments>
+T& kept(std::any& held, Eigen::Index size, Arguments&&... arguments) {
+    auto* found = std::any_cast<T>(&held);
+    if (!found || found->size() != size) found = &held.emplace<T>(std::forward<Arguments>(arguments)...);
+    return *found;
+}
+
 }  // namespace detail
 
 /// An observer that moves every accepted state onto the M equations 0 = g(t, y) by the smallest change in the
 /// 2-norm (standard projection, Hairer-Lubich-Wanner IV.4): invariants of an ordinary differential equation,
 /// such as the constraints that index reduction has lost, or its energy. Made by `projection_onto`.
 ///
-/// The order of the method is kept where the exact solution satisfies g = 0. Nothing is allocated for states
-/// of fixed size. Costs one derivative and two or three values of g per step, and one f where the method uses
-/// f at the left end of a step.
+/// The order of the method is kept where the exact solution satisfies g = 0. Nothing is allocated after the
+/// first step unless g does. Costs one derivative and two or three values of g per step, and one f where the
+/// method uses f at the left end of a step.
 template <int M, class Constraint>
 class projection_onto_equations {
     static_assert(M > 0, "projection_onto: the number of equations must be positive");
@@ -55,14 +63,13 @@ class projection_onto_equations {
         using std::abs;
         using multipliers = Eigen::Matrix<Scalar, M, 1>;
         const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-        const int n = static_cast<int>(y.size());
-        const Vector before = y;
-        Eigen::Matrix<Scalar, M, Vector::RowsAtCompileTime> G(M, n);
+        auto& [before, change, moved, G, duals] = detail::kept<storage<Vector>>(storage_, y.size(), y.size());
+        before = y;
         Scalar last(-1);
         for (int k = 0; k < 20; ++k) {
             multipliers r;
             g_(t, y, r);
-            differentiate(t, y, G);
+            differentiate(t, y, moved, duals, G);
             Eigen::Matrix<Scalar, M, M> square;
             for (int i = 0; i < M; ++i)
                 for (int j = 0; j <= i; ++j) square(i, j) = G.row(i).dot(G.row(j));
@@ -75,7 +82,8 @@ class projection_onto_equations {
                          << " is zero or depends on the others at t = " << t;
                     throw std::domain_error(text.str());
                 }
-            const Vector change = G.transpose() * factors.solve(r);
+            const multipliers lambda = factors.solve(r);
+            for (Eigen::Index i = 0; i < y.size(); ++i) change[i] = G.col(i).dot(lambda);
             const Scalar size = change.cwiseAbs().maxCoeff();
             if (!(size - size == Scalar(0))) break;
             y -= change;
@@ -96,9 +104,21 @@ class projection_onto_equations {
     double largest_change() const { return record_.largest; }
 
   private:
+    template <class Vector>
+    struct storage {
+        static constexpr int N = Vector::RowsAtCompileTime;
+        using scalar = typename Vector::Scalar;
+        Vector before, change, moved;
+        Eigen::Matrix<scalar, M, N> G;
+        dual_vector<scalar, N> duals;
+
+        explicit storage(Eigen::Index n) : before(n), change(n), moved(n), G(M, n), duals(n) {}
+        Eigen::Index size() const { return before.size(); }
+    };
+
     /// g.jacobian(t, y, G) where there is one, else automatic differentiation, else central differences.
-    template <class Scalar, class Vector, class Matrix>
-    void differentiate(const Scalar& t, const Vector& y, Matrix& G) {
+    template <class Scalar, class Vector, class Duals, class Matrix>
+    void differentiate(const Scalar& t, const Vector& y, Vector& moved, Duals& x, Matrix& G) {
         using std::abs;
         using std::cbrt;
         constexpr int N = Vector::RowsAtCompileTime;
@@ -110,7 +130,6 @@ class projection_onto_equations {
         } else if constexpr (
             requires(const dual_vector<Scalar, N>& x, values& r) { g_(t, x, r); } ||
             requires(const number& s, const dual_vector<Scalar, N>& x, values& r) { g_(s, x, r); }) {
-            dual_vector<Scalar, N> x(n);
             values r;
             for (int first = 0; first < n; first += dual_width<N>) {
                 for (int i = 0; i < n; ++i) {
@@ -129,24 +148,25 @@ class projection_onto_equations {
                     for (int i = 0; i < M; ++i) G(i, j) = r[i].derivatives()[j - first];
             }
         } else {
-            Vector x = y;
+            moved = y;
             Eigen::Matrix<Scalar, M, 1> up, down;
             const Scalar size = y.cwiseAbs().maxCoeff();
             for (int j = 0; j < n; ++j) {
                 const Scalar own = abs(y[j]) > size / 1000 ? Scalar(abs(y[j])) : Scalar(size / 1000);
                 const Scalar step =
                     cbrt(std::numeric_limits<Scalar>::epsilon()) * (own > Scalar(0) ? own : Scalar(1));
-                x[j] = y[j] + step;
-                g_(t, x, up);
-                x[j] = y[j] - step;
-                g_(t, x, down);
+                moved[j] = y[j] + step;
+                g_(t, moved, up);
+                moved[j] = y[j] - step;
+                g_(t, moved, down);
                 G.col(j) = (up - down) / (2 * step);
-                x[j] = y[j];
+                moved[j] = y[j];
             }
         }
     }
 
     Constraint g_;
+    std::any storage_;  // of the state's type, which only the run knows
     detail::projection_record<double> record_;
 };
 
@@ -175,9 +195,9 @@ struct projection_options {
 /// An observer that moves every accepted state of a differential-algebraic problem onto its constraints
 /// (those binding the differential components, of index 2 and 3), and on request onto the hidden ones by the
 /// algebraic components. Made by `projection`. Costs one Jacobian and a few f per step, with `hidden` n more
-/// of each; what depends on M alone is kept from step to step. Allocates nothing after the first step for
-/// states of fixed size up to 16 in double, otherwise its matrices in every step. Stiffly accurate methods
-/// satisfy g = 0 to the tolerance of Newton's iteration without it.
+/// of each; what depends on M alone is kept from step to step. Allocates nothing after the first step unless
+/// the problem does. Stiffly accurate methods satisfy g = 0 to the tolerance of Newton's iteration without
+/// it.
 template <class Problem>
 class constraint_projection {
   public:
@@ -186,19 +206,21 @@ class constraint_projection {
     /// A run begins: the mass matrix and the index flags are read anew.
     template <class Vector>
     void start(const typename Vector::Scalar&, const Vector&, const typename Vector::Scalar&) {
-        newton_.reset();
+        storage_.reset();
     }
     /// Called by `integrate`; throws as consistent_initial_values does, which ends the run with
     /// status::function_threw.
     template <class Vector>
     bool correct(const typename Vector::Scalar& t, Vector& y) {
-        auto& newton = newton_for(y);
+        auto& newton = detail::kept<constraint_newton<Problem, Vector>>(storage_, y.size(), problem_,
+                                                                        y.size(), 1, 20, "projection");
         if (newton.system().count() == 0) return false;
-        const Vector before = y;
+        auto before = newton.system().states().take(y.size());
+        before = y;
         newton.select(t, y);
         newton.bind(t, y, options_.along_algebraic && newton.system().depth() == 2);
         if (options_.hidden) newton.determine(t, y);
-        return record_.note(before, y);
+        return record_.note(before.plain(), y);
     }
     template <class Scalar, class Vector>
     void operator()(const Scalar&, const Vector&) const {}
@@ -209,17 +231,8 @@ class constraint_projection {
 
   private:
     Problem& problem_;
-    template <class Vector>
-    constraint_newton<Problem, Vector>& newton_for(const Vector& y) {
-        using newton = constraint_newton<Problem, Vector>;
-        auto* kept = std::any_cast<newton>(&newton_);
-        if (!kept || kept->system().size() != y.size())
-            kept = &newton_.emplace<newton>(problem_, y.size(), 1, 20, "projection");
-        return *kept;
-    }
-
     projection_options options_;
-    std::any newton_;  // of the state's type, which only the run knows
+    std::any storage_;  // of the state's type, which only the run knows
     detail::projection_record<double> record_;
 };
 
