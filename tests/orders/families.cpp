@@ -1,109 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE families
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-#include <boost/test/unit_test.hpp>
-#include <cmath>
-#include <stagecraft/integrate.hpp>
+#include "slopes.hpp"
+
 #include <stagecraft/tableaux/exact_collocation.hpp>
-#include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/rounded.hpp>
 #include <stagecraft/theory/dae_order.hpp>
 #include <stagecraft/theory/dae_order_left_stage.hpp>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 // Fixed steps of the run-time stepper at 50 digits show the orders that the theory derives from the exact
-// tableau: ordinary differential equations, index 1, 2 and 3, and singular perturbations with eps << h.
-
-namespace sc = stagecraft;
-using sc::tableaux::family;
-using enum sc::tableaux::family;
-using fifty =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using vector = Eigen::Matrix<fifty, Eigen::Dynamic, 1>;
+// tableau: ordinary differential equations, index 1 and 2 (3: index_3.cpp), and singular perturbations with
+// eps << h.
 
 namespace {
-
-enum class kind { ordinary, index_1, index_2, index_3, perturbed };
-
-// One type for all problems, so that the stepper is compiled once.
-struct problem {
-    kind which;
-    fifty eps = 0;
-
-    int size() const { return which == kind::index_2 ? 3 : which == kind::index_3 ? 5 : 2; }
-    int algebraic() const { return which == kind::ordinary || which == kind::perturbed ? 0 : 1; }
-
-    void operator()(const fifty&, const vector& y, vector& f) const {
-        if (which == kind::ordinary) {  // 1/(1+t), 1/(1+t)^2
-            const fifty d = y[0] * y[0] - y[1];
-            f[0] = -y[1] + d * (1 + y[0]);
-            f[1] = -2 * y[0] * y[1] - d * y[1];
-        } else if (which == kind::index_1 || which == kind::perturbed) {  // (1+2t)^{-1/2}, 1/(1+2t)
-            const fifty d = y[0] * y[0] - y[1];
-            f[0] = -y[0] * y[1] + d * (2 + y[0]);
-            f[1] = d * (1 + y[1] * y[0]);
-            if (which == kind::perturbed) f[1] = f[1] / eps - 2 * y[0] * y[0] * y[0] * y[0];
-        } else if (which == kind::index_2) {  // exp t, exp -2t, exp 2t
-            f[0] = y[0] * y[1] * y[1] * y[2] * y[2];
-            f[1] = y[0] * y[0] * y[1] * y[1] - 3 * y[1] * y[1] * y[2];
-            f[2] = y[0] * y[0] * y[1] - 1;
-        } else {  // y1 = z1 = exp 2t, y2 = z2 = exp -t, u = exp t
-            f[0] = 2 * y[0] * y[1] * y[2] * y[3];
-            f[1] = -y[0] * y[1] * y[3] * y[3];
-            f[2] = (y[0] * y[1] + y[2] * y[3]) * y[4];
-            f[3] = -y[0] * y[1] * y[1] * y[3] * y[3] * y[4];
-            f[4] = y[0] * y[1] * y[1] - 1;
-        }
-    }
-    Eigen::DiagonalMatrix<fifty, Eigen::Dynamic> mass() const {
-        Eigen::DiagonalMatrix<fifty, Eigen::Dynamic> m(size());
-        for (int i = 0; i < size(); ++i) m.diagonal()[i] = i < size() - algebraic() ? 1 : 0;
-        return m;
-    }
-    std::vector<int> index() const {
-        if (which == kind::index_2) return {1, 1, 2};
-        if (which == kind::index_3) return {1, 1, 2, 2, 3};
-        return {1, 1};
-    }
-    vector exact(const fifty& t) const {
-        vector y(size());
-        const fifty e = exp(t), r = 1 / (1 + t), z = 1 / (1 + 2 * t);
-        if (which == kind::index_2)
-            y << e, 1 / (e * e), e * e;
-        else if (which == kind::index_3)
-            y << e * e, 1 / e, e * e, 1 / e, e;
-        else if (which == kind::ordinary)
-            y << r, r * r;
-        else
-            y << sqrt(z), z;
-        return y;
-    }
-};
-
-// Error of every component after `steps` steps to t = 1/2.
-template <class Method>
-vector error(const Method& m, const problem& p, int steps) {
-    const fifty tiny("1e-42"), end = fifty(1) / 2;
-    const auto r =
-        sc::integrate(m, p, p.exact(0), 0, end, {.rtol = tiny, .atol = tiny, .fixed_step = end / steps});
-    BOOST_TEST(sc::name(r.status) == "success");
-    return r.y - p.exact(end);
-}
-
-// log2 of the quotients, component by component.
-std::vector<double> logarithms(const vector& coarse, const vector& fine) {
-    std::vector<double> all;
-    for (Eigen::Index i = 0; i < coarse.size(); ++i)
-        all.push_back(static_cast<double>(fifty(log(abs(fifty(coarse[i] / fine[i]))) / log(fifty(2)))));
-    return all;
-}
-template <class Method>
-std::vector<double> slopes(const Method& m, const problem& p, int steps) {
-    return logarithms(error(m, p, steps), error(m, p, 2 * steps));
-}
 
 // The error of a singular perturbation problem is e_0 + eps e_1 + eps^2 e_2 + ..., eps << h. By differences
 // of the errors at 0, where the problem has index 1, eps and 2 eps.
@@ -117,16 +26,6 @@ expansion expand(const Method& m, int steps) {
                  b = error(m, {kind::perturbed, 2 * eps}, steps) - zero;
     return {(4 * a - b) / (2 * eps), (b - 2 * a) / (2 * eps * eps), a, b};
 }
-
-struct member {
-    family f;
-    int s;
-};
-
-auto exact(const member& m) { return sc::tableaux::exact_tableau(m.f, m.s).value(); }
-auto method(const member& m) { return sc::tableaux::transformed<fifty>(m.f, m.s); }
-
-void is(double slope, int order) { BOOST_TEST(std::abs(slope - order) < 0.05, slope << " is not " << order); }
 
 const std::vector<member> regular = {{gauss, 2},        {gauss, 3},        {radau_ia, 2},
                                      {radau_ia, 3},     {radau_iia, 2},    {radau_iia, 3},
@@ -172,22 +71,6 @@ BOOST_AUTO_TEST_CASE(index_2_shows_the_predicted_orders_of_y_and_z) {
             is(seen[0], *predicted.y);
             is(seen[1], *predicted.y);
             is(seen[2], *predicted.z);
-        }
-}
-
-// Promised for y is s only; what Jay's problem shows is 2 s - 1, and reported as observed.
-BOOST_AUTO_TEST_CASE(index_3_shows_the_predicted_orders_of_z_and_u_and_more_than_that_of_y) {
-    for (const auto& m : {member{radau_iia, 2}, member{radau_iia, 3}})
-        BOOST_TEST_CONTEXT(name(m.f) << " s = " << m.s) {
-            const auto predicted = sc::theory::predict_index3(exact(m));
-            BOOST_REQUIRE(predicted.applies());
-            const auto seen = slopes(method(m), {kind::index_3}, 128);
-            is(seen[2], *predicted.z);
-            is(seen[3], *predicted.z);
-            is(seen[4], *predicted.u);
-            BOOST_TEST(seen[0] > *predicted.y);
-            is(seen[0], 2 * m.s - 1);
-            is(seen[1], 2 * m.s - 1);
         }
 }
 
@@ -247,16 +130,6 @@ BOOST_AUTO_TEST_CASE(lobatto_iiia_shows_its_orders_for_index_1_and_2_although_it
             is(two[1], *second.y);
             is(two[2], *second.z);
         }
-}
-
-// No theorem here speaks of these: what is seen is no convergence of u with two and three stages.
-BOOST_AUTO_TEST_CASE(index_3_has_no_prediction_for_gauss_and_lobatto_iiia_and_u_need_not_converge) {
-    for (const int s : {2, 3}) {
-        BOOST_TEST(!sc::theory::predict_index3(exact({gauss, s})).applies());
-        BOOST_TEST(!sc::theory::predict_index3(exact({lobatto_iiia, s})).applies());
-        is(slopes(sc::tableaux::rounded<fifty>(lobatto_iiia, s), {kind::index_3}, 32)[4], 0);
-    }
-    is(slopes(method({gauss, 3}), {kind::index_3}, 64)[4], 0);
 }
 
 BOOST_AUTO_TEST_CASE(methods_that_the_theorems_refuse_are_refused_or_diverge) {

@@ -322,12 +322,24 @@ order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
 /// y' = f(y, z), z' = k(y, z, u), 0 = g(y) (Hessenberg form of index 3), stiffly accurate collocation with s
 /// >= 2: z has order s, u has s - 1 and y at least s (HLR89, section 6). Higher orders of y, up to 2s - 1,
 /// are observed for Radau IIA and not promised here.
+///
+/// For the other families no theorem is known to this library and the prediction is none, with the
+/// hypotheses that fail. Orders of (y, z, u) observed with constant steps (tests/orders/index_3.cpp):
+///
+/// - Gauss, |R(inf)| = 1: (s+1, s-1, s-3) for s = 3, 5, (s, s-2, s-4) for s = 2, 4. What a step leaves over
+///   in g is not damped, enters z divided by h and u divided by h^2, and adds up from step to step unless
+///   R(inf) = -1. u does not converge for s <= 4, for s = 2 neither does z.
+/// - Lobatto IIIA, |R(inf)| = 1 and A singular, which the theorems invert; u_n enters the step by the first
+///   stage: (2s-2, s, s-2) for s = 2, 4, (2s-4, s-1, s-3) for s = 3, 5. u does not converge for s = 2, 3.
+/// - Lobatto IIIC and Radau IA, no collocation: z has s - 1, u has s - 2.
+/// - Lobatto IIIB, A singular: no step can be made.
 template <class K>
 order_prediction predict_index3(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
     order_prediction p;
     p.theorem = "HLR89, section 6, stiffly accurate collocation";
     p.hypotheses = {detail::regular(m),
+                    detail::damped(m),
                     detail::is_collocation(m),
                     detail::stiff(m),
                     detail::no_node_at_zero(t),
