@@ -4,7 +4,8 @@
 namespace stagecraft {
 
 /// What a run cost: plain counts, filled by every integrator.
-/// `steps` counts accepted steps; an attempt that is repeated counts once in `rejected_error` (error test) or
+/// `steps` counts accepted steps; an attempt that is repeated counts once in `rejected_error` (error test, or
+/// growth that the step would pass over, stages/growth.hpp) or
 /// `rejected_newton` (stage equations not solved, singular matrix or non-finite values).
 /// `f` counts evaluations of the right-hand side outside of the Jacobian, `f_jacobian` those that finite
 /// differences or automatic differentiation spent on it. A factorisation is one set of real and complex

@@ -7,7 +7,10 @@
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
 #include <string>
+
+#include "../stepper/methods.hpp"
 
 // y' = A y for eigenvalues at the ends of what double holds, on the imaginary axis, and for A far from
 // normal.
@@ -170,4 +173,52 @@ BOOST_AUTO_TEST_CASE(matrices_far_from_normal_grow_before_they_decay) {
         sc::integrate(sc::radau_iia<3>(), stiff, V2(1, 1), 0, 1, {.rtol = 1e-8, .atol = 1e-14}, look);
     BOOST_TEST(sc::name(r.status) == "success");
     BOOST_TEST(worst < 1e-6);
+}
+
+namespace {
+
+/// Two modes that are not coupled, the first below every tolerance for most of the time.
+template <class Method>
+void follows_growth_from_below_the_tolerance(const Method& method, double span) {
+    const linear<2> problem{(Eigen::Matrix2d() << 1, 0, 0, -100).finished()};
+    for (const double t1 : {span, -span / 100}) {
+        const double y0 = 1e-10 * (t1 > 0 ? 1 : 0.5);
+        const linear<2> way{t1 > 0 ? problem.A : Eigen::Matrix2d(-100 * problem.A)};
+        const double exact = std::log(y0) + (t1 > 0 ? t1 : -100 * t1);
+        const auto r =
+            sc::integrate(method, way, V2(y0, t1 > 0 ? 1 : 0), 0, t1, {.rtol = 1e-6, .atol = 1e-6});
+        BOOST_TEST_CONTEXT("t1 = " << t1 << ": " << r.y.transpose()) {
+            BOOST_TEST(sc::name(r.status) == "success");
+            BOOST_TEST(std::abs(std::log(r.y[0]) / exact - 1) < 0.15);
+        }
+    }
+}
+
+}  // namespace
+
+// R(z) is small where h lambda lies beyond its pole: a step that long would let a growing mode vanish that no
+// error estimate sees, as it is far below atol. The sign of a determinant gives it away.
+BOOST_AUTO_TEST_CASE(growth_from_below_the_tolerance_is_not_stepped_over) {
+    follows_growth_from_below_the_tolerance(sc::radau_iia<3>(), 100);
+    follows_growth_from_below_the_tolerance(sc::radau_iia<5>(), 100);
+    follows_growth_from_below_the_tolerance(sc::gauss<3>(), 100);
+    follows_growth_from_below_the_tolerance(sc::radau_iia_variable(), 100);
+    follows_growth_from_below_the_tolerance(sc::radau_iia<4>(), 100);
+    follows_growth_from_below_the_tolerance(sc::gauss<2>(), 100);
+    follows_growth_from_below_the_tolerance(sc::lobatto_iiic<4>(), 100);
+    follows_growth_from_below_the_tolerance(methods::sdirk_4_3(), 100);
+}
+
+// The unstable equilibrium itself is a solution, and so is what decays for ever: no status but success, and
+// steps are limited by the growth alone.
+BOOST_AUTO_TEST_CASE(an_unstable_equilibrium_is_kept) {
+    const linear<2> problem{(Eigen::Matrix2d() << 1, 0, 0, -100).finished()};
+    const auto r = sc::integrate(sc::radau_iia<3>(), problem, V2(0, 1), 0, 100, {.rtol = 1e-6, .atol = 1e-6});
+    BOOST_TEST(r.ok());
+    BOOST_TEST(r.y[0] == 0);
+    BOOST_TEST(r.report.largest_step < 3.7);
+    const auto q = sc::integrate(sc::radau_iia<3>(), linear<2>{-problem.A.cwiseAbs()}, V2(0, 1), 0, 100,
+                                 {.rtol = 1e-6, .atol = 1e-6});
+    BOOST_TEST(q.ok());
+    BOOST_TEST(q.report.largest_step > 10);
 }

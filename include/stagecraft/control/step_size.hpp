@@ -44,6 +44,13 @@ class step_size_controller {
         return clamp(safety / pow(err, Scalar(1) / Scalar(q)));
     }
 
+    /// The error that a step h was to have by the last one; 0 where there is none to go by.
+    Scalar expected(const Scalar& h, int q) const {
+        using std::abs;
+        using std::pow;
+        return has_last_ && last_q_ == q ? Scalar(pow(last_root_ * abs(h / last_h_), Scalar(q))) : Scalar(0);
+    }
+
     void forget() { has_last_ = false; }
 
   private:

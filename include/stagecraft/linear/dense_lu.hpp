@@ -27,6 +27,22 @@ class dense_lu {
         return true;
     }
 
+    /// Sign of the determinant of the matrix last factored.
+    bool negative_determinant() {
+        if (a_.size() == 0) return false;
+        bool negative = false;
+        seen_.setConstant(a_.rows(), false);
+        const auto& to = lu_.permutationP().indices();
+        for (Eigen::Index i = 0; i < a_.rows(); ++i) {
+            negative ^= lu_.matrixLU()(i, i) < Scalar(0);
+            for (Eigen::Index k = i; !seen_[k]; k = to[k]) {  // a cycle of length l is l - 1 exchanges
+                seen_[k] = true;
+                negative ^= to[k] != i;
+            }
+        }
+        return negative;
+    }
+
     void solve(Scalar* x) {
         if (a_.size() == 0) return;
         Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> map(x, a_.rows());
@@ -38,6 +54,7 @@ class dense_lu {
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> a_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
     Eigen::PartialPivLU<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>> lu_;
+    Eigen::Array<bool, Eigen::Dynamic, 1> seen_;
 };
 
 /// The same for a complex matrix; real and imaginary parts are collected into std::complex for Eigen's

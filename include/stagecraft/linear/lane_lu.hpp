@@ -29,6 +29,7 @@ class lane_lu {
         for (int l = 0; l < Lanes; ++l)
             for (int i = 0; i < N; ++i) from_[i][l] = i;
         bool good = true;
+        negative_ = false;
         unrolled<N>(N, [&](auto step) {
             constexpr int k = decltype(step)::value;
             pack size = re_[k + k * N].abs() + im_[k + k * N].abs();
@@ -42,7 +43,9 @@ class lane_lu {
                 }
                 for (int l = 0; l < Lanes; ++l)
                     if (pivot[l] != k) exchange(k, pivot[l], l);
+                negative_ ^= pivot[0] != k;
             }
+            negative_ ^= re_[k + k * N][0] < Scalar(0);
             for (int l = 0; l < Lanes; ++l) good = good && usable_pivot(size[l]);
             // 1/(x + i y), scaled by |x| + |y| so that squares neither overflow nor vanish.
             const pack scale = size.inverse();
@@ -95,6 +98,9 @@ class lane_lu {
             for (int i = 0; i < N; ++i) re[l][i] = x[i][l], im[l][i] = y[i][l];
     }
 
+    /// Sign of the determinant of the matrix of lane 0, which is real.
+    bool negative_determinant() const { return negative_; }
+
     /// Solves with the matrix of lane 0, which is real.
     void solve_real(Scalar* b) const {
         std::array<Scalar, N> x;
@@ -119,6 +125,7 @@ class lane_lu {
 
     std::array<pack, N * N> re_, im_;
     std::array<std::array<int, Lanes>, N> from_;
+    bool negative_ = false;
 };
 
 }  // namespace stagecraft

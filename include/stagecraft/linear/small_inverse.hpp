@@ -22,6 +22,7 @@ class small_inverse {
     bool factor() {
         using std::abs;
         std::array<int, N> from;
+        negative_ = false;
         for (int k = 0; k < N; ++k) {
             int p = k;
             for (int i = k + 1; i < N; ++i)
@@ -30,6 +31,7 @@ class small_inverse {
             from[k] = p;
             if (p != k)
                 for (int j = 0; j < N; ++j) std::swap(a_[k + j * N], a_[p + j * N]);
+            negative_ ^= (p != k) ^ (a_[k + k * N] < Scalar(0));
             const Scalar r = Scalar(1) / a_[k + k * N];
             a_[k + k * N] = Scalar(1);
             for (int j = 0; j < N; ++j) a_[k + j * N] *= r;
@@ -46,6 +48,9 @@ class small_inverse {
         return true;
     }
 
+    /// Sign of the determinant of the matrix last factored.
+    bool negative_determinant() const { return negative_; }
+
     void solve(Scalar* x) const {
         std::array<Scalar, N> r;
         for (int i = 0; i < N; ++i) r[i] = a_[i] * x[0];
@@ -56,6 +61,7 @@ class small_inverse {
 
   private:
     std::array<Scalar, N * N> a_;
+    bool negative_ = false;
 };
 
 /// The same for a complex matrix kept as real and imaginary part.

@@ -53,6 +53,7 @@ class split_lu {
         using std::abs;
         const int n = size();
         Scalar* a = a_.data();
+        negative_ = false;
         for (int k = 0; k < n; ++k) {
             Scalar* ak = a + k * n;
             int p = k;
@@ -63,6 +64,7 @@ class split_lu {
             p_[k] = p;
             if (p != k)
                 for (int j = 0; j < n; ++j) std::swap(a[k + j * n], a[p + j * n]);
+            negative_ ^= (p != k) ^ (ak[k] < Scalar(0));
             ak[k] = Scalar(1) / ak[k];
             const Scalar r = ak[k];
             for (int i = k + 1; i < n; ++i) ak[i] *= r;
@@ -73,6 +75,14 @@ class split_lu {
             }
         }
         return true;
+    }
+
+    /// Sign of the determinant of the matrix last factored.
+    bool negative_determinant() const { return negative_; }
+    /// |u_kk| of the triangular factor.
+    Scalar pivot(int k) const {
+        using std::abs;
+        return Scalar(1) / abs(a_[k + k * size()]);
     }
 
     void solve(Scalar* x) const {
@@ -102,6 +112,7 @@ class split_lu {
     int n_;
     workspace<Scalar, squared<N>> a_;
     workspace<int, N> p_;
+    bool negative_ = false;
 };
 
 /// The same for a complex matrix kept as real and imaginary part.

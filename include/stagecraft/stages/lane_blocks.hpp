@@ -100,6 +100,15 @@ class lane_blocks {
         }
     }
 
+    static constexpr bool knows_determinant = true;
+    /// Sign of det(gamma/h M - J), 0 where no eigenvalue of A^-1 is real.
+    int determinant_sign() {
+        if constexpr (real == 0) return 0;
+        bool negative = lu_.negative_determinant();
+        if constexpr (m % 2 == 1) negative ^= inverse_re_[0] < Scalar(0);
+        return negative ? -1 : 1;
+    }
+
   private:
     /// q := r_q / shift, and J_21 q joins the other right-hand sides.
     void eliminate(Scalar* x, Scalar* y, int lane) const {

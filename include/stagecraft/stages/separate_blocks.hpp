@@ -63,6 +63,14 @@ class separate_blocks {
         }
     }
 
+    static constexpr bool knows_determinant = requires(typename Blocks::real & block) {
+        block.negative_determinant();
+    };
+    /// Sign of det(gamma_1/h M - J), 0 where no eigenvalue of A^-1 is real.
+    int determinant_sign() requires knows_determinant {
+        return real_.empty() ? 0 : real_.front().negative_determinant() ? -1 : 1;
+    }
+
   private:
     int n_;
     std::vector<typename Blocks::real> real_;

@@ -57,6 +57,16 @@ class sequential_stages {
         });
     }
 
+    static constexpr bool knows_determinant = requires(typename Blocks::real & block) {
+        block.negative_determinant();
+    };
+    /// Sign of det(M/(h a) - J) as last factored, a being the first non-zero diagonal entry.
+    int determinant_sign() requires knows_determinant {
+        return blocks_.front().negative_determinant() ? -1 : 1;
+    }
+    /// 1/(h a).
+    Scalar growth_shift() const { return shift_.front(); }
+
     /// Computes the slopes; Z brings first guesses of z_i in its columns (if v.guessed) and takes the z_i of
     /// implicit stages. The outcome is that of the stage with the slowest iteration.
     template <class System, class StageMatrix>

@@ -25,6 +25,15 @@ namespace stagecraft {
 /// per (J, h). All storage is taken in the constructor.
 template <class Scalar, int N, int Stages, class Blocks>
 class transformed_stages {
+    static constexpr int positions = positions_of<Blocks>;
+    // Dense problems of small fixed size, unless the problem brings a solver of its own.
+    static constexpr bool dense = std::is_base_of_v<dense_blocks<Scalar, N>, Blocks>;
+    static constexpr bool in_lanes =
+        dense && dense_blocks<Scalar, N>::built_in && Stages > 1 && N >= 1 && N <= 16;
+    using blocks_type = std::conditional_t<
+        in_lanes, lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1, in_lanes ? positions : 0>,
+        separate_blocks<Scalar, Blocks>>;
+
   public:
     using vector = Eigen::Matrix<Scalar, N, 1>;
     using tableau_type = transformed_tableau<Scalar, Stages>;
@@ -79,6 +88,12 @@ class transformed_stages {
         }
         return system.measure(work::factorisation, [&] { return blocks_.factor(system, shift_.data()); });
     }
+
+    static constexpr bool knows_determinant = blocks_type::knows_determinant;
+    /// Sign of det(gamma_1/h M - J) as last factored, 0 where A^-1 has no real eigenvalue.
+    int determinant_sign() requires knows_determinant { return blocks_.determinant_sign(); }
+    /// gamma_1/h, or alpha_1/h.
+    Scalar growth_shift() const { return shift_[0]; }
 
     /// What a step and an iteration cost beyond what is the same for every method. The blocks of small dense
     /// problems are solved side by side, so that their number hardly matters; the constants were fitted to
@@ -142,11 +157,6 @@ class transformed_stages {
 
   private:
     using matrix = Eigen::Matrix<Scalar, N, Stages>;
-    static constexpr int positions = positions_of<Blocks>;
-    // Dense problems of small fixed size, unless the problem brings a solver of its own.
-    static constexpr bool dense = std::is_base_of_v<dense_blocks<Scalar, N>, Blocks>;
-    static constexpr bool in_lanes =
-        dense && dense_blocks<Scalar, N>::built_in && Stages > 1 && N >= 1 && N <= 16;
 
     int size() const {
         if constexpr (N >= 0)
@@ -243,10 +253,7 @@ class transformed_stages {
     int n_;
     matrix W_, D_, F_;
     vector yi_, fi_;
-    std::conditional_t<in_lanes,
-                       lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1, in_lanes ? positions : 0>,
-                       separate_blocks<Scalar, Blocks>>
-        blocks_;
+    blocks_type blocks_;
 };
 
 }  // namespace stagecraft

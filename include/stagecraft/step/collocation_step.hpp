@@ -53,6 +53,7 @@ class collocation_step {
           nodes_(method.stages()),
           update_(method.stages()),
           defect_(method.stages()),
+          right_(method.stages()),
           ends_(method.stages()),
           scratch_(n),
           second_(n),
@@ -84,6 +85,7 @@ class collocation_step {
             }
         }
         prepare_ends(method);
+        if (!stiffly_accurate_) prepare_right(method);
     }
 
     transformed_stages<Scalar, N, Stages, Blocks>& stages() { return stages_; }
@@ -160,7 +162,19 @@ class collocation_step {
             error = now.z_.col(0);
             return;
         }
-        defect(system, h, f0, now, error);
+        defect(system, h, defect_, f0, now, error);
+        system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+    }
+
+    /// True if y1 is no stage: what f does between the last node and the end of the step is then in no stage
+    /// value, and the estimate is to be made at the right end as well.
+    bool ends_between_nodes() const { return !stiffly_accurate_; }
+    /// error := the filtered defect f(t1, y1) - M u'(t1) of the stage polynomial at the right end, of the
+    /// order of the other estimate; f1 = f(t1, y1).
+    template <class System>
+    void estimate_right(const System& system, const Scalar& h, const vector& f1, const output& now,
+                        vector& error) {
+        defect(system, h, right_, f1, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
     }
 
@@ -173,7 +187,7 @@ class collocation_step {
         if (jump_) return 0;
         error += y;
         system(t, error, f);
-        defect(system, h, f, now, error);
+        defect(system, h, defect_, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
         return 1;
     }
@@ -193,7 +207,7 @@ class collocation_step {
     Scalar error_size(const System& system, const output& now, const Scalar& ratio, const vector& error,
                       long& solves, Size&& size) {
         const Scalar promised = size(error, false) * ratio;
-        if (!(ratio < Scalar(1))) return promised;
+        if (stiffly_accurate_ && !(ratio < Scalar(1))) return promised;
         if (stiffly_accurate_) {
             rest_ = error;
         } else {
@@ -248,6 +262,23 @@ class collocation_step {
         }
     }
 
+    /// The functional z -> h u'(1) of the polynomial through the stages, and through y where 0 is no node.
+    void prepare_right(const method_type& method) {
+        const int s = method.stages();
+        for (int j = 0; j < s; ++j) {
+            Scalar value = Scalar(1), slope = Scalar(0);  // of the Lagrange function at 1, factor by factor
+            const auto factor = [&](const Scalar& node) {
+                const Scalar width = method.c[j] - node;
+                slope = (slope * (Scalar(1) - node) + value) / width;
+                value *= (Scalar(1) - node) / width;
+            };
+            if (!jump_) factor(Scalar(0));
+            for (int m = 0; m < s; ++m)
+                if (m != j) factor(method.c[m]);
+            right_[j] = slope;
+        }
+    }
+
     /// The functionals z -> a_s and z -> a_{s-2}: rows of the inverse of P_k at the nodes {0, c}, where z_0 =
     /// 0.
     void prepare_decay() {
@@ -274,16 +305,17 @@ class collocation_step {
     }
 
     template <class System>
-    void defect(const System& system, const Scalar& h, const vector& f, const output& now, vector& error) {
-        scratch_ = (defect_[0] / h) * now.z_.col(0);
-        for (int j = 1; j < count(); ++j) scratch_ += (defect_[j] / h) * now.z_.col(j);
+    void defect(const System& system, const Scalar& h, const Eigen::Matrix<Scalar, Stages, 1>& slope,
+                const vector& f, const output& now, vector& error) {
+        scratch_ = (slope[0] / h) * now.z_.col(0);
+        for (int j = 1; j < count(); ++j) scratch_ += (slope[j] / h) * now.z_.col(j);
         error = f;
         add_mass_times(system.mass(), Scalar(-1), scratch_.data(), error.data(), system.size());
     }
 
     transformed_stages<Scalar, N, Stages, Blocks> stages_;
     interpolation_nodes<Scalar, MaxStages> nodes_;
-    Eigen::Matrix<Scalar, Stages, 1> update_, defect_, ends_;
+    Eigen::Matrix<Scalar, Stages, 1> update_, defect_, right_, ends_;  // defect_, right_: z -> h u' at 0, 1
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // filled when the order is chosen step by step
     vector scratch_, second_, rest_;
     bool stiffly_accurate_ = false, jump_ = false;

@@ -100,6 +100,11 @@ class tableau_step {
         return is_.lower ? sequential_.factor(system, h) : coupled_.factor(system, h);
     }
 
+    static constexpr bool knows_determinant = sequential_stages<Scalar, N, Stages, Blocks>::knows_determinant;
+    /// As in transformed_stages; a full A is not looked at (shift 0).
+    int determinant_sign() requires knows_determinant { return sequential_.determinant_sign(); }
+    Scalar growth_shift() const { return is_.lower ? sequential_.growth_shift() : Scalar(0); }
+
     template <class System>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                  const vector& weights, const newton_limits<Scalar>& limits,
@@ -191,6 +196,10 @@ class tableau_step {
             coupled_.filter(system, error, v_, factor);
         }
     }
+    /// The weights of an embedded method see what the stages see.
+    static constexpr bool ends_between_nodes() { return false; }
+    template <class System>
+    static void estimate_right(const System&, const Scalar&, const vector&, const output&, vector&) {}
     /// Nothing is gained by filtering once more.
     template <class System>
     int estimate_again(System&, const Scalar&, const vector&, const Scalar&, const output&, vector&,

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+namespace stagecraft {
+
+/// Whether the solution may be taken as smooth. An estimate of order q stands for an error of order p + 1
+/// (collocation_step::estimate_ratio) only where it is: across a jump of f or of a derivative both are of the
+/// size of the jump. That shows in an estimate far beyond what the step before let expect, or in one that is
+/// still too large when the step has been made smaller as a smooth solution demands. Then the estimate itself
+/// has to meet the tolerance, until ten steps in a row have.
+template <class Scalar>
+class smoothness {
+  public:
+    bool doubted() const { return steps_ > 0; }
+
+    /// Takes the estimate of an attempt (tolerance 1), the one that was expected (0: nothing was), and
+    /// whether the same step has just been rejected for its error. True if doubt begins with it.
+    bool surprised(const Scalar& estimate, const Scalar& expected, bool again) {
+        if (doubted()) {
+            if (!(estimate < Scalar(1))) steps_ = memory;
+            return false;
+        }
+        const Scalar least = Scalar(1) / 100;
+        const bool beyond =
+            expected > Scalar(0) && estimate > Scalar(1000) * (expected > least ? expected : least);
+        if (!beyond && !(again && !(estimate < Scalar(1)))) return false;
+        steps_ = memory;
+        return true;
+    }
+
+    /// A step has been accepted; true if doubt ends with it.
+    bool accepted() { return steps_ > 0 && --steps_ == 0; }
+
+  private:
+    static constexpr int memory = 10;
+    int steps_ = 0;
+};
+
+}  // namespace stagecraft

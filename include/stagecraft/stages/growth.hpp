@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/problem/mass.hpp>
+
+namespace stagecraft {
+
+/// Sees growth that a step would pass over. A mode y' = lambda y with h lambda beyond the real pole gamma of
+/// R(z), or the real part of its poles nearest the real axis, is damped by the method while the solution
+/// grows by e^gamma and more in the one step; where the mode is smaller than the tolerance no error estimate
+/// tells. But then a real eigenvalue of the pencil (J, M) lies beyond gamma/h, and for every such eigenvalue
+/// det(gamma/h M - J) has another sign than det M. The factorisation of a real block knows the sign; where
+/// there is none (even s) it takes a factorisation of its own. Two such eigenvalues at once, and complex
+/// ones, are not seen, and neither is anything with a singular M, with banded or sparse matrices or with a
+/// linear solver of the problem's own.
+template <class Scalar>
+class growth_watch {
+  public:
+    /// True if the stages, just factored, show such growth beyond the doubt of rounding.
+    template <class System, class Stages>
+    bool sees(const System& system, Stages& stages) {
+        if constexpr (!System::structured && Stages::knows_determinant) {
+            const Scalar shift = stages.growth_shift();
+            if (shift == Scalar(0)) return false;
+            if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
+            const int expected = system.size() % 2 == 1 && shift < Scalar(0) ? -mass_sign_ : mass_sign_;
+            return stages.determinant_sign() != expected && expected != 0 &&
+                   sign_of(system, shift, true) == -expected;
+        } else {
+            return false;
+        }
+    }
+
+  private:
+    /// The sign of det(shift M - J), or of det(shift M) without J; 0 if a pivot is as small as what rounding
+    /// makes of the column it stands in.
+    template <class System>
+    int sign_of(const System& system, const Scalar& shift, bool with_jacobian) {
+        using std::abs;
+        const int n = system.size();
+        if constexpr (System::mass_type::identity)
+            if (!with_jacobian) return 1;
+        if (!work_) work_ = std::make_unique<workplace>(n);
+        auto& [lu, largest] = *work_;
+        Scalar* a = lu.entries();
+        for (int i = 0; i < n * n; ++i)
+            a[i] = with_jacobian ? Scalar(-system.jacobian().data()[i]) : Scalar(0);
+        add_mass(system.mass(), shift, a, n);
+        for (int j = 0; j < n; ++j) {
+            largest[j] = Scalar(0);
+            for (int i = 0; i < n; ++i)
+                if (abs(a[i + j * n]) > largest[j]) largest[j] = abs(a[i + j * n]);
+        }
+        if (!lu.factor()) return 0;
+        for (int k = 0; k < n; ++k)
+            if (!(lu.pivot(k) > 1000 * std::numeric_limits<Scalar>::epsilon() * largest[k])) return 0;
+        return lu.negative_determinant() ? -1 : 1;
+    }
+
+    struct workplace {
+        split_lu<Scalar, -1> lu;
+        std::vector<Scalar> largest;  // entry of each column
+        explicit workplace(int n) : lu(n), largest(static_cast<std::size_t>(n)) {}
+    };
+    static constexpr int unknown = 2;
+    int mass_sign_ = unknown;
+    std::unique_ptr<workplace> work_;  // made when it is needed first, which most runs do not
+};
+
+}  // namespace stagecraft
