@@ -25,7 +25,6 @@ struct order_candidate {
     int power;     ///< the estimate is O(h^power)
     Scalar ratio;  ///< estimates are multiplied by it to have tolerance 1
     block_work<Scalar> work;
-    bool admitted;  ///< false if it is not to be chosen at the tolerance of the run
 };
 
 /// Chooses among `Count` methods ordered by stages; with one method there is nothing to hold and to decide.
@@ -44,7 +43,12 @@ requires(Count > 1) class order_controller<Scalar, Count> {
   public:
     int current() const { return current_; }
 
-    void prepare(int k, const order_candidate<Scalar>& c) { candidates_[k] = c; }
+    /// Makes method k known. More than seven stages are chosen only where rtol <= 1e-10: above it their gain
+    /// is not worth their Newton iterations.
+    void prepare(int k, const order_candidate<Scalar>& c, const Scalar& rtol) {
+        candidates_[k] = c;
+        admitted_[k] = c.stages <= 7 || rtol <= Scalar(1) / 10000000000;
+    }
 
     /// After a step that Newton's iteration could not solve twice: fewer stages tolerate more.
     bool newton_failed() {
@@ -64,7 +68,7 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         int best = current_;
         Scalar least = here;
         for (int k = current_ - 1; k <= current_ + 1; k += 2) {
-            if (k < 0 || k >= Count || !candidates_[k].admitted) continue;
+            if (k < 0 || k >= Count || !admitted_[k]) continue;
             // A change has to promise something, one to more stages more: its prediction is the bolder one.
             const Scalar w = work_per_length(k, e) * (k > current_ ? Scalar(5) / 4 : Scalar(10) / 9);
             if (w < least) least = w, best = k;
@@ -101,6 +105,7 @@ requires(Count > 1) class order_controller<Scalar, Count> {
     }
 
     std::array<order_candidate<Scalar>, static_cast<std::size_t>(Count)> candidates_{};
+    std::array<bool, static_cast<std::size_t>(Count)> admitted_{};
     int current_ = 0, wait_ = 2;
 };
 

@@ -130,8 +130,8 @@ class integrator {
             m.prepare(system_, fixed());
             ratio_[k] = m.estimate_ratio(options_.rtol);
             if constexpr (variable)
-                order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_),
-                                   m.count() <= 7 || options_.rtol <= scalar(1) / 10000000000});
+                order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_)},
+                               options_.rtol);
         });
     }
 
