@@ -13,17 +13,19 @@ class smoothness {
   public:
     bool doubted() const { return steps_ > 0; }
 
-    /// Takes the estimate of an attempt (tolerance 1), the one that was expected (0: nothing was), and
-    /// whether the same step has just been rejected for its error. True if doubt begins with it.
-    bool surprised(const Scalar& estimate, const Scalar& expected, bool again) {
+    /// Takes the estimate of an attempt (tolerance 1), expected() for the one that was expected (0: none
+    /// was), and whether the same step has just been rejected for its error. True if doubt begins with it.
+    template <class Expected>
+    bool surprised(const Scalar& estimate, Expected&& expected, bool again) {
         if (doubted()) {
             if (!(estimate < Scalar(1))) steps_ = memory;
             return false;
         }
-        const Scalar least = Scalar(1) / 100;
-        const bool beyond =
-            expected > Scalar(0) && estimate > Scalar(1000) * (expected > least ? expected : least);
-        if (!beyond && !(again && !(estimate < Scalar(1)))) return false;
+        if (!(estimate > Scalar(10)) && !(again && !(estimate < Scalar(1)))) return false;
+        if (!again) {
+            const Scalar before = expected();
+            if (!(before > Scalar(0)) || estimate <= Scalar(1000) * before) return false;
+        }
         steps_ = memory;
         return true;
     }

@@ -157,7 +157,8 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
         if (!(right <= err)) err = right;
     }
     if (smooth_ratio < scalar(1) && report_.steps > 0 &&
-        smooth_.surprised(err, controller_.expected(h, method.estimate_power()), rejected_by_estimate_)) {
+        smooth_.surprised(
+            err, [&] { return controller_.expected(h, method.estimate_power()); }, rejected_by_estimate_)) {
         controller_.forget();
         ratio = scalar(1);
         const scalar whole = error_size();
