@@ -50,8 +50,8 @@ concept has_linear_solver = requires {
     typename Problem::linear_solver::complex;
 };
 
-/// Optional: `problem.mass()` returns the constant matrix M (dense or Eigen::DiagonalMatrix), singular
-/// allowed.
+/// Optional: `problem.mass()` returns the constant matrix M (dense, sparse or diagonal of Eigen's, or a
+/// banded_matrix), singular allowed. With bandwidth() it must lie within that band.
 template <class Problem>
 concept has_mass = requires(Problem& p) {
     p.mass();

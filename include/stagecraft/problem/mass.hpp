@@ -25,7 +25,7 @@ class entry_mass {
         Scalar value;
     };
 
-    /// From a dense, diagonal or sparse matrix of Eigen's.
+    /// From a dense, diagonal or sparse matrix of Eigen's, or a banded_matrix.
     template <class Matrix>
     explicit entry_mass(const Matrix& m) {
         if constexpr (requires {
@@ -38,6 +38,10 @@ class entry_mass {
         } else if constexpr (
             requires { m.diagonal(); } && !requires { m(0, 0); }) {
             for (int i = 0; i < m.rows(); ++i) add(i, i, m.diagonal()[i]);
+        } else if constexpr (requires { m.in_band(0, 0); }) {
+            for (int j = 0; j < m.cols(); ++j)
+                for (int i = 0; i < m.rows(); ++i)
+                    if (m.in_band(i, j)) add(i, j, m(i, j));
         } else {
             for (int j = 0; j < m.cols(); ++j)
                 for (int i = 0; i < m.rows(); ++i) add(i, j, m(i, j));

@@ -95,6 +95,11 @@ class system {
           engine_(n_),
           J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
         if constexpr (structured && finite_difference) engine_.group(J_);
+        if constexpr (has_bandwidth<Problem> && !mass_type::identity)
+            for (const auto& e : mass_.entries())
+                if (!J_.in_band(e.row, e.column))
+                    throw std::invalid_argument(
+                        "integrate: problem.mass() must lie within problem.bandwidth()");
         if constexpr (has_second_order_components<Problem>) {
             constexpr int m = Problem::second_order_components;
             if (m < 0 || 2 * m > n_)
