@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE status
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
@@ -196,4 +198,26 @@ BOOST_AUTO_TEST_CASE(the_last_step_is_not_a_tiny_one) {
                       last = h;
                   });
     BOOST_TEST(last > 0.3 * before);
+}
+
+// Tables, square roots and the like end where the run does.
+BOOST_AUTO_TEST_CASE(f_is_evaluated_nowhere_outside_of_the_interval) {
+    unsigned state = 1;
+    const auto number = [&] { return (state = state * 1664525u + 1013904223u) / 4294967296.0 - 0.5; };
+    for (int k = 0; k < 300; ++k) {
+        const double t0 = number() * std::pow(10, 6 * number()), t1 = number() * std::pow(10, 6 * number());
+        const double low = std::min(t0, t1), high = std::max(t0, t1);
+        bool outside = false;
+        const auto f = [&](double t, const Eigen::Vector2d& y, Eigen::Vector2d& out) {
+            outside = outside || t < low || t > high;
+            out = y * (t / (std::abs(low) + std::abs(high)) / (high - low));
+        };
+        for (const double step : {(high - low) / (1 + k % 17)}) {
+            const auto r =
+                sc::integrate(sc::radau_iia<3>(), f, Eigen::Vector2d(1, 2), t0, t1, {.fixed_step = step});
+            BOOST_TEST(r.ok());
+            BOOST_TEST(r.t == t1);
+        }
+        BOOST_TEST(!outside, "from " << t0 << " to " << t1);
+    }
 }

@@ -7,14 +7,28 @@
 
 namespace stagecraft {
 
+/// h or the little less by which t + h is not on the other side of t1: rounding would have f evaluated there,
+/// where it need not exist.
+template <class Scalar>
+Scalar not_beyond(const Scalar& t, Scalar h, const Scalar& t1) {
+    const Scalar direction = Scalar(h < Scalar(0) ? -1 : 1);
+    for (;;) {
+        const Scalar over = direction * (t + h - t1),
+                     least = std::numeric_limits<Scalar>::epsilon() * direction * h;
+        if (!(over > Scalar(0))) return h;
+        h -= direction * (over > least ? over : least);
+    }
+}
+
 /// The times of a run with fixed steps; none (count = 0) where steps are chosen by their errors.
 template <class Scalar>
 struct equal_steps {
     long count = 0;
     Scalar first{0}, last{0}, h{0};  ///< h with the sign of last - first
+    Scalar apart{0};  ///< by which the ends are: h but for rounding, which must not lead beyond last
 
     /// The end of step k = 1, ..., count: the last one to the bit.
-    Scalar end(long k) const { return k == count ? last : Scalar(first + h * Scalar(k)); }
+    Scalar end(long k) const { return k == count ? last : Scalar(first + apart * Scalar(k)); }
 };
 
 /// As few steps as there are none above `largest` > 0, one more where rounding leaves it open. Throws
@@ -31,7 +45,9 @@ equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const S
     const Scalar h = (t1 - t0) / Scalar(n);
     if (t1 != t0 && !(abs(h) > 4 * eps * (start < end ? start : end)))
         throw std::invalid_argument("integrate: fixed_step is below the resolution of t");
-    return {n, t0, t1, h};
+    equal_steps<Scalar> steps{n, t0, t1, h, h};
+    if (t1 != t0) steps.h = not_beyond(n > 1 ? steps.end(n - 1) : t0, h, t1);
+    return steps;
 }
 
 }  // namespace stagecraft
