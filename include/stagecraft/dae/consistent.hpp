@@ -97,7 +97,7 @@ auto check_consistent(Problem&& problem, std::type_identity_t<typename Derived::
     const auto by_x = constraints.all_jacobian(t, at, s);
     const auto& N = constraints.algebraic_directions();
     auto by_z = detail::product(constraints.work(), by_x, N);
-    const detail::row_scaled<scalar> block(
+    const detail::row_scaled<typename system::workspace> block(
         constraints.work(), by_z, by_x, constraints.depth() > 1 ? system::difference_zero() : system::zero());
     if (block.rank() < N.cols())
         result.singular = detail::singular_text(constraints.depth(), block.rank(), N.cols(), t);

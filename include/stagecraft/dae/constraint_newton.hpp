@@ -41,6 +41,7 @@ class constraint_newton {
   public:
     using system_type = constraint_system<Problem, Vector>;
     using scalar = typename Vector::Scalar;
+    using workspace = typename system_type::workspace;
     using vector = typename system_type::vector;
     using matrix = typename system_type::matrix;
     using state = typename system_type::state;
@@ -83,7 +84,7 @@ class constraint_newton {
             rows -= detail::product(work, detail::product(work, rows, N), N.transpose());
             const matrix along = along_algebraic ? system_.slope_by_algebraic(linear) : work.take(0, 0);
             matrix seen = along_algebraic ? detail::product(work, rows, along) : work.take(0, 0);
-            const detail::row_scaled<scalar> block(work, along_algebraic ? seen : rows, rows, zero());
+            const detail::row_scaled<workspace> block(work, along_algebraic ? seen : rows, rows, zero());
             if (block.rank() < rows.rows()) {
                 std::ostringstream text;
                 text << what_ << ": "
@@ -107,7 +108,7 @@ class constraint_newton {
         const auto step = [&](const Vector& at, const vector& r) {
             const matrix by_x = system_.all_jacobian(t, at, chosen_);
             matrix by_z = detail::product(work, by_x, N);
-            const detail::row_scaled<scalar> block(work, by_z, by_x, zero());
+            const detail::row_scaled<workspace> block(work, by_z, by_x, zero());
             if (block.rank() < N.cols())
                 throw std::domain_error(what_ + ": " +
                                         detail::singular_text(system_.depth(), block.rank(), N.cols(), t));
@@ -124,7 +125,7 @@ class constraint_newton {
             const matrix by_x = system_.all_jacobian(t, at, chosen_);
             matrix by_free = system_.work().take(by_x.rows(), static_cast<Eigen::Index>(free.size()));
             for (std::size_t j = 0; j < free.size(); ++j) by_free.col(j) = by_x.col(free[j]);
-            const detail::row_scaled<scalar> block(system_.work(), by_free, by_x, zero());
+            const detail::row_scaled<workspace> block(system_.work(), by_free, by_x, zero());
             if (block.rank() < by_free.rows()) {
                 std::ostringstream text;
                 text << what_ << ": the free components do not determine the constraints, rank "
@@ -145,7 +146,7 @@ class constraint_newton {
 
   private:
     /// What gauss_newton is told: the change of the state is -moved.
-    std::pair<state, vector> correction(const vector& moved, const detail::row_scaled<scalar>& block) {
+    std::pair<state, vector> correction(const vector& moved, const detail::row_scaled<workspace>& block) {
         std::pair<state, vector> result(system_.states().take(moved.size()),
                                         system_.work().take(block.scale().size()));
         result.first = -moved;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 #include <stagecraft/dae/rank.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
@@ -39,7 +38,10 @@ class constraint_system {
   public:
     using scalar = typename Vector::Scalar;
     static constexpr int N = Vector::RowsAtCompileTime;
-    using workspace = detail::workspace<scalar>;
+    /// Of constraints and hidden constraints there are at most 3 N: on the stack for small fixed sizes.
+    static constexpr int most = N > 0 && N <= 16 && std::is_floating_point_v<scalar> ? 3 * N
+                                                                                     : int(Eigen::Dynamic);
+    using workspace = detail::workspace<scalar, most>;
     using vector = typename workspace::vector;
     using matrix = typename workspace::matrix;
     using kept_matrix = typename workspace::matrix_type;
@@ -73,9 +75,9 @@ class constraint_system {
             for (const auto& e : mass.entries()) M(e.row, e.column) += e.value;
         const scalar zero = scalar(n_ + 1) * std::numeric_limits<scalar>::epsilon() * scalar(8);
         const auto scale = detail::scale_rows(work_, M, kept_matrix(M));
-        const detail::rank_revealing<scalar> decomposed(work_, M, zero);
+        const detail::rank_revealing<workspace> decomposed(work_, M, zero);
         directions_ = decomposed.kernel();
-        combinations_ = detail::rank_revealing<scalar>(work_, M.transpose(), zero).kernel().transpose();
+        combinations_ = detail::rank_revealing<workspace>(work_, M.transpose(), zero).kernel().transpose();
         detail::reduce_rows(combinations_, zero);
         for (int i = 0; i < n_; ++i) combinations_.col(i) *= scale[i];
         for (int i = 0; i < count(); ++i)
@@ -103,7 +105,8 @@ class constraint_system {
         evaluate(t, x, at.f);
         differentiate(t, x, at.f, at.J);
         if constexpr (differentiable_with_dual_time<Problem, scalar, N>) {
-            typename duals::loan y = duals_.take(n_), f = duals_.take(n_);
+            using dual_state = dual_vector<scalar, N>;
+            auto y = duals_.take(n_), f = duals_.take(n_);
             dual<scalar, N> time(t);
             time.derivatives().setZero();
             if (time.derivatives().size() > 0) time.derivatives()[0] = scalar(1);
@@ -111,7 +114,7 @@ class constraint_system {
                 y[i].value() = x[i];
                 y[i].derivatives().setZero();
             }
-            problem_(time, std::as_const(y).plain(), f.plain());
+            problem_(time, static_cast<const dual_state&>(y), static_cast<dual_state&>(f));
             for (int i = 0; i < n_; ++i) at.f_t[i] = f[i].derivatives()[0];
         } else {
             using std::abs;
@@ -298,7 +301,6 @@ class constraint_system {
         return result;
     }
 
-    using duals = detail::matrix_pool<dual_vector<scalar, N>>;
     using automatic = std::conditional_t<generic, automatic_jacobian<scalar, N>, int>;
 
     Problem& problem_;
@@ -306,7 +308,7 @@ class constraint_system {
     scalar time_scale_;
     workspace work_;
     detail::matrix_pool<Vector> states_;
-    duals duals_;
+    detail::matrix_pool<dual_vector<scalar, N>> duals_;
     automatic engine_;
     kept_matrix combinations_, directions_, inverse_;  // L, N, M^+
 };

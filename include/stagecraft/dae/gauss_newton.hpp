@@ -63,7 +63,7 @@ int gauss_newton(matrix_pool<Vector>& states, Vector& x, Residual&& residual, St
             if (size <= sqrt(eps) * state) return k;  // the violation is rounding: no step can reduce it
             fail(r.cwiseAbs().maxCoeff());
         }
-        x = next.plain();
+        x = static_cast<const Vector&>(next);
         r = *r_next;
         if (size <= 8 * eps * state || (tiny && stalled)) return k;
         before = size;

@@ -26,8 +26,6 @@ class matrix_pool {
             if (pool_) pool_->spare_.push_back(std::move(static_cast<Matrix&>(*this)));
         }
         using Matrix::operator=;
-        Matrix& plain() { return *this; }
-        const Matrix& plain() const { return *this; }
 
       private:
         matrix_pool* pool_;
@@ -56,15 +54,30 @@ class matrix_pool {
     std::size_t made_ = 0;
 };
 
-/// Pools for computations with dense matrices of run-time size.
-template <class Scalar>
+/// The same for types that need no heap: nothing is kept.
+template <class Matrix>
+requires(Matrix::MaxSizeAtCompileTime != Eigen::Dynamic) class matrix_pool<Matrix> {
+  public:
+    using loan = Matrix;
+    loan take(Eigen::Index rows, Eigen::Index cols = 1) {
+        Matrix m;
+        m.resize(rows, cols);
+        return m;
+    }
+};
+
+/// Pools for computations with dense matrices of run-time size with at most Max rows and columns, which then
+/// need no heap; Max may be Eigen::Dynamic.
+template <class Scalar, int Max>
 class workspace {
   public:
-    using matrix_type = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    using vector_type = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using scalar = Scalar;
+    using matrix_type = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Max, Max>;
+    using vector_type = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1>;
+    using index_type = Eigen::Matrix<int, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1>;
     using matrix = typename matrix_pool<matrix_type>::loan;
     using vector = typename matrix_pool<vector_type>::loan;
-    using indices = typename matrix_pool<Eigen::VectorXi>::loan;
+    using indices = typename matrix_pool<index_type>::loan;
 
     matrix take(Eigen::Index rows, Eigen::Index cols) { return matrices_.take(rows, cols); }
     vector take(Eigen::Index size) { return vectors_.take(size); }
@@ -73,7 +86,7 @@ class workspace {
   private:
     matrix_pool<matrix_type> matrices_;
     matrix_pool<vector_type> vectors_;
-    matrix_pool<Eigen::VectorXi> indices_;
+    matrix_pool<index_type> indices_;
 };
 
 }  // namespace stagecraft::detail

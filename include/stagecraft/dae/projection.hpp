@@ -220,7 +220,7 @@ class constraint_projection {
         newton.select(t, y);
         newton.bind(t, y, options_.along_algebraic && newton.system().depth() == 2);
         if (options_.hidden) newton.determine(t, y);
-        return record_.note(before.plain(), y);
+        return record_.note(static_cast<const Vector&>(before), y);
     }
     template <class Scalar, class Vector>
     void operator()(const Scalar&, const Vector&) const {}

@@ -12,14 +12,15 @@ namespace stagecraft::detail {
 /// A P = Q R by Householder reflections with column pivoting, stopped at pivots below `zero` times the first
 /// one. Plain loops: the matrices are those of a handful of constraints, and Eigen's blocked decompositions
 /// cost a program that uses them ten seconds of compilation.
-template <class Scalar>
+template <class Work>
 struct pivoted_qr {
-    typename workspace<Scalar>::matrix Q, R;
-    typename workspace<Scalar>::indices columns;  ///< column k of R belongs to column columns[k] of A
+    using scalar = typename Work::scalar;
+    typename Work::matrix Q, R;
+    typename Work::indices columns;  ///< column k of R belongs to column columns[k] of A
     int rank = 0;
 
     template <class Matrix>
-    pivoted_qr(workspace<Scalar>& work, const Matrix& a, const Scalar& zero)
+    pivoted_qr(Work& work, const Matrix& a, const scalar& zero)
         : Q(work.take(a.rows(), a.rows())),
           R(work.take(a.rows(), a.cols())),
           columns(work.take_indices(a.cols())) {
@@ -30,33 +31,33 @@ struct pivoted_qr {
         R = a;
         for (int j = 0; j < n; ++j) columns[j] = j;
         auto v = work.take(m);
-        Scalar first(0);
+        scalar first(0);
         for (int k = 0; k < m && k < n; ++k) {
             int best = k;
-            Scalar most(-1);
+            scalar most(-1);
             for (int j = k; j < n; ++j) {
-                Scalar sum(0);
+                scalar sum(0);
                 for (int i = k; i < m; ++i) sum += R(i, j) * R(i, j);
                 if (sum > most) most = sum, best = j;
             }
-            const Scalar size = sqrt(most > Scalar(0) ? most : Scalar(0));
+            const scalar size = sqrt(most > scalar(0) ? most : scalar(0));
             if (k == 0) first = size;
             if (!(size > zero * first)) return;
             for (int i = 0; i < m; ++i) std::swap(R(i, k), R(i, best));
             std::swap(columns[k], columns[best]);
             // v = x + sign(x_k) |x| e_k, reflection I - 2 v v^T / (v^T v)
-            Scalar square(0);
+            scalar square(0);
             for (int i = k; i < m; ++i) v[i] = R(i, k);
-            v[k] += v[k] < Scalar(0) ? Scalar(-size) : size;
+            v[k] += v[k] < scalar(0) ? scalar(-size) : size;
             for (int i = k; i < m; ++i) square += v[i] * v[i];
             for (int j = k; j < n; ++j) {
-                Scalar sum(0);
+                scalar sum(0);
                 for (int i = k; i < m; ++i) sum += v[i] * R(i, j);
                 sum *= 2 / square;
                 for (int i = k; i < m; ++i) R(i, j) -= sum * v[i];
             }
             for (int r = 0; r < m; ++r) {
-                Scalar sum(0);
+                scalar sum(0);
                 for (int i = k; i < m; ++i) sum += v[i] * Q(r, i);
                 sum *= 2 / square;
                 for (int i = k; i < m; ++i) Q(r, i) -= sum * v[i];
@@ -67,8 +68,8 @@ struct pivoted_qr {
 };
 
 /// a b by plain loops; b is a matrix or a vector.
-template <class Scalar, class A, class B>
-auto product(workspace<Scalar>& work, const A& a, const B& b) {
+template <class Scalar, int Max, class A, class B>
+auto product(workspace<Scalar, Max>& work, const A& a, const B& b) {
     auto r = [&] {
         if constexpr (B::ColsAtCompileTime == 1)
             return work.take(a.rows());
@@ -86,19 +87,20 @@ auto product(workspace<Scalar>& work, const A& a, const B& b) {
 
 /// What the tools for constraints ask of a matrix A of run-time size: rank, kernel, solution of least norm.
 /// From the decomposition A^T P = Q R: the rank columns of Q span the rows of A, the others its kernel.
-template <class Scalar>
+template <class Work>
 class rank_revealing {
   public:
-    using matrix = typename workspace<Scalar>::matrix;
-    using vector = typename workspace<Scalar>::vector;
+    using scalar = typename Work::scalar;
+    using matrix = typename Work::matrix;
+    using vector = typename Work::vector;
 
     /// Pivots below `zero` times the largest count as zero. The workspace must live as long as this.
     template <class Matrix>
-    rank_revealing(workspace<Scalar>& work, const Matrix& a, const Scalar& zero)
+    rank_revealing(Work& work, const Matrix& a, const scalar& zero)
         : work_(work),
           rows_(static_cast<int>(a.rows())),
           across_(work, a.transpose(), zero),
-          down_(work, factor(), Scalar(0)) {}
+          down_(work, factor(), scalar(0)) {}
 
     int rank() const { return across_.rank; }
     /// Least-squares solution of least norm.
@@ -109,7 +111,7 @@ class rank_revealing {
         vector w = work_.take(r), x = work_.take(n);
         x.setZero();
         for (int k = 0; k < r; ++k) {
-            w[k] = Scalar(0);
+            w[k] = scalar(0);
             for (int i = 0; i < rows_; ++i) w[k] += down_.Q(i, k) * b[across_.columns[i]];
         }
         for (int k = r - 1; k >= 0; --k) {
@@ -132,12 +134,12 @@ class rank_revealing {
     matrix factor() const {
         matrix result = work_.take(rows_, across_.rank);
         for (int k = 0; k < across_.rank; ++k)
-            for (int i = 0; i < rows_; ++i) result(i, k) = i < k ? Scalar(0) : across_.R(k, i);
+            for (int i = 0; i < rows_; ++i) result(i, k) = i < k ? scalar(0) : across_.R(k, i);
         return result;
     }
-    workspace<Scalar>& work_;
+    Work& work_;
     int rows_;
-    pivoted_qr<Scalar> across_, down_;
+    pivoted_qr<Work> across_, down_;
 };
 
 /// The same row space in echelon form: every row has a pivot one where the other rows are zero, so that
@@ -163,8 +165,8 @@ void reduce_rows(Matrix& U, const typename Matrix::Scalar& zero) {
 }
 
 /// Divides the rows of m by the largest entry of the rows of `by`; returns the factors.
-template <class Scalar, class Matrix, class By>
-auto scale_rows(workspace<Scalar>& work, Matrix& m, const By& by) {
+template <class Scalar, int Max, class Matrix, class By>
+auto scale_rows(workspace<Scalar, Max>& work, Matrix& m, const By& by) {
     auto scale = work.take(m.rows());
     for (Eigen::Index i = 0; i < m.rows(); ++i) {
         const Scalar size = by.cols() > 0 ? by.row(i).cwiseAbs().maxCoeff() : Scalar(0);
@@ -186,13 +188,13 @@ const Matrix& drop_small(Matrix& m, const typename Matrix::Scalar& zero) {
 
 /// Combinations U of the rows of r_x that the directions in the columns of N do not change: U r_x N = 0 to
 /// the accuracy `zero` relative to the rows.
-template <class Scalar, class Matrix, class Directions>
-auto invisible_combinations(workspace<Scalar>& work, const Matrix& r_x, const Directions& N,
+template <class Scalar, int Max, class Matrix, class Directions>
+auto invisible_combinations(workspace<Scalar, Max>& work, const Matrix& r_x, const Directions& N,
                             const Scalar& zero) {
     auto block = product(work, r_x, N);
     const auto scale = scale_rows(work, block, r_x);
     drop_small(block, zero);
-    const auto kernel = rank_revealing<Scalar>(work, block.transpose(), zero).kernel();
+    const auto kernel = rank_revealing<workspace<Scalar, Max>>(work, block.transpose(), zero).kernel();
     auto U = work.take(kernel.cols(), kernel.rows());
     U = kernel.transpose();
     if (U.rows() < U.cols()) {
@@ -204,12 +206,12 @@ auto invisible_combinations(workspace<Scalar>& work, const Matrix& r_x, const Di
 
 /// A matrix with its rows divided by their largest entry (or by that of the rows of another one), decomposed.
 /// Changes the matrix given.
-template <class Scalar>
+template <class Work>
 class row_scaled {
   public:
-    using vector = typename workspace<Scalar>::vector;
+    using vector = typename Work::vector;
     template <class Matrix, class By>
-    row_scaled(workspace<Scalar>& work, Matrix&& m, const By& by, const Scalar& zero)
+    row_scaled(Work& work, Matrix&& m, const By& by, const typename Work::scalar& zero)
         : work_(work), scale_(scale_rows(work, m, by)), decomposition_(work, drop_small(m, zero), zero) {}
     int rank() const { return decomposition_.rank(); }
     const vector& scale() const { return scale_; }
@@ -221,9 +223,9 @@ class row_scaled {
     }
 
   private:
-    workspace<Scalar>& work_;
+    Work& work_;
     vector scale_;
-    rank_revealing<Scalar> decomposition_;
+    rank_revealing<Work> decomposition_;
 };
 
 }  // namespace stagecraft::detail
