@@ -324,7 +324,8 @@ order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
 /// are observed for Radau IIA and not promised here.
 ///
 /// For the other families no theorem is known to this library and the prediction is none, with the
-/// hypotheses that fail. Orders of (y, z, u) observed with constant steps (tests/orders/index_3.cpp):
+/// hypotheses that fail. Orders of (y, z, u) observed with constant steps (tests/orders/index_3.cpp; exact
+/// examples where u does not converge: tests/dae_order/index_3_linear.cpp):
 ///
 /// - Gauss, |R(inf)| = 1: (s+1, s-1, s-3) for s = 3, 5, (s, s-2, s-4) for s = 2, 4. What a step leaves over
 ///   in g is not damped, enters z divided by h and u divided by h^2, and adds up from step to step unless
