@@ -23,6 +23,17 @@ inline void reciprocal(const Scalar& x, const Scalar& y, Scalar& re, Scalar& im)
     }
 }
 
+/// |x + i y| where the squares neither overflow nor underflow to matter; infinite or NaN only if x or y is.
+template <class Scalar>
+inline Scalar modulus(const Scalar& x, const Scalar& y) {
+    using std::abs;
+    using std::sqrt;
+    const Scalar a = abs(x), b = abs(y), large = a < b ? b : a, small = a < b ? a : b;
+    if (!(large > Scalar(0)) || !(large - large == Scalar(0))) return large + small;
+    const Scalar q = small / large;
+    return large * sqrt(Scalar(1) + q * q);
+}
+
 /// Can p be divided by? False for zero, infinity and NaN.
 template <class Scalar>
 inline bool usable_pivot(const Scalar& size) {

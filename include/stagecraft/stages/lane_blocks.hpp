@@ -95,8 +95,7 @@ class lane_blocks {
         scratch.setZero();
         solve_first(x, scratch);
         if constexpr (real == 0) {
-            using std::sqrt;
-            for (int i = 0; i < N; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
+            for (int i = 0; i < N; ++i) x[i] = modulus(x[i], scratch[i]);
         }
     }
 

@@ -58,8 +58,7 @@ class separate_blocks {
         scratch.setZero();
         solve_first(x, scratch);
         if (real_.empty()) {
-            using std::sqrt;
-            for (int i = 0; i < n_; ++i) x[i] = sqrt(x[i] * x[i] + scratch[i] * scratch[i]);
+            for (int i = 0; i < n_; ++i) x[i] = modulus(x[i], scratch[i]);
         }
     }
 
