@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(f_is_evaluated_nowhere_outside_of_the_interval) {
             outside = outside || t < low || t > high;
             out = y * (t / (std::abs(low) + std::abs(high)) / (high - low));
         };
-        for (const double step : {(high - low) / (1 + k % 17)}) {
+        for (const double step : {0.0, (high - low) / (1 + k % 17)}) {
             const auto r =
                 sc::integrate(sc::radau_iia<3>(), f, Eigen::Vector2d(1, 2), t0, t1, {.fixed_step = step});
             BOOST_TEST(r.ok());

@@ -26,7 +26,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         } else {
             const scalar rest = t1_ - t_;
             if (abs(h) * (scalar(1) + scalar(1) / 100000) >= abs(rest)) {
-                h = rest;
+                h = not_beyond(t_, rest, t1_);
                 t_next = t1_;
             } else {
                 if (abs(h) * 2 > abs(rest)) h = rest / 2;
