@@ -81,10 +81,12 @@ class basis_values {
 /// The collocation polynomial u of one step, u(t0 + theta h) = y0 + sum_j l_j(theta) z_j (Hairer-Wanner
 /// II.IV.8): continuous over the steps. For methods with C(s) its error is O(h^{s+1}) in y, also of index 1;
 /// O(h^s) in components of index 2 and O(h^{s-1}) in those of index 3; one order less for Lobatto IIIC
-/// (degree s - 1). The ends of the steps are of the higher order of the method: at tight tolerances they are
-/// more accurate than what lies between, and options.max_step is what improves that. For methods given by
-/// their tableau see step/stage_output.hpp. Evaluated only where it is asked, and valid until the next step;
-/// copy it to keep it.
+/// (degree s - 1). The ends of the steps are of the higher order of the method: at tight tolerances, and in
+/// stiff components at any, they are more accurate than what lies between, by orders of magnitude where a
+/// stiff component follows a smooth function in long steps. options.continuous has the tolerance hold there
+/// as well; for methods that do not serve it options.max_step is what helps. For methods given by their
+/// tableau see step/stage_output.hpp. Evaluated only where it is asked, and valid until the next step; copy
+/// it to keep it.
 template <class Vector, int MaxStages>
 class dense_output {
   public:

@@ -25,6 +25,7 @@ struct options {
     Scalar min_step{0};      ///< below it the run ends in status::step_underflow
     Scalar max_step{0};      ///< 0: no bound
     step_control control = step_control::predictive;
+    bool continuous = false;    ///< true: the tolerance holds between the ends of the steps as well
     long max_steps = 1000000;   ///< attempts, accepted or not
     int newton_iterations = 0;  ///< at most this many per step; 0: 7 + (5 s - 15)/2 as the stages grow
     Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50

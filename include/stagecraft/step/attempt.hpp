@@ -99,7 +99,11 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         method.advance(y_, now, y1_);
         if (fixed()) return accept(method, h, t_next, now);
 
-        const scalar err = error_of(method, h, t_next, now);
+        scalar err = error_of(method, h, t_next, now);
+        if (options_.continuous) {
+            const scalar between = method.output_error(now, weights_);
+            if (err < between) err = between;
+        }
         if (err < scalar(1)) {
             propose(method, h, err);
             return accept(method, h, t_next, now);

@@ -241,10 +241,23 @@ class collocation_step {
             }
             size[r] = sqrt(sum);
         }
+        last_coefficient_ = size[0];
         const Scalar least = Scalar(1) / 10000;
         if (!(size[1] > Scalar(0))) return Scalar(1);
         const Scalar q = sqrt(size[0] / size[1]);
         return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
+    }
+
+    /// True if output_error() means something: two stages at least, and the stages alone make the polynomial.
+    bool knows_output_error() const { return count() > 1 && !(jump_ && nodes_.first_column == 0); }
+    /// About the largest error of the continuous solution over the step, O(h^{s+1}): twice the Legendre
+    /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
+    /// and J enters, so that stiff components count in full.
+    Scalar output_error(const output& now, const vector& weights) {
+        using std::sqrt;
+        if (weights.size() == 0) return Scalar(0);
+        const Scalar next = decay(now, weights) * last_coefficient_;
+        return 2 * next / sqrt(Scalar(static_cast<int>(weights.size())));
     }
 
   private:
@@ -320,6 +333,7 @@ class collocation_step {
     vector scratch_, second_, rest_;
     bool stiffly_accurate_ = false, jump_ = false;
     int order_ = 0;
+    Scalar last_coefficient_{0};
 };
 
 }  // namespace stagecraft

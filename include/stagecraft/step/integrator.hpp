@@ -128,6 +128,10 @@ class integrator {
     void set_tolerances(int k) {
         detail::visit_at(steps_, k, [&](auto& m) {
             m.prepare(system_, fixed());
+            if (options_.continuous && !fixed() && !m.knows_output_error())
+                throw std::invalid_argument(
+                    "integrate: continuous needs a transformed_tableau of two stages at least, other than "
+                    "Radau IA");
             ratio_[k] = m.estimate_ratio(options_.rtol);
             if constexpr (variable)
                 order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_)},

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE continuous
+#include "methods.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/radau_ia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/output_times.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
+#include <stdexcept>
+#include <string>
+
+// options.continuous: the tolerance between the ends of the steps.
+
+namespace sc = stagecraft;
+using V1 = Eigen::Matrix<double, 1, 1>;
+
+namespace {
+
+struct outcome {
+    double between;  // largest error at a thousand times, in units of the tolerance
+    long steps;
+};
+
+// y' = lambda (y - cos t) - sin t, y = cos t.
+template <class Method>
+outcome look(const Method& method, double lambda, double tol, bool continuous) {
+    const auto f = [lambda](double t, const V1& y, V1& out) {
+        out[0] = lambda * (y[0] - std::cos(t)) - std::sin(t);
+    };
+    std::vector<double> times;
+    for (int k = 0; k <= 1000; ++k) times.push_back(k / 50.0);
+    sc::output_times<V1> table(times);
+    const auto r =
+        sc::integrate(method, f, V1(1.0), 0, 20, {.rtol = tol, .atol = tol, .continuous = continuous}, table);
+    BOOST_TEST(r.ok());
+    outcome o{0, r.report.steps};
+    for (int i = 0; i < table.filled(); ++i)
+        o.between = std::max(o.between, std::abs(table.y(i)[0] - std::cos(table.time(i))) / tol);
+    return o;
+}
+
+template <class Method>
+std::string refusal(const Method& method, double step = 0) {
+    const auto f = [](double, const V1& y, V1& out) { out = -y; };
+    try {
+        sc::integrate(method, f, V1(1.0), 0, 1, {.fixed_step = step, .continuous = true});
+        return "accepted";
+    } catch (const std::invalid_argument& e) {
+        return e.what();
+    }
+}
+
+}  // namespace
+
+// In stiff components the ends of the steps lie on the solution however long the steps are; what lies between
+// is interpolated.
+BOOST_AUTO_TEST_CASE(the_tolerance_holds_between_the_ends_of_the_steps_where_it_is_asked_for) {
+    const auto holds = [](const auto& method) {
+        for (const double lambda : {-1.0, -1e2, -1e4, -1e8})
+            for (const double tol : {1e-4, 1e-7, 1e-10}) {
+                BOOST_TEST_CONTEXT("lambda = " << lambda << " tol = " << tol)
+                BOOST_TEST(look(method, lambda, tol, true).between < 25);
+            }
+    };
+    holds(sc::radau_iia<3>());
+    holds(sc::radau_iia<5>());
+    holds(sc::radau_iia<7>());
+    holds(sc::radau_iia_variable());
+    BOOST_TEST(look(sc::gauss<3>(), -1, 1e-10, true).between < 25);
+    // It is not so by itself, and costs steps.
+    const auto without = look(sc::radau_iia<3>(), -1e4, 1e-4, false);
+    BOOST_TEST(without.between > 1000);
+    BOOST_TEST(without.steps < look(sc::radau_iia<3>(), -1e4, 1e-4, true).steps);
+    // With the order free it costs few.
+    BOOST_TEST(look(sc::radau_iia_variable(), -1e4, 1e-10, true).steps <
+               2 * look(sc::radau_iia_variable(), -1e4, 1e-10, false).steps);
+}
+
+BOOST_AUTO_TEST_CASE(methods_that_do_not_know_the_error_between_the_ends_say_so) {
+    BOOST_TEST(refusal(sc::radau_iia<2>()) == "accepted");
+    for (const auto& message :
+         {refusal(sc::radau_iia<1>()), refusal(sc::radau_ia<3>()), refusal(methods::dormand_prince())})
+        BOOST_TEST(message.find("continuous") != std::string::npos);
+    BOOST_TEST(refusal(sc::radau_iia<1>(), 0.1) == "accepted");  // equal steps have no tolerance
+}
