@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
+#include <string>
 
 #include "../stepper/problems.hpp"
 
@@ -105,6 +106,27 @@ BOOST_AUTO_TEST_CASE(jay_s_problem_of_index_3) {
                 BOOST_TEST(u < 1000);
             }
         }
+}
+
+// No theorem bounds what a method that is not stiffly accurate makes of index 3; Gauss methods were seen to
+// end with success and a multiplier of wrong size.
+BOOST_AUTO_TEST_CASE(index_3_is_refused_to_adaptive_steps_of_methods_that_are_not_stiffly_accurate) {
+    const auto run = [](const auto f, int s, double step) -> std::string {
+        try {
+            const auto m = sc::tableaux::transformed<double>(f, s);
+            return sc::name(sc::integrate(m, problems::index_three{}, V5::Ones().eval(), 0, 0.1,
+                                          {.rtol = 1e-6, .atol = 1e-6, .fixed_step = step})
+                                .status);
+        } catch (const std::invalid_argument& e) {
+            return e.what();
+        }
+    };
+    for (const int s : {2, 3, 5}) {
+        BOOST_TEST(run(gauss, s, 0).find("index()") != std::string::npos);
+        BOOST_TEST(run(radau_ia, s, 0).find("index()") != std::string::npos);
+        BOOST_TEST(run(radau_iia, s, 0) == "success");
+        BOOST_TEST(run(gauss, s, 0.05).find("index()") == std::string::npos);  // equal steps promise nothing
+    }
 }
 
 // Quadratic in z: 2 y2 z^2 - 3 z + y1^2 = 0 has the roots z = exp(2 t), the solution, and half of it. With

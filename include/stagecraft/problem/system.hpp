@@ -193,6 +193,12 @@ class system {
         }
     }
 
+    /// The largest of the index flags that counts: 1, 2 or 3.
+    int largest_index() const {
+        int most = 1;
+        for (const auto& r : raised_) most = r.power + 1 > most ? r.power + 1 : most;
+        return most;
+    }
     /// True if the norms depend on the step (some component has index 2 or 3).
     bool has_raised_index() const { return has_index<Problem> && !raised_.empty(); }
 

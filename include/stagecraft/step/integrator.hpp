@@ -128,6 +128,11 @@ class integrator {
     void set_tolerances(int k) {
         detail::visit_at(steps_, k, [&](auto& m) {
             m.prepare(system_, fixed());
+            if (!fixed() && system_.largest_index() > 2 && m.ends_between_nodes())
+                throw std::invalid_argument(
+                    "integrate: method is not stiffly accurate; on problem.index() 3 its errors have no "
+                    "bound "
+                    "that a tolerance could be met by, use options.fixed_step");
             if (options_.continuous && !fixed() && !m.knows_output_error())
                 throw std::invalid_argument(
                     "integrate: continuous needs a transformed_tableau of two stages at least, other than "
