@@ -163,6 +163,12 @@ BOOST_AUTO_TEST_CASE(singular_blocks_are_named) {
                       std::invalid_argument);
     BOOST_CHECK_THROW(sc::consistent_initial_values(index_2, 0, Vector3d(1, 1, std::nan(""))),
                       std::invalid_argument);
+    for (const double scale : {0.0, -1.0, std::nan("")})
+        BOOST_TEST(mentions(error_of([&] {
+                                sc::consistent_initial_values(index_2, 0, Vector3d(1, 1, 1),
+                                                              {.time_scale = scale});
+                            }),
+                            "time_scale"));
 }
 
 // M with the coupled rows (-1, 2), (2, -4) and the row 3: the constraint is 2 f_1 + f_2.

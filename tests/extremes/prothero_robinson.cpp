@@ -70,7 +70,10 @@ BOOST_AUTO_TEST_CASE(equal_steps_show_the_classical_order_for_lambda_1_and_the_s
         BOOST_TEST_CONTEXT(name(e.f) << " s = " << e.s) {
             const method m = sc::tableaux::transformed<double>(e.f, e.s);
             BOOST_TEST(std::abs(slope(m, -1, e.h) - e.classical) < 0.25);
-            BOOST_TEST(std::abs(slope(m, -1e6, e.h) - e.stiff) < 0.25);
+            // With stiff accuracy 1 / z takes the errors to rounding soon.
+            const bool last = m.A.row(m.stages() - 1).transpose() == m.b;
+            for (int k = 6; k <= (last ? 7 : 16); ++k)
+                BOOST_TEST(std::abs(slope(m, -std::pow(10.0, k), e.h) - e.stiff) < 0.25);
         }
     }
 }

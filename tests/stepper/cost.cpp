@@ -8,6 +8,7 @@
 #include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/output_times.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
 #include <stagecraft/solution.hpp>
 
 #include "../allocations.hpp"
@@ -57,6 +58,12 @@ struct instrumented {
 
 BOOST_AUTO_TEST_CASE(a_step_of_a_fixed_size_problem_allocates_nothing) {
     BOOST_TEST(allocations_after_warm_up(sc::radau_iia<3>(), Eigen::Vector2d(2, -0.66)) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_variable_order_allocates_nothing) {
+    BOOST_TEST(allocations_after_warm_up(sc::radau_iia_variable(), Eigen::Vector2d(2, -0.66)) == 0);
+    BOOST_TEST(
+        allocations_after_warm_up(sc::radau_iia_variable(), Eigen::VectorXd(Eigen::Vector2d(2, -0.66))) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_step_of_a_dense_dynamic_problem_allocates_nothing) {

@@ -52,6 +52,7 @@ BOOST_AUTO_TEST_CASE(a_bad_argument_is_named) {
         names(refusal(decay, y0, 0, 1, {.atol_components = Eigen::Vector2d(1, 0)}), "atol_components"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = -0.1}), "fixed_step"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = 1e-30}), "fixed_step"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = 0.1, .max_step = 0.2}), "max_step"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.initial_step = -0.1}), "initial_step"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.min_step = 1, .max_step = 0.1}), "max_step"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.max_steps = 0}), "max_steps"));

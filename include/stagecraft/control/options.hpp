@@ -55,6 +55,9 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
     demand(finite(o.min_step) && o.min_step >= Scalar(0), "min_step must not be negative");
     demand(o.max_step >= Scalar(0), "max_step must not be negative");
     demand(o.max_step == Scalar(0) || o.max_step >= o.min_step, "max_step must not be below min_step");
+    demand(o.fixed_step == Scalar(0) ||
+               (o.initial_step == Scalar(0) && o.min_step == Scalar(0) && o.max_step == Scalar(0)),
+           "fixed_step leaves nothing to initial_step, min_step and max_step: give it alone");
     demand(o.max_steps > 0, "max_steps must be positive");
     demand(o.newton_iterations >= 0, "newton_iterations must not be negative");
     demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0), "newton_factor must not be negative");

@@ -61,9 +61,12 @@ class constraint_system {
     };
 
     /// `time_scale`: a time over which the problem changes little, for difference quotients in t where t = 0;
-    /// used by problems that are not generic. Throws std::invalid_argument for a mass matrix of another size.
+    /// used by problems that are not generic. Throws std::invalid_argument if it is not positive and finite,
+    /// and for a mass matrix of another size.
     constraint_system(Problem& problem, Eigen::Index n, scalar time_scale = scalar(1))
         : problem_(problem), n_(static_cast<int>(n)), time_scale_(time_scale), engine_(n_) {
+        if (!(time_scale > scalar(0)) || !(time_scale - time_scale == scalar(0)))
+            throw std::invalid_argument("time_scale must be positive and finite");
         if constexpr (has_index<Problem>)
             for (int i = 0; i < static_cast<int>(problem.index().size()); ++i)
                 depth_ = std::max(depth_, static_cast<int>(problem.index()[i]));

@@ -14,7 +14,7 @@ namespace stagecraft {
 template <class Scalar>
 class dense_lu {
   public:
-    explicit dense_lu(int n) : a_(n, n), x_(n), lu_(n) {}
+    explicit dense_lu(int n) : a_(n, n), x_(n), lu_(n), seen_(n) {}
 
     Scalar* entries() { return a_.data(); }
 
@@ -31,7 +31,7 @@ class dense_lu {
     bool negative_determinant() {
         if (a_.size() == 0) return false;
         bool negative = false;
-        seen_.setConstant(a_.rows(), false);
+        seen_.setConstant(false);
         const auto& to = lu_.permutationP().indices();
         for (Eigen::Index i = 0; i < a_.rows(); ++i) {
             negative ^= lu_.matrixLU()(i, i) < Scalar(0);
@@ -64,7 +64,7 @@ class dense_complex_lu {
     using complex = std::complex<Scalar>;
 
   public:
-    explicit dense_complex_lu(int n) : re_(n, n), im_(n, n), b_(n), x_(n), lu_(n) {}
+    explicit dense_complex_lu(int n) : re_(n, n), im_(n, n), a_(n, n), b_(n), x_(n), lu_(n) {}
 
     Scalar* real_entries() { return re_.data(); }
     Scalar* imaginary_entries() { return im_.data(); }
@@ -72,7 +72,6 @@ class dense_complex_lu {
     bool factor() {
         using std::abs;
         if (re_.size() == 0) return true;
-        a_.resize(re_.rows(), re_.cols());
         a_.real() = re_;
         a_.imag() = im_;
         lu_.compute(a_);

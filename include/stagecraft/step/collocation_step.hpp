@@ -224,11 +224,35 @@ class collocation_step {
         return left <= promised ? promised : left;
     }
 
+    /// The functionals z -> a_s and z -> a_{s-2}: rows of the inverse of P_k at the nodes {0, c}, where z_0 =
+    /// 0. Once, before decay() and output_error().
+    void prepare_decay() {
+        const int m = nodes_.size + 1;
+        split_lu<Scalar, -1> lu(m);
+        top_.resize(nodes_.size, 2);
+        std::vector<Scalar> row(m);
+        for (int r = 0; r < 2; ++r) {
+            for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
+                const Scalar x = 2 * (j == 0 ? Scalar(0) : nodes_.c[j - 1]) - 1;
+                Scalar before = Scalar(0), p = Scalar(1);
+                for (int k = 0; k < m; ++k) {
+                    lu.entries()[k + j * m] = p;
+                    const Scalar next = ((2 * k + 1) * x * p - k * before) / Scalar(k + 1);
+                    before = p;
+                    p = next;
+                }
+            }
+            lu.factor();
+            for (int k = 0; k < m; ++k) row[k] = Scalar(k == m - 1 - 2 * r ? 1 : 0);
+            lu.solve(row.data());
+            for (int j = 1; j < m; ++j) top_(j - 1, r) = row[j];
+        }
+    }
+
     /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
     /// weighted norm; 0 < decay <= 1.
     Scalar decay(const output& now, const vector& weights) {
         using std::sqrt;
-        if (top_.size() == 0) prepare_decay();
         Scalar size[2];
         for (int r = 0; r < 2; ++r) {
             scratch_ = top_(0, r) * now.z_.col(nodes_.first_column);
@@ -289,31 +313,6 @@ class collocation_step {
             for (int m = 0; m < s; ++m)
                 if (m != j) factor(method.c[m]);
             right_[j] = slope;
-        }
-    }
-
-    /// The functionals z -> a_s and z -> a_{s-2}: rows of the inverse of P_k at the nodes {0, c}, where z_0 =
-    /// 0.
-    void prepare_decay() {
-        const int m = nodes_.size + 1;
-        split_lu<Scalar, -1> lu(m);
-        top_.resize(nodes_.size, 2);
-        std::vector<Scalar> row(m);
-        for (int r = 0; r < 2; ++r) {
-            for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
-                const Scalar x = 2 * (j == 0 ? Scalar(0) : nodes_.c[j - 1]) - 1;
-                Scalar before = Scalar(0), p = Scalar(1);
-                for (int k = 0; k < m; ++k) {
-                    lu.entries()[k + j * m] = p;
-                    const Scalar next = ((2 * k + 1) * x * p - k * before) / Scalar(k + 1);
-                    before = p;
-                    p = next;
-                }
-            }
-            lu.factor();
-            for (int k = 0; k < m; ++k) row[k] = Scalar(k == m - 1 - 2 * r ? 1 : 0);
-            lu.solve(row.data());
-            for (int j = 1; j < m; ++j) top_(j - 1, r) = row[j];
         }
     }
 

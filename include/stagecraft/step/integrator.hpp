@@ -130,14 +130,14 @@ class integrator {
             m.prepare(system_, fixed());
             if (!fixed() && system_.largest_index() > 2 && m.ends_between_nodes())
                 throw std::invalid_argument(
-                    "integrate: method is not stiffly accurate; on problem.index() 3 its errors have no "
-                    "bound "
-                    "that a tolerance could be met by, use options.fixed_step");
+                    "integrate: method must be stiffly accurate for problem.index() 3, where the errors of "
+                    "others have no bound; use options.fixed_step");
             if (options_.continuous && !fixed() && !m.knows_output_error())
                 throw std::invalid_argument(
                     "integrate: continuous needs a transformed_tableau of two stages at least, other than "
                     "Radau IA");
             ratio_[k] = m.estimate_ratio(options_.rtol);
+            if (variable || options_.continuous) m.prepare_decay();
             if constexpr (variable)
                 order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_)},
                                options_.rtol);

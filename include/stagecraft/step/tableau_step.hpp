@@ -214,6 +214,7 @@ class tableau_step {
     }
     /// The error of the continuous solution is not estimated.
     static constexpr bool knows_output_error() { return false; }
+    static void prepare_decay() {}
     Scalar output_error(const output&, const vector&) const { return Scalar(0); }
     /// Sets of linear systems that an estimate costs.
     int error_solves() const { return filtered_ ? 1 : 0; }
