@@ -25,10 +25,9 @@ template <class Scalar>
 struct equal_steps {
     long count = 0;
     Scalar first{0}, last{0}, h{0};  ///< h with the sign of last - first
-    Scalar apart{0};  ///< by which the ends are: h but for rounding, which must not lead beyond last
 
     /// The end of step k = 1, ..., count: the last one to the bit.
-    Scalar end(long k) const { return k == count ? last : Scalar(first + apart * Scalar(k)); }
+    Scalar end(long k) const { return k == count ? last : Scalar(first + h * Scalar(k)); }
 };
 
 /// As few steps as there are none above `largest` > 0, one more where rounding leaves it open. Throws
@@ -45,9 +44,7 @@ equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const S
     const Scalar h = (t1 - t0) / Scalar(n);
     if (t1 != t0 && !(abs(h) > 4 * eps * (start < end ? start : end)))
         throw std::invalid_argument("integrate: fixed_step is below the resolution of t");
-    equal_steps<Scalar> steps{n, t0, t1, h, h};
-    if (t1 != t0) steps.h = not_beyond(n > 1 ? steps.end(n - 1) : t0, h, t1);
-    return steps;
+    return {n, t0, t1, h};
 }
 
 }  // namespace stagecraft

@@ -23,6 +23,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         scalar h = h_, t_next = t_;
         if (fixed()) {
             t_next = plan_.end(report_.steps + 1);
+            if (t_next == t1_) h = not_beyond(t_, h, t1_);
         } else {
             const scalar rest = t1_ - t_;
             if (abs(h) * (scalar(1) + scalar(1) / 100000) >= abs(rest)) {
