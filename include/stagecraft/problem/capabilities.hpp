@@ -67,7 +67,8 @@ concept has_index = requires(Problem& p) {
 };
 
 /// Optional: `problem.constant_jacobian()` returns true when df/dy depends neither on t nor on y:
-/// then J is evaluated once in a run.
+/// then J is evaluated once in a run, and one Newton iteration a step is enough. (A claim that the first step
+/// contradicts is not believed.)
 template <class Problem>
 concept has_constant_jacobian = requires(Problem& p) {
     { p.constant_jacobian() } -> std::convertible_to<bool>;

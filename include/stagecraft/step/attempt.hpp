@@ -79,7 +79,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             ++report_.rejected_newton;
             ++failures_;
             last_was_rejected_ = true;
-            if (implicit && !fresh_jacobian_ && !system_.constant_jacobian()) {
+            if (implicit && !fresh_jacobian_ && !constant_jacobian()) {
                 want_jacobian_ = true;
                 continue;
             }
@@ -94,6 +94,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
                 if (failures_ > 1 && order_.newton_failed()) return attempt_end::change_method;
             continue;
         }
+        if (report_.steps == 0) judge_constant_jacobian(newton.theta);
         iterations_ = newton.iterations;
         if (newton.theta > scalar(0)) theta_ = newton.theta;
 
@@ -127,7 +128,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
                                     : scalar(h * controller_.after_rejected(err, method.estimate_power(),
                                                                             scalar(9) / scalar(10)));
         }
-        if (!fresh_jacobian_ && theta_ > scalar(1) / 1000) want_jacobian_ = !system_.constant_jacobian();
+        if (!fresh_jacobian_ && theta_ > scalar(1) / 1000) want_jacobian_ = !constant_jacobian();
     }
 }
 
@@ -193,7 +194,7 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     fresh_jacobian_ = false;
     set_weights(options_, y_, scale_);
     if (t_ == t1_) return attempt_end::accepted;
-    want_jacobian_ = theta_ > scalar(1) / 1000 && !system_.constant_jacobian();
+    want_jacobian_ = theta_ > scalar(1) / 1000 && !constant_jacobian();
     if (needs_left_value(method) && !right_value_known_) system_(t_, y_, f0_);
     right_value_known_ = false;
     return attempt_end::accepted;

@@ -201,7 +201,20 @@ class integrator {
                          : fixed()                      ? 50
                                                         : usual_iterations(s);
         return {options_.newton_factor > scalar(0) ? options_.newton_factor : scalar(1) / 50, 4 * rounding,
-                100 * rounding, most, system_.constant_jacobian()};
+                100 * rounding, most, report_.steps > 0 && constant_jacobian()};
+    }
+
+    /// The problem says so, and the first step did not show otherwise.
+    bool constant_jacobian() { return !contradicted_ && system_.constant_jacobian(); }
+    /// With a constant Jacobian Newton's second increment is what rounding, or differences, leave of the
+    /// first. Where it is not, the claim is not believed: one iteration a step would leave errors that
+    /// nothing sees.
+    void judge_constant_jacobian(const scalar& theta) {
+        using std::sqrt;
+        const scalar exact = system_type::finite_difference
+                                 ? scalar(1) / 1000000
+                                 : scalar(sqrt(std::numeric_limits<scalar>::epsilon()));
+        contradicted_ = contradicted_ || theta > exact;
     }
 
     void refresh_jacobian(const scalar& h) {
@@ -254,7 +267,7 @@ class integrator {
     long attempts_ = 0;
     bool started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
          fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false, rejected_by_estimate_ = false,
-         right_value_known_ = false;
+         right_value_known_ = false, contradicted_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 
