@@ -35,12 +35,12 @@ bool holds(const Scalar& left, const Scalar& right) {
 
 }  // namespace detail
 
-/// Largest p <= most for which the weights b satisfy the conditions of all rooted trees with at most p
-/// vertices, b^T phi(tau) = 1/gamma(tau) (Hairer-Norsett-Wanner I.II.2), relatively to condition_tolerance.
-/// Where c is not the row sums of A the trees of non-autonomous problems take part, whose time leaves bear c.
-/// most <= largest_tree_order.
-template <class Scalar, int Stages, class Weights>
-int order_by_trees(const tableau<Scalar, Stages>& m, const Weights& b, int most) {
+/// visit(phi, gamma, n) for each rooted tree of at most `most` vertices, by their number n: the stages
+/// phi(tau), for which the condition of order n is b^T phi(tau) = 1/gamma(tau) (Hairer-Norsett-Wanner
+/// I.II.2), until it returns false. Where c is not the row sums of A the trees of non-autonomous problems
+/// take part, whose time leaves bear c. most <= largest_tree_order.
+template <class Scalar, int Stages, class Visit>
+void visit_trees(const tableau<Scalar, Stages>& m, int most, Visit&& visit) {
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     struct tree {
         column branch;  // A times the stage vector, or c for a time leaf
@@ -66,11 +66,8 @@ int order_by_trees(const tableau<Scalar, Stages>& m, const Weights& b, int most)
                      left - trees[k].order, k);
         };
         grow(grow, column(column::Ones(s)), Scalar(1), n - 1, 0);
-        for (const auto& g : grown) {
-            Scalar sum = Scalar(0);
-            for (int i = 0; i < s; ++i) sum += b[i] * g.stages[i];
-            if (!detail::holds(Scalar(sum * g.density), Scalar(1))) return n - 1;
-        }
+        for (const auto& g : grown)
+            if (!visit(g.stages, g.density, n)) return;
         if (n == most) break;
         for (auto& g : grown) {
             column branch = column::Zero(s);
@@ -83,7 +80,21 @@ int order_by_trees(const tableau<Scalar, Stages>& m, const Weights& b, int most)
             if (time_differs) trees.push_back({column(m.c), g.density, n});
         }
     }
-    return most;
+}
+
+/// Largest p <= most for which the weights b satisfy the conditions of all rooted trees with at most p
+/// vertices (visit_trees), relatively to condition_tolerance. most <= largest_tree_order.
+template <class Scalar, int Stages, class Weights>
+int order_by_trees(const tableau<Scalar, Stages>& m, const Weights& b, int most) {
+    int order = most;
+    visit_trees(m, most, [&](const auto& stages, const Scalar& density, int n) {
+        Scalar sum = Scalar(0);
+        for (int i = 0; i < m.stages(); ++i) sum += b[i] * stages[i];
+        if (detail::holds(Scalar(sum * density), Scalar(1))) return true;
+        order = n - 1;
+        return false;
+    });
+    return order;
 }
 
 /// Largest p with B(p), sum_i b_i c_i^{k-1} = 1/k for k <= p, at most `most`.

@@ -2,70 +2,42 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/stages/continuous_weights.hpp>
 #include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
 
 namespace stagecraft {
 
-namespace detail {
-
-/// The smallest x (Euclidean) with the linear conditions <rows[k], x> = right[k], k < count; false if they
-/// contradict each other. Conditions that follow from others are left out.
-template <class Scalar, class Column>
-bool least_solution(std::array<Column, 4> rows, std::array<Scalar, 4> right, int count, Column& x) {
-    using std::abs;
-    using std::sqrt;
-    x.setZero();
-    for (int k = 0; k < count; ++k) {  // Gram-Schmidt, twice for the sake of rounding
-        const Scalar before = sqrt(rows[k].dot(rows[k]));
-        const Scalar wanted = right[k];
-        for (int repeat = 0; repeat < 2; ++repeat)
-            for (int l = 0; l < k; ++l) {
-                const Scalar p = rows[l].dot(rows[k]);
-                rows[k] -= p * rows[l];
-                right[k] -= p * right[l];
-            }
-        const Scalar size = sqrt(rows[k].dot(rows[k]));
-        if (size <= condition_tolerance<Scalar>() * before) {
-            if (abs(right[k]) > condition_tolerance<Scalar>() * (abs(wanted) + before)) return false;
-            rows[k].setZero();
-            right[k] = Scalar(0);
-            continue;
-        }
-        rows[k] /= size;
-        right[k] /= size;
-        x += right[k] * rows[k];
-    }
-    return true;
-}
-
-}  // namespace detail
-
 /// The continuous solution of a method given by its tableau, brought to the form dense_output evaluates:
 ///   - the collocation polynomial of degree s where B(s) and C(s) hold with distinct nodes;
-///   - Hermite's cubic where both ends are stages (explicit first, last row of A equal to b): order 3;
-///   - else the cubic y + h sum b_j(theta) k_j with b(0) = 0, b(1) = b whose b(1/2) and b'(0) satisfy the
-///     order conditions up to order 3, or to 2, or 1, as far as the stages allow, and are smallest;
+///   - else y + h sum b_j(theta) k_j with b(0) = 0, b(1) = b of the highest order q <= p that the stages
+///     allow, in polynomials of degree max(q, 3) (stages/continuous_weights.hpp): 4 for Dormand-Prince 5(4),
+///     5 for Prince-Dormand 8(7), 3 for the classical method. Where both ends are stages (explicit first,
+///     last row of A equal to b) the slopes there are theirs, so that u is continuously differentiable over
+///     the steps, and for q <= 3 it is Hermite's cubic;
 ///   - with a singular M, whose left slope is not known, the quadratic through both ends and the stage
 ///     nearest the middle (all stages where C(s) holds).
-/// The conditions are looked at in the numbers, not in the facts. No form evaluates f: where y1 is no stage
-/// the slope there is not used, and a method of few stages has a continuous solution of order 2 (three stages
-/// without C(3), such as Lobatto IIIB) or 1 (one stage).
+/// Order q means that a step adds an error O(h^{q+1}) between its ends to the O(h^p) of the ends. The
+/// conditions are looked at in the numbers, not in the facts. No form evaluates f: where y1 is no stage the
+/// slope there is not used, and a method of few stages has a continuous solution of order 2 (three stages
+/// without C(3), such as Lobatto IIIB) or 1 (one stage). An accepted step costs s n multiplications for each
+/// of the degree - 2 places between the ends, one place less with both slopes.
 template <class Scalar, int N, int Stages, int MaxStages>
 class stage_output {
   public:
     using vector = Eigen::Matrix<Scalar, N, 1>;
     using output = dense_output<vector, MaxStages>;
 
-    /// Columns of z that are needed for s stages.
+    /// Columns of z that are needed for s stages: the quadrature conditions of order q alone ask for q nodes.
     static constexpr int columns(int s) { return s > 3 ? s : 3; }
 
-    explicit stage_output(int stages) : nodes_(columns(stages)), middle_(stages), left_(stages) {}
+    explicit stage_output(int stages)
+        : nodes_(columns(stages)),
+          weights_(stages, MaxStages < 0 ? columns(stages) : MaxStages),
+          right_(make_workspace<Scalar, MaxStages>(columns(stages))) {}
 
     /// Chooses the form; `ends` is true if k_1 and k_s are the slopes at the ends, `by_value` as in
     /// stage_slopes.
@@ -91,14 +63,11 @@ class stage_output {
             nodes_.c[0] = Scalar(1);
             if (stage_ >= 0) nodes_.c[1] = m.c[stage_];
         } else {
-            form_ = ends ? form::hermite : form::weights;
-            nodes_.size = 3;
-            nodes_.c[0] = Scalar(0);
-            nodes_.c[1] = Scalar(1);
-            nodes_.c[2] = Scalar(1) / 2;
-            if (!ends) find_weights(m);
+            form_ = ends ? form::weights_and_ends : form::weights;
+            find_weights(m, ends);
         }
         nodes_.finish();
+        if (form_ == form::weights_and_ends) solve_for_right_slope();
     }
 
     /// Fills `now` for the step from (t, y) to y1 with the slopes v; now.z_ holds z_i of the stages.
@@ -119,57 +88,57 @@ class stage_output {
                 if (stage_ >= 0 && stage_ != 1) z.col(1) = z.col(stage_);
                 z.col(0) = y1 - y;
                 break;
-            case form::hermite:
-                z.col(0) = h * v.k.col(0);
-                z.col(1) = y1 - y;
-                z.col(2) = z.col(1) / Scalar(2) + (h / Scalar(8)) * (v.k.col(0) - v.k.col(s - 1));
-                break;
             case form::weights:
-                z.col(0).setZero();
-                z.col(2).setZero();
-                for (int j = 0; j < s; ++j) {
-                    if (!(left_[j] == Scalar(0))) z.col(0) += (h * left_[j]) * v.k.col(j);
-                    if (!(middle_[j] == Scalar(0))) z.col(2) += (h * middle_[j]) * v.k.col(j);
-                }
+            case form::weights_and_ends:
+                weigh(0, h, v, z);
                 z.col(1) = y1 - y;
+                for (int i = 2; i < weighed_; ++i) weigh(i, h, v, z);
+                if (form_ == form::weights) break;
+                z.col(weighed_) = (h * right_[weighed_]) * v.k.col(s - 1);
+                for (int i = 0; i < weighed_; ++i) z.col(weighed_) += right_[i] * z.col(i);
                 break;
         }
     }
 
   private:
-    enum class form { stages, one_stage, hermite, weights };
+    enum class form { stages, one_stage, weights, weights_and_ends };
 
     static Scalar from_middle(const Scalar& c) {
         using std::abs;
         return abs(c - Scalar(1) / 2);
     }
 
-    /// b(1/2) and b'(0): with b(0) = 0 and b(1) = b they determine the cubic, and the conditions up to order
-    /// 3 are cubics in theta, so that they hold for every theta if they hold at these places.
-    void find_weights(const tableau<Scalar, Stages>& m) {
-        using column = Eigen::Matrix<Scalar, Stages, 1>;
-        const int s = m.stages();
-        const column one = column::Ones(s);
-        column squares(s), nested(s);
-        for (int i = 0; i < s; ++i) {
-            squares[i] = m.c[i] * m.c[i];
-            nested[i] = Scalar(0);
-            for (int j = 0; j < s; ++j) nested[i] += m.A(i, j) * m.c[j];
-        }
-        const std::array<column, 4> rows{one, m.c, squares, nested};
-        const Scalar half = Scalar(1) / 2;
-        const std::array<Scalar, 4> at_middle{half, half / 4, half / 12, half / 24};
-        const std::array<Scalar, 4> at_left{Scalar(1), Scalar(0), Scalar(0), Scalar(0)};
-        for (const int count : {4, 2, 1})
-            if (detail::least_solution(rows, at_middle, count, middle_) &&
-                detail::least_solution(rows, at_left, count, left_))
-                return;
+    /// Nodes 0 (the slope), 1, theta_1, ...; the last one is left to the right slope where both ends are
+    /// stages.
+    void find_weights(const tableau<Scalar, Stages>& m, bool ends) {
+        const auto found = find_continuous_weights(m, ends);
+        nodes_.size = found.degree;
+        nodes_.c[0] = Scalar(0);
+        nodes_.c[1] = Scalar(1);
+        for (int i = 2; i < found.degree; ++i) nodes_.c[i] = found.place(i - 1);
+        weighed_ = found.degree - (ends ? 1 : 0);
+        weights_.col(0) = found.at.col(0);
+        for (int i = 2; i < weighed_; ++i) weights_.col(i) = found.at.col(i - 1);
+    }
+
+    /// z_last = right_last h k_s + sum_j right_j z_j from the slope at 1, sum_j l_j'(1) z_j = h k_s.
+    void solve_for_right_slope() {
+        nodes_.basis_derivative(Scalar(1), right_.data());
+        for (int i = 0; i < weighed_; ++i) right_[i] /= -right_[weighed_];
+        right_[weighed_] = Scalar(1) / right_[weighed_];
+    }
+
+    template <class Slopes, class Matrix>
+    void weigh(int i, const Scalar& h, const Slopes& v, Matrix& z) const {
+        z.col(i) = h * v.k.lazyProduct(weights_.col(i));
     }
 
     interpolation_nodes<Scalar, MaxStages> nodes_;
-    Eigen::Matrix<Scalar, Stages, 1> middle_, left_;  // b(1/2), b'(0)
+    Eigen::Matrix<Scalar, Stages, MaxStages> weights_;  // b'(0), b, b(theta_1), ..., one column a node
+    workspace<Scalar, MaxStages> right_;
     form form_ = form::weights;
     int stage_ = -1;
+    int weighed_ = 0;  // nodes whose values are weighed slopes, and y1
 };
 
 }  // namespace stagecraft

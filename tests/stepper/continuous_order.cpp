@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE continuous_order
+#include <stagecraft/tableaux/rounded_file.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/solution.hpp>
+#include <stagecraft/stages/continuous_weights.hpp>
+#include <stagecraft/stages/tableau_structure.hpp>
+#include <string>
+
+// What lies between the ends of the steps of methods given by a tableau.
+
+namespace sc = stagecraft;
+namespace fs = std::filesystem;
+using fifty =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using vector = Eigen::Matrix<fifty, 2, 1>;
+
+namespace {
+
+sc::tableaux::tableau_file file_of(const std::string& name) {
+    return sc::tableaux::read_tableau_file(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue/" + name + ".json");
+}
+
+// y = (1/(1+t), 1/(1+t)^2); polynomials only, so that 50 digits stay cheap.
+struct hyperbola {
+    void operator()(const fifty& t, const vector& y, vector& f) const {
+        const fifty a = y[0] * y[0] - y[1], b = y[0] - y[1] * (1 + t);
+        f[0] = -y[1] + a * (1 + y[0] + t) + b * y[1];
+        f[1] = -2 * y[0] * y[1] + b * y[1] - a * t;
+    }
+    void jacobian(const fifty& t, const vector& y, Eigen::Matrix<fifty, 2, 2>& J) const {
+        const fifty a = y[0] * y[0] - y[1], b = y[0] - y[1] * (1 + t);
+        J(0, 0) = 2 * y[0] * (1 + y[0] + t) + a + y[1];
+        J(0, 1) = -1 - (1 + y[0] + t) + b - y[1] * (1 + t);
+        J(1, 0) = -2 * y[1] + y[1] - 2 * y[0] * t;
+        J(1, 1) = -2 * y[0] + b - y[1] * (1 + t) + t;
+    }
+};
+
+struct one_step {
+    fifty between = 0;                      // largest error at h/10, 2h/10, ...
+    fifty left = 0, right = 0;              // |u(t0) - y0|, |u(t1) - y1|
+    fifty left_slope = 0, right_slope = 0;  // |u'(t0) - f(t0, y0)|, |u'(t1) - f(t1, y1)|
+};
+
+one_step step(const sc::tableau<fifty>& m, const fifty& h) {
+    const fifty tiny("1e-40");
+    const vector y0(fifty(1), fifty(1));
+    one_step seen;
+    const auto look = [&](const fifty& t, const vector& y, const fifty&, const auto& u) {
+        for (int i = 1; i < 10; ++i) {
+            const fifty r = 1 / (1 + h * i / 10), e = (u(h * i / 10) - vector(r, r * r)).norm();
+            if (e > seen.between) seen.between = e;
+        }
+        vector f;
+        hyperbola{}(fifty(0), y0, f);
+        seen.left = (u(fifty(0)) - y0).norm();
+        seen.left_slope = (u.derivative(fifty(0)) - f).norm();
+        hyperbola{}(t, y, f);
+        seen.right = (u(t) - y).norm();
+        seen.right_slope = (u.derivative(t) - f).norm();
+    };
+    const auto r =
+        sc::integrate(m, hyperbola{}, y0, fifty(0), h, {.rtol = tiny, .atol = tiny, .fixed_step = h}, look);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(r.report.steps == 1);
+    return seen;
+}
+
+// The error of one step is O(h^{q+1}) between its ends.
+double order(const sc::tableau<fifty>& m, int steps) {
+    const fifty coarse = step(m, fifty(1) / steps).between, fine = step(m, fifty(1) / (2 * steps)).between;
+    return std::log2(static_cast<double>(coarse / fine)) - 1;
+}
+
+// Largest error of y' = y cos t, y = exp(sin t), at equidistant times over [0, 10], in units of the
+// tolerance.
+double error_at_given_times(const std::string& name, double tolerance) {
+    using scalar_state = Eigen::Matrix<double, 1, 1>;
+    const auto f = [](double t, const scalar_state& y, scalar_state& out) { out[0] = y[0] * std::cos(t); };
+    sc::solution<scalar_state> y;
+    const auto r = sc::integrate(sc::tableaux::rounded<double>(file_of(name)), f, scalar_state::Ones(), 0, 10,
+                                 {.rtol = tolerance, .atol = tolerance}, y);
+    BOOST_TEST(r.ok());
+    double worst = 0;
+    for (int k = 0; k <= 5000; ++k)
+        worst = std::max(worst, std::abs(y(k / 500.)[0] - std::exp(std::sin(k / 500.))));
+    return worst / tolerance;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(continuous_solutions_have_the_highest_order_their_stages_allow) {
+    const std::map<std::string, int> expected{{"dormand_prince_5_4", 4},
+                                              {"bogacki_shampine_5_4", 4},
+                                              {"tsitouras_5_4", 4},
+                                              {"verner_6_5", 4},
+                                              {"prince_dormand_8_7", 5},
+                                              {"verner_8_7_efficient", 5},
+                                              {"bogacki_shampine_3_2", 3},
+                                              {"cash_karp_5_4", 3},
+                                              {"classical_rk4", 3},
+                                              {"sdirk_4_3", 3},
+                                              {"kvaerno_4_3", 3},
+                                              {"kvaerno_5_4", 4},
+                                              {"tr_bdf2", 2},
+                                              {"heun_2", 2},
+                                              {"lobatto_iiib_3", 2},
+                                              {"lobatto_iiib_2", 1},
+                                              {"lobatto_iiic_4", 4},
+                                              {"explicit_euler", 1}};
+    for (const auto& [name, q] : expected) BOOST_TEST_CONTEXT(name) {
+            const double seen = order(sc::tableaux::rounded<fifty>(file_of(name)), 64);
+            BOOST_TEST(std::abs(seen - q) < 0.1, "order " << seen);
+        }
+}
+
+// What the tree conditions of the rounded coefficients say is what a step shows; the ends are those of the
+// step, and the slopes are f where they are stages.
+BOOST_AUTO_TEST_CASE(every_continuous_solution_of_the_catalogue_has_the_order_of_its_tree_conditions) {
+    const fifty rounding("1e-46");
+    int methods = 0, smooth = 0, of_order_four = 0;
+    for (const auto& entry : fs::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
+        if (entry.path().extension() != ".json") continue;
+        const std::string name = entry.path().stem().string();
+        BOOST_TEST_CONTEXT(name) {
+            const auto m = sc::tableaux::rounded<fifty>(file_of(name));
+            Eigen::Matrix<fifty, Eigen::Dynamic, 1> carry;
+            const bool ends = sc::structure_of(m, carry).first_same_as_last();
+            const int q =
+                sc::find_continuous_weights(sc::tableaux::rounded<double>(file_of(name)), ends).order;
+            ++methods;
+            if (q >= 4) ++of_order_four;
+            double seen = 0;
+            const auto there = [&] { return std::abs(seen - q) < 0.1; };
+            for (int steps = 64; !there() && steps <= 65536; steps *= 32) seen = order(m, steps);
+            BOOST_TEST(there(), "order " << seen << " for " << q);
+            const one_step s = step(m, fifty(1) / 16);
+            BOOST_TEST(static_cast<double>(s.left) == 0);
+            // as many digits as the coefficients have, for a collocation polynomial of decimals
+            BOOST_TEST(s.right <= (name == "gauss_4" ? fifty("1e-30") : rounding));
+            if (!ends) continue;
+            ++smooth;
+            BOOST_TEST(s.left_slope < rounding);
+            BOOST_TEST(s.right_slope < fifty("1e-38"));  // what Newton's iteration leaves
+        }
+    }
+    BOOST_TEST(methods > 100);
+    BOOST_TEST(smooth > 25);
+    BOOST_TEST(of_order_four > 30);
+}
+
+BOOST_AUTO_TEST_CASE(the_slope_at_the_right_end_is_not_known_where_it_is_no_stage) {
+    const one_step s = step(sc::tableaux::rounded<fifty>(file_of("classical_rk4")), fifty(1) / 16);
+    BOOST_TEST(s.left_slope < fifty("1e-46"));
+    BOOST_TEST(s.right_slope > fifty("1e-8"));
+}
+
+// A cubic is off by 1e4 and 2e5 tolerances there.
+BOOST_AUTO_TEST_CASE(values_at_given_times_are_near_the_tolerance) {
+    BOOST_TEST(error_at_given_times("dormand_prince_5_4", 1e-10) < 40);
+    BOOST_TEST(error_at_given_times("prince_dormand_8_7", 1e-10) < 600);
+}
