@@ -2,7 +2,6 @@
 #define BOOST_TEST_MODULE embedded_estimate
 #include "methods.hpp"
 
-#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/integrate.hpp>
@@ -10,7 +9,6 @@
 #include <stagecraft/step_doubling.hpp>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace sc = stagecraft;
 using method = sc::tableau<double>;
@@ -83,18 +81,11 @@ method sayfy_aburub() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_error_of_stiff_components_is_not_hidden_by_the_filter) {
-    for (const double lambda : {-1e2, -1e4, -1e6, -1e10})
-        for (const double tol : {1e-3, 1e-6}) {
-            for (const auto& m : {sdirk_2_1(), midpoint(), crouzeix(), alexander()})
-                BOOST_TEST(error(m, lambda, tol) < 60);
-            // rounding scatters these errors over two decades, from one lambda to the next: the middle one
-            std::vector<double> errors;
-            for (int k = 0; k < 11; ++k)
-                errors.push_back(error(norsett_thomsen(), lambda * (1 + 1e-6 * k), tol));
-            std::sort(errors.begin(), errors.end());
-            BOOST_TEST(errors[5] < 60);
-            BOOST_TEST(errors[10] < 1000);
-        }
+    for (const auto& m : {norsett_thomsen(), sdirk_2_1(), midpoint(), crouzeix(), alexander()})
+        for (const double lambda : {-1e2, -1e4, -1e6, -1e10})
+            for (const double tol : {1e-3, 1e-6})
+                for (int k = 0; k < 5; ++k)  // an accident would not repeat itself
+                    BOOST_TEST(error(m, lambda * (1 + 1e-6 * k), tol) < 60);
     // ... and success is within reach
     BOOST_TEST(error(sdirk_2_1(), -1e6, 1e-4) > 0);
     BOOST_TEST(error(alexander(), -1e6, 1e-6) > 0);

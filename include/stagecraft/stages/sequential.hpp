@@ -122,6 +122,20 @@ class sequential_stages {
         x = r_;
     }
 
+    /// x := (M/(h a) - J)^-1 x.
+    template <class System>
+    void solve_first(const System& system, vector& x) {
+        system.measure(work::solve, [&] { blocks_[0].solve(x.data()); });
+    }
+    /// x := x - (M - h a J)^-1 M x, what of x stiff components carry.
+    template <class System>
+    void stiff_part(const System& system, vector& x) {
+        r_.setZero();
+        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
+        solve_first(system, r_);
+        x -= r_;
+    }
+
   private:
     template <class System>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,

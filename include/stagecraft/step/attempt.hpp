@@ -157,7 +157,7 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
     if (method.ends_between_nodes() && err < scalar(1)) {
         system_(t_next, y1_, f0_);
         right_value_known_ = true;
-        method.estimate_right(system_, h, f0_, now, error_);
+        method.estimate_right(system_, t_, y_, h, y1_, f0_, now, error_);
         ++report_.error_solves;
         const scalar right = norm(error_, weights_) * ratio;
         if (!(right <= err)) err = right;

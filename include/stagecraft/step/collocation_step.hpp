@@ -172,8 +172,8 @@ class collocation_step {
     /// error := the filtered defect f(t1, y1) - M u'(t1) of the stage polynomial at the right end, of the
     /// order of the other estimate; f1 = f(t1, y1).
     template <class System>
-    void estimate_right(const System& system, const Scalar& h, const vector& f1, const output& now,
-                        vector& error) {
+    void estimate_right(const System& system, const Scalar&, const vector&, const Scalar& h, const vector&,
+                        const vector& f1, output& now, vector& error) {
         defect(system, h, right_, f1, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
     }

@@ -196,10 +196,21 @@ class tableau_step {
             coupled_.filter(system, error, v_, factor);
         }
     }
-    /// The weights of an embedded method see what the stages see.
-    static constexpr bool ends_between_nodes() { return false; }
+    /// True for diagonally implicit methods whose y1 is no stage. In stiff components their stages lie on the
+    /// solution, and y1 errs by another combination of them than the embedded weights see.
+    bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
+    /// error := what stiff components carry of the filtered defect f(t1, y1) - M u'(t1) of the continuous
+    /// solution: the error of y1 there, O(h^{q+2}) elsewhere, q being the order of u. f1 = f(t1, y1).
     template <class System>
-    static void estimate_right(const System&, const Scalar&, const vector&, const output&, vector&) {}
+    void estimate_right(const System& system, const Scalar& t, const vector& y, const Scalar& h,
+                        const vector& y1, const vector& f1, output& now, vector& error) {
+        finish(t, y, h, y1, now);
+        now.evaluate_derivative(now.t1(), next_value_);
+        error = f1;
+        add_mass_times(system.mass(), Scalar(-1), next_value_.data(), error.data(), system.size());
+        sequential_.solve_first(system, error);
+        sequential_.stiff_part(system, error);
+    }
     /// Nothing is gained by filtering once more.
     template <class System>
     int estimate_again(System&, const Scalar&, const vector&, const Scalar&, const output&, vector&,
