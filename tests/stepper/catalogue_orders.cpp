@@ -1,53 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE catalogue_orders
-#include <stagecraft/tableaux/rounded_file.hpp>
+#include "catalogue.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <filesystem>
-#include <map>
 #include <stagecraft/integrate.hpp>
 #include <string>
 
 // Every method of the catalogue through the stepper.
 
 namespace sc = stagecraft;
-namespace fs = std::filesystem;
-using fifty =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using vector = Eigen::Matrix<fifty, 2, 1>;
+using namespace catalogue_runs;
 
 namespace {
-
-const std::map<std::string, sc::tableaux::tableau_file>& catalogue() {
-    static const auto all = [] {
-        std::map<std::string, sc::tableaux::tableau_file> files;
-        for (const auto& entry : fs::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue"))
-            if (entry.path().extension() == ".json")
-                files.emplace(entry.path().stem().string(),
-                              sc::tableaux::read_tableau_file(entry.path().string()));
-        return files;
-    }();
-    return all;
-}
-
-// y = (1/(1+t), 1/(1+t)^2); polynomials only, so that 50 digits stay cheap.
-struct hyperbola {
-    void operator()(const fifty& t, const vector& y, vector& f) const {
-        const fifty a = y[0] * y[0] - y[1], b = y[0] - y[1] * (1 + t);
-        f[0] = -y[1] + a * (1 + y[0] + t) + b * y[1];
-        f[1] = -2 * y[0] * y[1] + b * y[1] - a * t;
-    }
-    void jacobian(const fifty& t, const vector& y, Eigen::Matrix<fifty, 2, 2>& J) const {
-        const fifty a = y[0] * y[0] - y[1], b = y[0] - y[1] * (1 + t);
-        J(0, 0) = 2 * y[0] * (1 + y[0] + t) + a + y[1];
-        J(0, 1) = -1 - (1 + y[0] + t) + b - y[1] * (1 + t);
-        J(1, 0) = -2 * y[1] + y[1] - 2 * y[0] * t;
-        J(1, 1) = -2 * y[0] + b - y[1] * (1 + t) + t;
-    }
-};
 
 fifty error(const sc::tableau<fifty>& m, int steps) {
     const fifty tiny("1e-40");

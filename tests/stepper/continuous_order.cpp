@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE continuous_order
-#include <stagecraft/tableaux/rounded_file.hpp>
+#include "catalogue.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/solution.hpp>
@@ -17,32 +14,9 @@
 // What lies between the ends of the steps of methods given by a tableau.
 
 namespace sc = stagecraft;
-namespace fs = std::filesystem;
-using fifty =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using vector = Eigen::Matrix<fifty, 2, 1>;
+using namespace catalogue_runs;
 
 namespace {
-
-sc::tableaux::tableau_file file_of(const std::string& name) {
-    return sc::tableaux::read_tableau_file(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue/" + name + ".json");
-}
-
-// y = (1/(1+t), 1/(1+t)^2); polynomials only, so that 50 digits stay cheap.
-struct hyperbola {
-    void operator()(const fifty& t, const vector& y, vector& f) const {
-        const fifty a = y[0] * y[0] - y[1], b = y[0] - y[1] * (1 + t);
-        f[0] = -y[1] + a * (1 + y[0] + t) + b * y[1];
-        f[1] = -2 * y[0] * y[1] + b * y[1] - a * t;
-    }
-    void jacobian(const fifty& t, const vector& y, Eigen::Matrix<fifty, 2, 2>& J) const {
-        const fifty a = y[0] * y[0] - y[1], b = y[0] - y[1] * (1 + t);
-        J(0, 0) = 2 * y[0] * (1 + y[0] + t) + a + y[1];
-        J(0, 1) = -1 - (1 + y[0] + t) + b - y[1] * (1 + t);
-        J(1, 0) = -2 * y[1] + y[1] - 2 * y[0] * t;
-        J(1, 1) = -2 * y[0] + b - y[1] * (1 + t) + t;
-    }
-};
 
 struct one_step {
     fifty between = 0;                      // largest error at h/10, 2h/10, ...
@@ -86,8 +60,8 @@ double error_at_given_times(const std::string& name, double tolerance) {
     using scalar_state = Eigen::Matrix<double, 1, 1>;
     const auto f = [](double t, const scalar_state& y, scalar_state& out) { out[0] = y[0] * std::cos(t); };
     sc::solution<scalar_state> y;
-    const auto r = sc::integrate(sc::tableaux::rounded<double>(file_of(name)), f, scalar_state::Ones(), 0, 10,
-                                 {.rtol = tolerance, .atol = tolerance}, y);
+    const auto r = sc::integrate(sc::tableaux::rounded<double>(catalogue().at(name)), f, scalar_state::Ones(),
+                                 0, 10, {.rtol = tolerance, .atol = tolerance}, y);
     BOOST_TEST(r.ok());
     double worst = 0;
     for (int k = 0; k <= 5000; ++k)
@@ -117,7 +91,7 @@ BOOST_AUTO_TEST_CASE(continuous_solutions_have_the_highest_order_their_stages_al
                                               {"lobatto_iiic_4", 4},
                                               {"explicit_euler", 1}};
     for (const auto& [name, q] : expected) BOOST_TEST_CONTEXT(name) {
-            const double seen = order(sc::tableaux::rounded<fifty>(file_of(name)), 64);
+            const double seen = order(sc::tableaux::rounded<fifty>(catalogue().at(name)), 64);
             BOOST_TEST(std::abs(seen - q) < 0.1, "order " << seen);
         }
 }
@@ -127,15 +101,11 @@ BOOST_AUTO_TEST_CASE(continuous_solutions_have_the_highest_order_their_stages_al
 BOOST_AUTO_TEST_CASE(every_continuous_solution_of_the_catalogue_has_the_order_of_its_tree_conditions) {
     const fifty rounding("1e-46");
     int methods = 0, smooth = 0, of_order_four = 0;
-    for (const auto& entry : fs::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-        if (entry.path().extension() != ".json") continue;
-        const std::string name = entry.path().stem().string();
-        BOOST_TEST_CONTEXT(name) {
-            const auto m = sc::tableaux::rounded<fifty>(file_of(name));
+    for (const auto& [name, file] : catalogue()) BOOST_TEST_CONTEXT(name) {
+            const auto m = sc::tableaux::rounded<fifty>(file);
             Eigen::Matrix<fifty, Eigen::Dynamic, 1> carry;
             const bool ends = sc::structure_of(m, carry).first_same_as_last();
-            const int q =
-                sc::find_continuous_weights(sc::tableaux::rounded<double>(file_of(name)), ends).order;
+            const int q = sc::find_continuous_weights(sc::tableaux::rounded<double>(file), ends).order;
             ++methods;
             if (q >= 4) ++of_order_four;
             double seen = 0;
@@ -151,14 +121,13 @@ BOOST_AUTO_TEST_CASE(every_continuous_solution_of_the_catalogue_has_the_order_of
             BOOST_TEST(s.left_slope < rounding);
             BOOST_TEST(s.right_slope < fifty("1e-38"));  // what Newton's iteration leaves
         }
-    }
     BOOST_TEST(methods > 100);
     BOOST_TEST(smooth > 25);
     BOOST_TEST(of_order_four > 30);
 }
 
 BOOST_AUTO_TEST_CASE(the_slope_at_the_right_end_is_not_known_where_it_is_no_stage) {
-    const one_step s = step(sc::tableaux::rounded<fifty>(file_of("classical_rk4")), fifty(1) / 16);
+    const one_step s = step(sc::tableaux::rounded<fifty>(catalogue().at("classical_rk4")), fifty(1) / 16);
     BOOST_TEST(s.left_slope < fifty("1e-46"));
     BOOST_TEST(s.right_slope > fifty("1e-8"));
 }
