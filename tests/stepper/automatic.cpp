@@ -33,6 +33,7 @@ Eigen::MatrixXd jacobian_of(Problem problem, const Eigen::VectorXd& y, sc::repor
     sc::system<Problem, Eigen::VectorXd> system(problem, y, report);
     Eigen::VectorXd f0(y.size());
     problem(0.0, y, f0);
+    system.take_jacobian();
     system.evaluate_jacobian(0.0, y, f0, Eigen::VectorXd::Constant(y.size(), 1e-3));
     return system.jacobian();
 }

@@ -47,6 +47,7 @@ hessenberg_form hessenberg_index(const Problem& problem, double t, const Vector&
 
     Vector f0 = y;
     equations(t, y, f0);
+    equations.take_jacobian();
     equations.evaluate_jacobian(t, y, f0, y);
     Eigen::MatrixXd J = equations.jacobian();
     for (const Eigen::Index i : slow) J.row(i) /= weights[i];

@@ -29,10 +29,9 @@ class mass_solver {
                 for (const auto& e : system.mass().entries()) reciprocal_[e.row] = Scalar(1) / e.value;
                 return static_cast<int>(system.mass().entries().size()) == n;
             }
-            auto zero = system.jacobian();
-            zero.setZero();
             block_.emplace(n);
-            return factor_shifted(*block_, system.mass(), zero, Scalar(1)) && well_conditioned(system);
+            return factor_shifted(*block_, system.mass(), system.zeros(), Scalar(1)) &&
+                   well_conditioned(system);
         }
         return true;
     }

@@ -25,11 +25,11 @@ struct bad_problem : std::invalid_argument {
 
 namespace detail {
 
-/// Where the Jacobian of a problem is kept: dense, banded or sparse.
+/// Where the Jacobian of a problem is kept: banded, sparse, or dense, which has no room before
+/// system::take_jacobian().
 template <class Problem, class Vector>
 auto make_jacobian(Problem& problem, int n) {
     using scalar = typename Vector::Scalar;
-    using dense = Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
     if constexpr (has_bandwidth<Problem>) {
         return banded_matrix<scalar>(n, problem.bandwidth());
     } else if constexpr (has_sparsity<Problem>) {
@@ -39,7 +39,7 @@ auto make_jacobian(Problem& problem, int n) {
         J.makeCompressed();
         return J;
     } else {
-        return dense(dense::Zero(n, n));
+        return Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>();
     }
 }
 
@@ -92,9 +92,8 @@ class system {
           report_(r),
           n_(static_cast<int>(y0.size())),
           mass_(make_mass<scalar>(problem, n_)),
-          engine_(n_),
+          engine_(size_at_compile_time == Eigen::Dynamic ? 0 : n_),
           J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
-        if constexpr (structured && finite_difference) engine_.group(J_);
         if constexpr (has_bandwidth<Problem> && !mass_type::identity)
             for (const auto& e : mass_.entries())
                 if (!J_.in_band(e.row, e.column))
@@ -131,6 +130,24 @@ class system {
     int size() const { return n_; }
     const mass_type& mass() const { return mass_; }
     const matrix& jacobian() const { return J_; }
+    /// A matrix of zeros in the structure of the Jacobian.
+    matrix zeros() const {
+        if constexpr (structured) {
+            matrix zero = J_;
+            zero.setZero();
+            return zero;
+        } else {
+            return matrix::Zero(n_, n_);
+        }
+    }
+
+    /// Takes all storage that evaluate_jacobian() needs, n x n numbers where J is dense; to be called once
+    /// before it. Without implicit stages nobody asks for it.
+    void take_jacobian() {
+        if constexpr (size_at_compile_time == Eigen::Dynamic) engine_ = engine(n_);
+        if constexpr (!structured) J_.setZero(n_, n_);
+        if constexpr (structured && finite_difference) engine_.group(J_);
+    }
 
     /// Does what `f` does, timed if the problem asks for it.
     template <class F>

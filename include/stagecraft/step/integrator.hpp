@@ -63,6 +63,7 @@ class integrator {
             plan_ = plan_equal_steps(t0, t1, o.fixed_step);
             h_ = plan_.h;
         }
+        if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
         for (int k = 0; k < method_count<Method>; ++k) set_tolerances(k);
     }
     integrator(const integrator&) = delete;
