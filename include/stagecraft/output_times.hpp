@@ -36,14 +36,17 @@ class output_times {
         if (!up && !down) throw std::invalid_argument("output_times: times must be in order");
     }
 
-    /// How many times the run has reached: all of them after a success, fewer where it ended early.
+    /// How many times the run has reached: all of them after a success, fewer where it ended early, those
+    /// equal to t0 always.
     int filled() const { return filled_; }
     const scalar& time(int i) const { return times_.at(static_cast<std::size_t>(i)); }
     /// y at time(i), i < filled(); std::out_of_range otherwise.
     auto y(int i) const { return y_.col(checked(i)); }
-    /// y' at time(i); std::out_of_range also where no derivatives were asked for.
+    /// y' at time(i); std::out_of_range also where no derivatives were asked for, and at t0 where no step was
+    /// taken.
     auto derivative(int i) const {
         if (!with_derivatives_) throw std::out_of_range("output_times: no derivatives were asked for");
+        if (i >= slopes_) throw std::out_of_range("output_times: the derivative is not known");
         return derivatives_.col(checked(i));
     }
     /// One column per time reached.
@@ -53,7 +56,7 @@ class output_times {
     /// run, or if derivatives are asked of a run without a step.
     void start(const scalar& t0, const Vector& y0, const scalar& t1) {
         backwards_ = t1 < t0;
-        filled_ = 0;
+        filled_ = slopes_ = 0;
         for (std::size_t i = 0; i < times_.size(); ++i) {
             if (after(t0, times_[i]) || after(times_[i], t1))
                 throw std::invalid_argument("output_times: times must be between t0 and t1");
@@ -65,8 +68,7 @@ class output_times {
         const auto columns = static_cast<Eigen::Index>(times_.size());
         y_.resize(y0.size(), columns);
         derivatives_.resize(y0.size(), with_derivatives_ ? columns : 0);
-        if (t0 == t1)
-            for (; filled_ < columns; ++filled_) y_.col(filled_) = y0;
+        for (; filled_ < columns && time(filled_) == t0; ++filled_) y_.col(filled_) = y0;
     }
 
     template <class Output>
@@ -74,8 +76,9 @@ class output_times {
         for (; filled_ < static_cast<int>(times_.size()) && !after(time(filled_), t); ++filled_) {
             const scalar& at = time(filled_);
             y_.col(filled_) = at == t ? y : output(at);
-            if (with_derivatives_) derivatives_.col(filled_) = output.derivative(at);
         }
+        if (with_derivatives_)
+            for (; slopes_ < filled_; ++slopes_) derivatives_.col(slopes_) = output.derivative(time(slopes_));
     }
 
     /// A run that an event has ended earlier reaches fewer times.
@@ -93,7 +96,7 @@ class output_times {
 
     std::vector<scalar> times_;
     bool with_derivatives_, backwards_ = false;
-    int filled_ = 0;
+    int filled_ = 0, slopes_ = 0;  // how many values and derivatives there are
     matrix y_, derivatives_;
 };
 

@@ -133,3 +133,24 @@ BOOST_AUTO_TEST_CASE(a_failing_run_fills_nothing_beyond_its_last_state) {
     BOOST_TEST(r.t > 2);
     BOOST_TEST(table.filled() == 3);
 }
+
+BOOST_AUTO_TEST_CASE(a_run_that_fails_in_its_first_step_has_reached_t0) {
+    const auto breaks = [](double t, const Vector2d& y, Vector2d& f) {
+        if (t > 1) throw std::domain_error("beyond the table");
+        f << y[1], -y[0];
+    };
+    for (const bool slopes : {false, true}) {
+        sc::output_times<Vector2d> table({1, 1, 1.5}, slopes);
+        const auto r = sc::integrate(radau, breaks, Vector2d(0, 1), 1, 5, tight, table);
+        BOOST_TEST(sc::name(r.status) == "function_threw");
+        BOOST_TEST(r.report.steps == 0);
+        BOOST_TEST(table.filled() == 2);
+        BOOST_TEST((table.y(1) == Vector2d(0, 1)));
+        BOOST_CHECK_THROW(table.y(2), std::out_of_range);
+        BOOST_CHECK_THROW(table.derivative(0), std::out_of_range);  // which only a step gives
+    }
+    // where t0 was not asked for nothing is reached
+    sc::output_times<Vector2d> later({1.25, 1.5});
+    sc::integrate(radau, breaks, Vector2d(0, 1), 1, 5, tight, later);
+    BOOST_TEST(later.filled() == 0);
+}
