@@ -123,6 +123,7 @@ class system {
                 if (flags[i] < 0 || flags[i] > 3)
                     throw std::invalid_argument("integrate: problem.index() must hold 1, 2 or 3");
                 if (flags[i] > 1) raised_.push_back({i, flags[i] - 1});
+                if (flags[i] > largest_index_) largest_index_ = flags[i];
             }
         }
     }
@@ -210,14 +211,8 @@ class system {
         }
     }
 
-    /// The largest of the index flags that counts: 1, 2 or 3.
-    int largest_index() const {
-        int most = 1;
-        for (const auto& r : raised_) most = r.power + 1 > most ? r.power + 1 : most;
-        return most;
-    }
-    /// True if the norms depend on the step (some component has index 2 or 3).
-    bool has_raised_index() const { return has_index<Problem> && !raised_.empty(); }
+    /// The largest of the index flags that counts: 1, 2 or 3. Above 1 the norms depend on the step.
+    int largest_index() const { return largest_index_; }
 
     bool constant_jacobian() {
         if constexpr (has_constant_jacobian<Problem>)
@@ -247,6 +242,7 @@ class system {
     [[no_unique_address]] engine engine_;
     matrix J_;
     std::vector<raised> raised_;
+    int largest_index_ = 1;
     [[no_unique_address]] std::conditional_t<has_index<Problem>, Vector, no_engine> followed_{n_};
 };
 

@@ -85,7 +85,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             }
             if (fixed()) return end(obstacle_);
             want_jacobian_ = ahead_;  // where the extrapolation went astray the Jacobian did
-            if (system_.has_raised_index() && extrapolates()) {
+            if (system_.largest_index() > 1 && extrapolates()) {
                 extrapolation_.failed();
                 continue;
             }

@@ -192,7 +192,7 @@ class integrator {
 
     /// True if the polynomial of the last step is to start the iteration.
     bool extrapolates() const {
-        return has_output_ && (system_.has_raised_index() ? extrapolation_.trusted() : failures_ < 2);
+        return has_output_ && (system_.largest_index() > 1 ? extrapolation_.trusted() : failures_ < 2);
     }
 
     /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
