@@ -10,6 +10,7 @@
 
 #include <stagecraft/dae/rank.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/mass.hpp>
 
@@ -253,13 +254,6 @@ class constraint_system {
         return sqrt(root());
     }
 
-    static scalar increment(const Vector& x, int j, const scalar& relative) {
-        using std::abs;
-        const scalar size = x.cwiseAbs().maxCoeff() / 1000, own = abs(x[j]);
-        const scalar most = own > size ? own : size;
-        return relative * (most > scalar(0) ? most : scalar(1));
-    }
-
     void evaluate(const scalar& t, const Vector& x, Vector& f) { problem_(t, x, f); }
 
     /// J = f_x at (t, x), where f is known.
@@ -274,17 +268,14 @@ class constraint_system {
             problem_.jacobian(t, x, own);
             J = own;
         } else {
-            state moved = states_.take(n_), up = states_.take(n_), down = states_.take(n_);
-            moved = x;
-            for (int j = 0; j < n_; ++j) {
-                const scalar step = increment(x, j, root());
-                moved[j] = x[j] + step;
-                evaluate(t, moved, up);
-                moved[j] = x[j] - step;
-                evaluate(t, moved, down);
-                J.col(j) = (up - down) / (2 * step);
-                moved[j] = x[j];
-            }
+            J = differences(
+                x,
+                [&](const Vector& moved) {
+                    state value = states_.take(n_);
+                    evaluate(t, moved, value);
+                    return value;
+                },
+                n_, root());
         }
     }
 
@@ -292,15 +283,7 @@ class constraint_system {
     matrix differences(const Vector& x, F&& value, int rows, const scalar& relative) {
         matrix result = work_.take(rows, n_);
         state moved = states_.take(n_);
-        moved = x;
-        for (int j = 0; j < n_; ++j) {
-            const scalar step = increment(x, j, relative);
-            moved[j] = x[j] + step;
-            const vector up = value(moved);
-            moved[j] = x[j] - step;
-            result.col(j) = (up - value(moved)) / (2 * step);
-            moved[j] = x[j];
-        }
+        central_differences<Vector>(x, moved, value, relative, result);
         return result;
     }
 

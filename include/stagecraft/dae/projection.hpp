@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <stagecraft/dae/constraint_newton.hpp>
+#include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
 
 namespace stagecraft {
@@ -119,7 +120,6 @@ class projection_onto_equations {
     /// g.jacobian(t, y, G) where there is one, else automatic differentiation, else central differences.
     template <class Scalar, class Vector, class Duals, class Matrix>
     void differentiate(const Scalar& t, const Vector& y, Vector& moved, Duals& x, Matrix& G) {
-        using std::abs;
         using std::cbrt;
         constexpr int N = Vector::RowsAtCompileTime;
         using number = dual<Scalar, N>;
@@ -148,20 +148,12 @@ class projection_onto_equations {
                     for (int i = 0; i < M; ++i) G(i, j) = r[i].derivatives()[j - first];
             }
         } else {
-            moved = y;
-            Eigen::Matrix<Scalar, M, 1> up, down;
-            const Scalar size = y.cwiseAbs().maxCoeff();
-            for (int j = 0; j < n; ++j) {
-                const Scalar own = abs(y[j]) > size / 1000 ? Scalar(abs(y[j])) : Scalar(size / 1000);
-                const Scalar step =
-                    cbrt(std::numeric_limits<Scalar>::epsilon()) * (own > Scalar(0) ? own : Scalar(1));
-                moved[j] = y[j] + step;
-                g_(t, moved, up);
-                moved[j] = y[j] - step;
-                g_(t, moved, down);
-                G.col(j) = (up - down) / (2 * step);
-                moved[j] = y[j];
-            }
+            const auto value = [&](const Vector& at) {
+                Eigen::Matrix<Scalar, M, 1> r;
+                g_(t, at, r);
+                return r;
+            };
+            central_differences(y, moved, value, Scalar(cbrt(std::numeric_limits<Scalar>::epsilon())), G);
         }
     }
 
