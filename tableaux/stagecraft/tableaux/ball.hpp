@@ -8,6 +8,7 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <stagecraft/tableaux/number_traits.hpp>
 #include <stagecraft/tableaux/precision.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <utility>
@@ -348,21 +349,5 @@ class ball {
 }  // namespace stagecraft::tableaux
 
 template <>
-struct Eigen::NumTraits<stagecraft::tableaux::ball> : Eigen::GenericNumTraits<stagecraft::tableaux::ball> {
-    using Real = stagecraft::tableaux::ball;
-    using NonInteger = Real;
-    using Nested = Real;
-    using Literal = Real;
-    enum {
-        IsComplex = 0,
-        IsInteger = 0,
-        IsSigned = 1,
-        RequireInitialization = 1,
-        ReadCost = 10,
-        AddCost = 100,
-        MulCost = 100
-    };
-    static Real epsilon() { return 0; }
-    static Real dummy_precision() { return 0; }
-    static int digits10() { return 0; }
-};
+struct Eigen::NumTraits<stagecraft::tableaux::ball>
+    : stagecraft::tableaux::number_traits<stagecraft::tableaux::ball> {};

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <stagecraft/tableaux/number_traits.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stdexcept>
 #include <string>
@@ -234,21 +235,4 @@ inline std::optional<quadratic> exact_sqrt(const quadratic& x) {
 
 template <>
 struct Eigen::NumTraits<stagecraft::tableaux::quadratic>
-    : Eigen::GenericNumTraits<stagecraft::tableaux::quadratic> {
-    using Real = stagecraft::tableaux::quadratic;
-    using NonInteger = Real;
-    using Nested = Real;
-    using Literal = Real;
-    enum {
-        IsComplex = 0,
-        IsInteger = 0,
-        IsSigned = 1,
-        RequireInitialization = 1,
-        ReadCost = 20,
-        AddCost = 200,
-        MulCost = 500
-    };
-    static Real epsilon() { return 0; }
-    static Real dummy_precision() { return 0; }
-    static int digits10() { return 0; }
-};
+    : stagecraft::tableaux::number_traits<stagecraft::tableaux::quadratic> {};

@@ -8,6 +8,7 @@
 #include <functional>
 #include <iosfwd>
 #include <stagecraft/tableaux/integer.hpp>
+#include <stagecraft/tableaux/number_traits.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -148,21 +149,4 @@ inline rational abs(const rational& r) { return r < 0 ? -r : r; }
 
 template <>
 struct Eigen::NumTraits<stagecraft::tableaux::rational>
-    : Eigen::GenericNumTraits<stagecraft::tableaux::rational> {
-    using Real = stagecraft::tableaux::rational;
-    using NonInteger = Real;
-    using Nested = Real;
-    using Literal = Real;
-    enum {
-        IsComplex = 0,
-        IsInteger = 0,
-        IsSigned = 1,
-        RequireInitialization = 1,
-        ReadCost = 10,
-        AddCost = 100,
-        MulCost = 100
-    };
-    static Real epsilon() { return 0; }
-    static Real dummy_precision() { return 0; }
-    static int digits10() { return 0; }
-};
+    : stagecraft::tableaux::number_traits<stagecraft::tableaux::rational> {};
