@@ -60,7 +60,10 @@ typename Derived::PlainObject >
                    const options<typename Derived::Scalar>& o = {}, Observer&& observer = {}) {
     using vector = typename Derived::PlainObject;
     vector start = y0;  // later the states to be corrected
-    integrator<Method, std::remove_reference_t<Problem>, vector> run(method, problem, start, t0, t1, o);
+    using run_type = integrator<Method, std::remove_reference_t<Problem>, vector>;
+    run_type run(
+        method, problem, start, t0, t1, o,
+        detail::asks_for_output<std::remove_reference_t<Observer>, vector, typename run_type::output_type>);
     detail::announce(observer, run.t(), start, t1);
     std::exception_ptr thrown;
     status ended = status::success;

@@ -19,6 +19,12 @@ struct no_observer {};
 
 namespace detail {
 
+/// True if the observer is called with the continuous solution.
+template <class Observer, class Vector, class Output>
+inline constexpr bool asks_for_output =
+    std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&,
+                        const typename Vector::Scalar&, const Output&>;
+
 template <class Observer, class Scalar, class Vector>
 void announce([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t0,
               [[maybe_unused]] const Vector& y0, [[maybe_unused]] const Scalar& t1) {
@@ -39,8 +45,7 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
     };
     if constexpr (std::is_same_v<std::remove_const_t<Observer>, no_observer>)
         return true;
-    else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&,
-                                           const Output&>)
+    else if constexpr (asks_for_output<Observer, Vector, Output>)
         return call(t, y, h, output);
     else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&>)
         return call(t, y, h);

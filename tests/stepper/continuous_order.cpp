@@ -105,7 +105,9 @@ BOOST_AUTO_TEST_CASE(every_continuous_solution_of_the_catalogue_has_the_order_of
             const auto m = sc::tableaux::rounded<fifty>(file);
             Eigen::Matrix<fifty, Eigen::Dynamic, 1> carry;
             const bool ends = sc::structure_of(m, carry).first_same_as_last();
-            const int q = sc::find_continuous_weights(sc::tableaux::rounded<double>(file), ends).order;
+            const auto in_doubles = sc::tableaux::rounded<double>(file);
+            const int q =
+                sc::find_continuous_weights(in_doubles, sc::classical_order(in_doubles), ends).order;
             ++methods;
             if (q >= 4) ++of_order_four;
             double seen = 0;

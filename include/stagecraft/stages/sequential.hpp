@@ -112,28 +112,26 @@ class sequential_stages {
         return slowest;
     }
 
-    /// x := (M - h a J)^-1 (M x + extra value), a the first non-zero diagonal entry: the filter of an
-    /// embedded estimate, which leaves it alone where h J is small and bounded where it is large.
-    template <class System>
-    void filter(const System& system, vector& x, const vector& value, const Scalar& factor) {
-        r_ = (shift_[0] * factor) * value;
-        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
-        system.measure(work::solve, [&] { blocks_[0].solve(r_.data()); });
-        x = r_;
-    }
-
-    /// x := (M/(h a) - J)^-1 x.
+    /// x := (M/(h a) - J)^-1 x, a the first non-zero diagonal entry.
     template <class System>
     void solve_first(const System& system, vector& x) {
         system.measure(work::solve, [&] { blocks_[0].solve(x.data()); });
     }
+    /// x := (M - h a J)^-1 (M x + factor value): the filter of an embedded estimate, which leaves it alone
+    /// where h J is small and bounded where it is large.
+    template <class System>
+    void filter(const System& system, vector& x, const vector& value, const Scalar& factor) {
+        r_ = (shift_[0] * factor) * value;
+        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
+        solve_first(system, r_);
+        x = r_;
+    }
     /// x := x - (M - h a J)^-1 M x, what of x stiff components carry.
     template <class System>
     void stiff_part(const System& system, vector& x) {
-        r_.setZero();
-        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
-        solve_first(system, r_);
-        x -= r_;
+        d_ = x;
+        filter(system, x, x, Scalar(0));
+        x = d_ - x;
     }
 
   private:

@@ -138,39 +138,39 @@ template <class Method, class Problem, class Vector>
 template <class Step>
 auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h, const scalar& t_next,
                                                    output_type& now) -> scalar {
-    const scalar smooth_ratio = ratio_[order_.current()];
-    scalar ratio = smooth_.doubted() && smooth_ratio < scalar(1) ? scalar(1) : smooth_ratio;
+    const scalar smooth_ratio = ratio_[order_.current()], jump_ratio = method.jump_ratio(smooth_ratio);
+    scalar ratio = smooth_.doubted() ? jump_ratio : smooth_ratio;
     const auto size = [this](const Vector& x, bool reduced) {
         return norm(x, reduced ? system_.weights_to_follow(weights_) : weights_);
     };
     const auto error_size = [&] {
         return method.error_size(system_, now, ratio, error_, report_.error_solves, size);
     };
-    method.estimate(system_, h, f0_, now, error_);
+    report_.error_solves += method.estimate(system_, h, f0_, now, error_);
     scalar err = error_size();
     if (err >= scalar(1) && (report_.steps == 0 || last_was_rejected_)) {
         report_.error_solves += method.estimate_again(system_, t_, y_, h, now, y1_, error_);
         method.advance(y_, now, y1_);
         err = error_size();
     }
-    report_.error_solves += method.error_solves();
-    if (method.ends_between_nodes() && err < scalar(1)) {
+    if (err < scalar(1) && method.needs_right_value()) {
         system_(t_next, y1_, f0_);
         right_value_known_ = true;
-        method.estimate_right(system_, t_, y_, h, y1_, f0_, now, error_);
-        ++report_.error_solves;
-        const scalar right = norm(error_, weights_) * ratio;
-        if (!(right <= err)) err = right;
+        if (const int solves = method.estimate_right(system_, h, f0_, now, error_)) {
+            report_.error_solves += solves;
+            const scalar right = norm(error_, weights_) * ratio;
+            if (!(right <= err)) err = right;
+        }
     }
-    if (smooth_ratio < scalar(1) && report_.steps > 0 &&
+    if (smooth_ratio < jump_ratio && report_.steps > 0 &&
         smooth_.surprised(
             err, [&] { return controller_.expected(h, method.estimate_power()); }, rejected_by_estimate_)) {
         controller_.forget();
-        ratio = scalar(1);
+        ratio = jump_ratio;
         const scalar whole = error_size();
         if (!(whole <= err)) err = whole;
     }
-    return err;
+    return method.judge_jump(system_, h, f0_, err, error_, report_.error_solves, size);
 }
 
 /// Moves to the end of the step and decides whether the Jacobian still serves.
@@ -181,10 +181,12 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     using std::abs;
     for (int i = 0; i < n_; ++i)
         if (!(y1_[i] - y1_[i] == scalar(0))) return end(status::non_finite);
-    method.finish(t_, y_, h, y1_, now);
+    now.t0_ = t_;
+    now.h_ = h;
+    has_output_ = keeps_output_ || method.implicit();
+    if (has_output_) method.finish(t_, y_, h, y1_, now);
     method.accepted();
     current_ = 1 - current_;
-    has_output_ = true;
     t_ = t_next;
     y_ = y1_;
     report_.count_step(abs(h), method.count());
@@ -207,7 +209,8 @@ void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h,
     using std::abs;
     if (smooth_.accepted()) {
         controller_.forget();
-        err *= ratio_[order_.current()];
+        const scalar smooth_ratio = ratio_[order_.current()];
+        err *= smooth_ratio / method.jump_ratio(smooth_ratio);
     }
     const int most = usual_iterations(method.coupled_stages_count());
     const scalar safety = scalar(9) / scalar(10) * scalar(2 * most + 1) / scalar(2 * most + iterations_);

@@ -101,16 +101,17 @@ class collocation_step {
         const Scalar e = Scalar(estimate_power()) / Scalar(order() + 1);
         return e < Scalar(1) ? Scalar(10 * pow(rtol, Scalar(1) - e)) : Scalar(10);
     }
+    /// The same across a jump of f: the estimate stands for itself.
+    Scalar jump_ratio(const Scalar& smooth) const { return smooth < Scalar(1) ? Scalar(1) : smooth; }
     /// True if the step uses f at its left end: for the estimate.
     bool needs_left_value(bool fixed) const { return !fixed && !jump_; }
 
     // What other steps may do without, or need besides.
     static constexpr bool implicit() { return true; }
-    int error_solves() const { return jump_ ? 0 : 1; }
     int coupled_stages_count() const { return count(); }
     int columns() const { return count(); }
     template <class System>
-    void prepare(const System&, bool) {}
+    void prepare(const System&, bool, bool) {}
     void begin(const vector&) {}
     void accepted() {}
     void replaced() {}
@@ -157,25 +158,37 @@ class collocation_step {
 
     /// error := the estimate; f0 = f(t, y) where needs_left_value().
     template <class System>
-    void estimate(const System& system, const Scalar& h, const vector& f0, const output& now, vector& error) {
+    int estimate(const System& system, const Scalar& h, const vector& f0, const output& now, vector& error) {
         if (jump_) {
             error = now.z_.col(0);
-            return;
+            return 0;
         }
         defect(system, h, defect_, f0, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        return 1;
     }
 
-    /// True if y1 is no stage: what f does between the last node and the end of the step is then in no stage
-    /// value, and the estimate is to be made at the right end as well.
-    bool ends_between_nodes() const { return !stiffly_accurate_; }
+    bool stiffly_accurate() const { return stiffly_accurate_; }
+    /// True if f(t1, y1) is asked for before the step is accepted. Where y1 is no stage, what f does between
+    /// the last node and the end of the step is in no stage value, and the estimate is to be made at the
+    /// right end as well.
+    bool needs_right_value() const { return !stiffly_accurate_; }
     /// error := the filtered defect f(t1, y1) - M u'(t1) of the stage polynomial at the right end, of the
-    /// order of the other estimate; f1 = f(t1, y1).
+    /// order of the other estimate; f1 = f(t1, y1). Returns the number of solves, 0 where there is no such
+    /// estimate.
     template <class System>
-    void estimate_right(const System& system, const Scalar&, const vector&, const Scalar& h, const vector&,
-                        const vector& f1, output& now, vector& error) {
+    int estimate_right(const System& system, const Scalar& h, const vector& f1, const output& now,
+                       vector& error) {
+        if (stiffly_accurate_) return 0;
         defect(system, h, right_, f1, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        return 1;
+    }
+    /// The estimates see every jump of f.
+    template <class System, class Size>
+    static Scalar judge_jump(const System&, const Scalar&, const vector&, const Scalar& err, vector&, long&,
+                             Size&&) {
+        return err;
     }
 
     /// The same once more filtered: f(t, y + error) in place of f(t, y), which damps what stiff components

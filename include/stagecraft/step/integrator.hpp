@@ -26,7 +26,8 @@ namespace stagecraft {
 
 /// A run that is advanced step by step: while (run.step()) use run.t(), run.y(), run.output().
 /// Construction checks every argument (std::invalid_argument names the bad one) and takes all storage; a step
-/// allocates nothing. What a callable throws passes through step(), with t() and y() at the last accepted
+/// allocates nothing. Without `keeps_output` the methods that do not need output() themselves leave it empty
+/// but for step(). What a callable throws passes through step(), with t() and y() at the last accepted
 /// state.
 template <class Method, class Problem, class Vector>
 class integrator {
@@ -39,7 +40,7 @@ class integrator {
                   "method and state must have the same scalar type");
 
     integrator(const Method& method, Problem& problem, const Vector& y0, const scalar& t0, const scalar& t1,
-               const options<scalar>& o)
+               const options<scalar>& o, bool keeps_output = true)
         : options_(o),
           n_(static_cast<int>(y0.size())),
           system_(problem, y0, report_),
@@ -54,7 +55,8 @@ class integrator {
           scale_(n_),
           weights_(n_),
           negligible_(n_),
-          outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())} {
+          outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())},
+          keeps_output_(keeps_output) {
         validate(o, n_);
         validate_interval(y0, t0, t1);
         f0_.setZero();
@@ -128,8 +130,8 @@ class integrator {
 
     void set_tolerances(int k) {
         detail::visit_at(steps_, k, [&](auto& m) {
-            m.prepare(system_, fixed());
-            if (!fixed() && system_.largest_index() > 2 && m.ends_between_nodes())
+            m.prepare(system_, fixed(), keeps_output_);
+            if (!fixed() && system_.largest_index() > 2 && !m.stiffly_accurate())
                 throw std::invalid_argument(
                     "integrate: method must be stiffly accurate for problem.index() 3, where the errors of "
                     "others have no bound; use options.fixed_step");
@@ -266,9 +268,9 @@ class integrator {
     scalar h_{0}, factored_h_{0}, theta_{0};
     int factored_order_ = 0, iterations_ = 0, failures_ = 0;
     long attempts_ = 0;
-    bool started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
-         fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false, rejected_by_estimate_ = false,
-         right_value_known_ = false, contradicted_ = false;
+    bool keeps_output_, started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
+                        fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false,
+                        rejected_by_estimate_ = false, right_value_known_ = false, contradicted_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 

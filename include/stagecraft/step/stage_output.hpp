@@ -39,9 +39,9 @@ class stage_output {
           weights_(stages, MaxStages < 0 ? columns(stages) : MaxStages),
           right_(make_workspace<Scalar, MaxStages>(columns(stages))) {}
 
-    /// Chooses the form; `ends` is true if k_1 and k_s are the slopes at the ends, `by_value` as in
-    /// stage_slopes.
-    void prepare(const tableau<Scalar, Stages>& m, bool ends, bool by_value) {
+    /// Chooses the form for a method of order p; `ends` is true if k_1 and k_s are the slopes at the ends,
+    /// `by_value` as in stage_slopes.
+    void prepare(const tableau<Scalar, Stages>& m, int p, bool ends, bool by_value) {
         const int s = m.stages();
         bool distinct = true;
         for (int i = 0; i < s; ++i)
@@ -64,10 +64,27 @@ class stage_output {
             if (stage_ >= 0) nodes_.c[1] = m.c[stage_];
         } else {
             form_ = ends ? form::weights_and_ends : form::weights;
-            find_weights(m, ends);
+            find_weights(m, p, ends);
         }
         nodes_.finish();
         if (form_ == form::weights_and_ends) solve_for_right_slope();
+    }
+
+    /// The weights of the slopes in u' at the end of the step. Not with a singular M, nor of a method whose
+    /// last stage has the slope there.
+    Eigen::Matrix<Scalar, Stages, 1> right_slope(const tableau<Scalar, Stages>& m) const {
+        workspace<Scalar, MaxStages> l = right_;
+        nodes_.basis_derivative(Scalar(1), l.data());
+        Eigen::Matrix<Scalar, Stages, 1> w = Eigen::Matrix<Scalar, Stages, 1>::Zero(m.stages());
+        for (int j = 0; j < nodes_.size; ++j) {
+            if (form_ != form::stages)
+                w += l[j] * (j == 1 ? m.b : weights_.col(j));
+            else if (nodes_.c[j] == Scalar(0))
+                w[j] += l[j];
+            else
+                w += l[j] * m.A.row(j).transpose();
+        }
+        return w;
     }
 
     /// Fills `now` for the step from (t, y) to y1 with the slopes v; now.z_ holds z_i of the stages.
@@ -110,8 +127,8 @@ class stage_output {
 
     /// Nodes 0 (the slope), 1, theta_1, ...; the last one is left to the right slope where both ends are
     /// stages.
-    void find_weights(const tableau<Scalar, Stages>& m, bool ends) {
-        const auto found = find_continuous_weights(m, ends);
+    void find_weights(const tableau<Scalar, Stages>& m, int p, bool ends) {
+        const auto found = find_continuous_weights(m, p, ends);
         nodes_.size = found.degree;
         nodes_.c[0] = Scalar(0);
         nodes_.c[1] = Scalar(1);

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <stdexcept>
 
+#include <stagecraft/control/jump_watch.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/problem/system.hpp>
+#include <stagecraft/stages/blind_spots.hpp>
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
 #include <stagecraft/stages/tableau_structure.hpp>
@@ -23,7 +26,8 @@ namespace stagecraft {
 /// method filtered with its own matrix, (M - h a J)^-1 M, where that brings it to the size of the error in
 /// stiff components and carries it over to algebraic ones (Hairer-Wanner II.IV.8; embedded_estimate.hpp). A
 /// method without embedded weights has none: fixed steps only. Nor has one whose weights see no error of a
-/// quadrature.
+/// quadrature. Where they see no jump of f that falls between certain nodes, other combinations of the slopes
+/// do (blind_spots.hpp).
 ///
 /// A singular M is served where A is regular, and where it is so without a first stage at the left end if the
 /// method is stiffly accurate.
@@ -42,6 +46,7 @@ class tableau_step {
           output_(method.stages()),
           difference_(method.stages()),
           left_slope_(n),
+          right_slope_(n),
           next_value_(n) {
         const int s = method.stages();
         v_.left_stage = is_.left_stage;
@@ -55,10 +60,10 @@ class tableau_step {
         left_slope_.setZero();
     }
 
-    /// Looks at what the run asks of the method: std::invalid_argument where it has no embedded weights for
-    /// adaptive steps, or cannot serve a singular mass matrix.
+    /// Looks at what the run asks of the method (`output`: the continuous solution): std::invalid_argument
+    /// where it has no embedded weights for adaptive steps, or cannot serve a singular mass matrix.
     template <class System>
-    void prepare(const System& system, bool fixed) {
+    void prepare(const System& system, bool fixed, bool output) {
         if (!fixed && power_ == 0)
             throw std::invalid_argument(
                 "integrate: method has no embedded weights to estimate errors with; use options.fixed_step");
@@ -76,7 +81,12 @@ class tableau_step {
             throw std::invalid_argument(
                 "integrate: method.b_embedded sees no error of y' = f(t); use options.fixed_step or "
                 "step_doubling(method)");
-        output_.prepare(v_.method, is_.first_same_as_last(), v_.by_value);
+        if (output || implicit()) output_.prepare(v_.method, order_, is_.first_same_as_last(), v_.by_value);
+        if (fixed) return;
+        if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
+        blind_ = find_blind_spots(v_.method, is_, difference_, order_);
+        if (v_.by_value || (blind_.count() > 0 && !is_.stiffly_accurate && !v_.mass.prepare(system)))
+            blind_.weights.resize(0, 0);  // the slopes at the ends are not known
     }
 
     tableau_step& stages() { return *this; }
@@ -90,6 +100,9 @@ class tableau_step {
     int estimate_power() const { return power_; }
     /// Embedded weights estimate the error of the step itself, not of one of higher order.
     Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
+    /// Of a jump of f they show a part.
+    Scalar jump_ratio(const Scalar&) const { return blind_.doubt; }
+    bool stiffly_accurate() const { return is_.stiffly_accurate; }
     /// False if no stage needs a Jacobian.
     bool implicit() const { return !is_.lower || sequential_.implicit(); }
     /// True if the next step uses f at its left end.
@@ -178,38 +191,51 @@ class tableau_step {
             v_.left = next_value_;
         } else if (left_known_) {
             left_slope_ = v_.k.col(count() - 1);
+        } else if (blind_.need_left_slope()) {
+            if (is_.stiffly_accurate)
+                left_slope_ = v_.k.col(count() - 1);
+            else
+                left_slope_ = right_slope_;
+            end_slope_known_ = true;
         }
+        watch_.accepted();
     }
 
     /// The state at the end of the step has been replaced: its slope is not that of the last stage.
     void replaced() { left_known_ = false; }
 
-    /// error := the estimate.
+    /// error := the estimate. Returns the number of solves.
     template <class System>
-    void estimate(const System& system, const Scalar& h, const vector&, const output&, vector& error) {
+    int estimate(const System& system, const Scalar& h, const vector&, const output&, vector& error) {
         v_.combine([&](int j) { return difference_[j]; }, count(), h, error);
-        if (!filtered_) return;
+        if (!filtered_) return 0;
         const Scalar factor = v_.by_value ? Scalar(h * difference_.dot(v_.carry)) : Scalar(0);
         if (is_.lower) {
             sequential_.filter(system, error, v_.left, factor);
         } else {
             coupled_.filter(system, error, v_, factor);
         }
+        return 1;
     }
-    /// True for diagonally implicit methods whose y1 is no stage. In stiff components their stages lie on the
-    /// solution, and y1 errs by another combination of them than the embedded weights see.
-    bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
+    /// True if f(t1, y1) is asked for before the step is accepted.
+    bool needs_right_value() const {
+        return ends_between_nodes() || blind_.need_right_slope() ||
+               (blind_.need_left_slope() && !is_.stiffly_accurate);
+    }
     /// error := what stiff components carry of the filtered defect f(t1, y1) - M u'(t1) of the continuous
-    /// solution: the error of y1 there, O(h^{q+2}) elsewhere, q being the order of u. f1 = f(t1, y1).
+    /// solution: the error of y1 there, O(h^{q+2}) elsewhere, q being the order of u. f1 = f(t1, y1). For
+    /// diagonally implicit methods whose y1 is no stage: in stiff components their stages lie on the
+    /// solution, and y1 errs by another combination of them than the embedded weights see. Returns the
+    /// number of solves, 0 where there is no such estimate.
     template <class System>
-    void estimate_right(const System& system, const Scalar& t, const vector& y, const Scalar& h,
-                        const vector& y1, const vector& f1, output& now, vector& error) {
-        finish(t, y, h, y1, now);
-        now.evaluate_derivative(now.t1(), next_value_);
+    int estimate_right(const System& system, const Scalar&, const vector& f1, const output&, vector& error) {
+        if (!ends_between_nodes()) return 0;
+        next_value_ = v_.k.lazyProduct(end_slope_);
         error = f1;
         add_mass_times(system.mass(), Scalar(-1), next_value_.data(), error.data(), system.size());
         sequential_.solve_first(system, error);
         sequential_.stiff_part(system, error);
+        return 2;
     }
     /// Nothing is gained by filtering once more.
     template <class System>
@@ -223,23 +249,63 @@ class tableau_step {
                       Size&& size) const {
         return size(error, false) * ratio;
     }
+    /// The error `err` of the attempt, or what is to stand for it where the slopes show a jump of f at a
+    /// blind spot of the pair. f1 = f(t1, y1) if needs_right_value(); x is scratch.
+    template <class System, class Size>
+    Scalar judge_jump(const System& system, const Scalar& h, const vector& f1, const Scalar& err, vector& x,
+                      long& solves, Size&& size) {
+        using std::pow;
+        if (blind_.count() == 0) return err;
+        if (!(err < Scalar(1))) {
+            watch_.refused();
+            return err;
+        }
+        if (needs_right_value()) {
+            right_slope_ = f1;
+            v_.mass.solve(right_slope_.data());
+        }
+        Scalar largest(0);
+        for (int g = 0; g < blind_.count() && (end_slope_known_ || !blind_.need_left_slope()); ++g) {
+            const auto weights = blind_.weights.col(g);
+            v_.combine([&](int j) { return weights[j + 1]; }, count(), h, x);
+            if (blind_.need_left_slope()) x += (h * weights[0]) * left_slope_;
+            if (blind_.need_right_slope()) x += (h * weights[count() + 1]) * right_slope_;
+            if (filtered_ && is_.lower) {
+                sequential_.filter(system, x, x, Scalar(0));
+                ++solves;
+            }
+            const Scalar next = size(x, false);
+            if (!(next <= largest)) largest = next;
+        }
+        switch (watch_.judge(h, largest, blind_.power)) {
+            case jump_watch<Scalar>::verdict::suspicion:
+                return pow(Scalar(9) / 5, power_);  // with its safety factor the control takes half of h
+            case jump_watch<Scalar>::verdict::jump:
+                return largest;
+            default:
+                return err;
+        }
+    }
     /// The error of the continuous solution is not estimated.
     static constexpr bool knows_output_error() { return false; }
     static void prepare_decay() {}
     Scalar output_error(const output&, const vector&) const { return Scalar(0); }
-    /// Sets of linear systems that an estimate costs.
-    int error_solves() const { return filtered_ ? 1 : 0; }
 
   private:
+    bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
+
     stage_slopes<Scalar, N, Stages, Blocks> v_;
     tableau_structure is_;
     sequential_stages<Scalar, N, Stages, Blocks> sequential_;
     coupled_stages<Scalar, N, Stages, Blocks> coupled_;
     stage_output<Scalar, N, Stages, MaxStages> output_;
-    Eigen::Matrix<Scalar, Stages, 1> difference_;  // b - b_embedded
-    vector left_slope_, next_value_;               // k_1 of the next step, or M k_1 where that is kept
+    blind_spots<Scalar> blind_;
+    jump_watch<Scalar> watch_;
+    Eigen::Matrix<Scalar, Stages, 1> difference_, end_slope_;  // b - b_embedded; k -> u'(1)
+    vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
+    vector next_value_;                // M k_1 of the next step where that is kept
     Scalar h_{0};
-    bool left_known_ = false, filtered_ = false;
+    bool left_known_ = false, end_slope_known_ = false, filtered_ = false;
     int order_ = 0, power_ = 0;
 };
 

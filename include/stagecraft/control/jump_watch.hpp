@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+namespace stagecraft {
+
+/// Watches a quantity of order h^power that is of the size of the jump where f jumps out of the estimate's
+/// sight (blind_spots), in units of the tolerance. It is no estimate of an error, and may be large all the
+/// time: a jump shows as ten times what the step before let expect. A smooth solution is told from it when
+/// the step is repeated with half of h: there the quantity falls as h^power, and with h across a jump, which
+/// is refused until it has become small. Where the suspicion was false, as no step up to the end of the
+/// suspicious one was refused, it takes more to raise the next one, for a while: an explicit method at the
+/// border of its stability would raise them all the time.
+template <class Scalar>
+class jump_watch {
+  public:
+    enum class verdict { smooth, suspicion, jump };
+
+    /// Of an attempt that the estimate would accept. Steps after a suspicion are to be half as long.
+    verdict judge(const Scalar& h, const Scalar& size, int power) {
+        using std::abs;
+        using std::pow;
+        now_ = {abs(h), size};
+        if (!(before_.h > Scalar(0)) || size <= Scalar(suspicious_ ? 1 : 10)) return verdict::smooth;
+        const Scalar ratio = now_.h / before_.h;
+        const Scalar smooth = before_.size * (suspicious_ ? Scalar(pow(ratio, Scalar(3) / 2))
+                                                          : Scalar(surprise_ * pow(ratio, Scalar(power))));
+        if (size <= smooth) return verdict::smooth;
+        before_ = now_;
+        confirmed_ = ahead_ > Scalar(0);
+        if (!confirmed_) ahead_ = now_.h;
+        return std::exchange(suspicious_, true) ? verdict::jump : verdict::suspicion;
+    }
+    /// The estimate refuses an attempt.
+    void refused() { confirmed_ = true; }
+    void accepted() {
+        suspicious_ = false;
+        before_ = now_;
+        if (surprise_ > Scalar(10)) surprise_ *= Scalar(9) / 10;
+        if (!(ahead_ > Scalar(0))) return;
+        ahead_ -= now_.h;
+        if (!(ahead_ <= now_.h / 1000)) return;
+        ahead_ = Scalar(0);
+        if (!confirmed_) surprise_ *= 10;
+    }
+
+  private:
+    struct measured {
+        Scalar h{0}, size{0};
+    };
+    measured before_, now_;
+    Scalar surprise_{10}, ahead_{0};  // ahead_: to the end of the step that raised suspicion
+    bool suspicious_ = false, confirmed_ = false;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <stagecraft/stages/order_conditions.hpp>
+#include <stagecraft/stages/tableau_structure.hpp>
+
+namespace stagecraft {
+
+/// What an embedded estimate h sum_i d_i k_i makes of a jump of f. Where f jumps by J at t + theta h, between
+/// two nodes, it is h J sum_{c_i > theta} d_i, and y1 errs by h J (sum_{c_i > theta} b_i - (1 - theta)). Most
+/// pairs see a hundredth of their error there; some see nothing of a jump between certain nodes (beyond 3/4:
+/// Bogacki-Shampine 5(4)), and none without a left stage one before the first node. There combinations of the
+/// slopes take the estimate's place, those at both ends of the step among them:
+///     h (w_0 k_left + sum_i w_i k_i + w_{s+1} k_right)
+/// is of the size of the error of y1 where f jumps at a blind spot, and O(h^power) where it is smooth, as w
+/// is orthogonal to the elementary weights of all trees of fewer than `power` vertices. Where an end is a
+/// stage its own weight is zero.
+template <class Scalar>
+struct blind_spots {
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights{2, 0};  ///< s + 2 rows, a column each
+    int power = 0;
+    Scalar doubt{1};  ///< largest ratio of error and estimate where the pair is not blind
+
+    int count() const { return static_cast<int>(weights.cols()); }
+    bool need_left_slope() const { return !weights.topRows(1).isZero(Scalar(0)); }
+    bool need_right_slope() const { return !weights.bottomRows(1).isZero(Scalar(0)); }
+};
+
+namespace detail {
+
+/// The smallest w with <w, elementary weights> = 0 for all trees of at most q vertices that sums to `wanted`
+/// over the slopes of `behind` (ones and zeros).
+template <class Scalar, int Stages>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 1> jump_weights(const tableau<Scalar, Stages>& m, int q,
+                                                      const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& behind,
+                                                      const Scalar& wanted) {
+    using std::sqrt;
+    using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    const int s = m.stages();
+    std::vector<column> basis;
+    const auto remove_known = [&](column& x) {  // twice for the sake of rounding
+        for (int repeat = 0; repeat < 2; ++repeat)
+            for (const auto& known : basis) x -= known.dot(x) * known;
+    };
+    visit_trees(m, q, [&](const auto& stages, const Scalar& density, int n) {
+        column x(s + 2);
+        x[0] = Scalar(n == 1 ? 1 : 0);
+        x.segment(1, s) = stages;
+        x[s + 1] = Scalar(n) / density;
+        const Scalar before = sqrt(x.dot(x));
+        remove_known(x);
+        const Scalar size = sqrt(x.dot(x));
+        if (size > condition_tolerance<Scalar>() * before) basis.push_back(x / size);
+        return true;
+    });
+    column w = behind;
+    remove_known(w);
+    const Scalar sum = w.dot(behind);
+    if (!(sum > condition_tolerance<Scalar>())) return column::Zero(s + 2);
+    return column(w * (wanted / sum));
+}
+
+}  // namespace detail
+
+/// The blind spots of the pair with weights b and b - d, p its order, `is` its structure. Blind: the error is
+/// 1000 times what the estimate shows. Of the combinations that see a spot that of the highest power is taken
+/// whose weights sum to at most 20 in size, as larger ones show more of what is smooth.
+template <class Scalar, int Stages, class Weights>
+blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tableau_structure& is,
+                                     const Weights& d, int p) {
+    using std::abs;
+    using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    const int s = m.stages(), most = p < largest_tree_order ? p : largest_tree_order;
+    std::vector<Scalar> nodes{Scalar(0), Scalar(1)};
+    for (int i = 0; i < s; ++i)
+        if (m.c[i] > Scalar(0) && m.c[i] < Scalar(1)) nodes.push_back(m.c[i]);
+    std::sort(nodes.begin(), nodes.end());
+    blind_spots<Scalar> found;
+    found.weights.resize(s + 2, 0);
+    for (std::size_t g = 0; g + 1 < nodes.size(); ++g) {
+        const Scalar from = nodes[g], to = nodes[g + 1];
+        if (detail::holds(from, to)) continue;
+        column behind = column::Zero(s + 2);
+        behind[s + 1] = Scalar(1);
+        Scalar estimate(0), weight(0);
+        for (int i = 0; i < s; ++i)
+            if (m.c[i] > (from + to) / 2) {
+                behind[i + 1] = Scalar(1);
+                estimate += d[i];
+                weight += m.b[i];
+            }
+        const Scalar error =
+            std::max<Scalar>(abs(weight - (Scalar(1) - from)), abs(weight - (Scalar(1) - to)));
+        if (error <= 200 * abs(estimate)) {
+            found.doubt = std::max<Scalar>(found.doubt, error / abs(estimate));
+            continue;
+        }
+        bool seen = false;
+        for (int k = 0; k < found.count(); ++k)
+            seen = seen || 3 * abs(found.weights.col(k).dot(behind)) >= error;
+        for (int q = found.count() > 0 ? found.power - 1 : most; q > 0 && !seen; --q) {
+            const column w = detail::jump_weights(m, q, behind, error);
+            const Scalar size = w.cwiseAbs().sum();
+            if (q > 1 && !(size > Scalar(0) && size <= Scalar(20))) continue;
+            found.weights.conservativeResize(Eigen::NoChange, found.count() + 1);
+            found.weights.col(found.count() - 1) = w;
+            found.power = q + 1;
+            seen = true;
+        }
+    }
+    const auto join = [&](int end, int stage) {
+        found.weights.row(stage) += found.weights.row(end);
+        found.weights.row(end).setZero();
+    };
+    if (is.left_stage) join(0, 1);
+    if (is.stiffly_accurate) join(s + 1, s);
+    return found;
+}
+
+}  // namespace stagecraft

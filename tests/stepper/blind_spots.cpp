@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE blind_spots
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/stages/blind_spots.hpp>
+#include <stagecraft/step_doubling.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
+
+#include "catalogue.hpp"
+
+// Jumps of f that an embedded estimate does not see, for every pair of the catalogue.
+
+namespace sc = stagecraft;
+using catalogue_runs::catalogue;
+using V = Eigen::VectorXd;
+using method = sc::tableau<double>;
+
+namespace {
+
+method rounded(const std::string& name) { return sc::tableaux::rounded<double>(catalogue().at(name)); }
+
+struct found {
+    sc::blind_spots<double> spots;
+    sc::tableau_structure is;
+};
+found spots_of(const method& m) {
+    Eigen::VectorXd carry;
+    const auto is = sc::structure_of(m, carry);
+    return {sc::find_blind_spots(m, is, V(m.b - m.b_embedded), sc::classical_order(m)), is};
+}
+
+/// What the embedded weights, and what the best combination of a spot make of a jump at theta.
+double shown(const method& m, double theta, const V& weights) {
+    double sum = 0;
+    for (int i = 0; i < m.stages(); ++i)
+        if (m.c[i] > theta) sum += weights[i];
+    return sum;
+}
+double seen(const method& m, double theta, const sc::blind_spots<double>& spots) {
+    double most = 0;
+    for (int k = 0; k < spots.count(); ++k)
+        most = std::max(most, std::abs(shown(m, theta, V(spots.weights.col(k).segment(1, m.stages()))) +
+                                       spots.weights(m.stages() + 1, k)));
+    return most;
+}
+
+/// y0' = 1, then -2 from `jump` on; y1 changes its sign of growth where y0 passes 1.5, at t = 1.5 and at
+/// back(); beside them an oscillation.
+struct sawtooth {
+    double jump, frequency;
+    double back() const { return jump + (jump - 1.5) / 2; }
+    double end() const { return 1.5 * jump; }
+    void operator()(double t, const V& y, V& f) const {
+        f[0] = t < jump ? 1 : -2;
+        f[1] = y[0] > 1.5 ? -y[1] : y[1];
+        f[2] = frequency * y[3];
+        f[3] = -frequency * y[2];
+    }
+    double error(const V& y) const {
+        const double y1 = std::exp(1.5 - (back() - 1.5) + (end() - back()));
+        return std::max(std::abs(y[0]), std::abs(y[1] / y1 - 1));
+    }
+};
+
+/// The same without jumps: each piece is a run of its own.
+double error_in_pieces(const method& m, const sawtooth& f, const sc::options<double>& o) {
+    double slope = 1, growth = 1;
+    const auto piece = [&](double, const V& y, V& d) {
+        d[0] = slope;
+        d[1] = growth * y[1];
+        d[2] = f.frequency * y[3];
+        d[3] = -f.frequency * y[2];
+    };
+    V y = Eigen::Vector4d(0, 1, 1, 0);
+    double t = 0;
+    const auto go = [&](double to, double s, double g) {
+        slope = s;
+        growth = g;
+        y = sc::integrate(m, piece, y, t, to, o).y;
+        t = to;
+    };
+    go(1.5, 1, 1);
+    go(f.jump, 1, -1);
+    go(f.back(), -2, -1);
+    go(f.end(), -2, 1);
+    return f.error(y);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(what_the_estimate_does_not_see_is_found_from_the_weights) {
+    // Every stage of SDIRK 4(3) lies behind a jump before c_1 = 1/4, and the last two nodes of
+    // Bogacki-Shampine 5(4), both at 1, have opposite weights.
+    const auto sdirk = rounded("sdirk_4_3"), bogacki = rounded("bogacki_shampine_5_4"),
+               dormand = rounded("dormand_prince_5_4");
+    for (const auto& [m, theta] : {std::pair{sdirk, 0.2}, std::pair{bogacki, 0.9}}) {
+        BOOST_TEST(std::abs(shown(m, theta, V(m.b - m.b_embedded))) < 1e-15);
+        BOOST_TEST(spots_of(m).spots.count() == 1);
+        BOOST_TEST(seen(m, theta, spots_of(m).spots) > 0.1);
+    }
+    BOOST_TEST(spots_of(sdirk).spots.need_left_slope());
+    BOOST_TEST(!spots_of(bogacki).spots.need_left_slope());
+    const auto none = spots_of(dormand).spots;
+    BOOST_TEST(none.count() == 0);
+    BOOST_TEST(!none.need_left_slope());
+    BOOST_TEST(!none.need_right_slope());
+    // Between c_2 = 1/5 and c_3 = 3/10 the estimate shows 71/57600 of a jump, and y1 errs by up to 401/1920.
+    BOOST_TEST(none.doubt == (401.0 / 1920) / (71.0 / 57600), boost::test_tools::tolerance(1e-10));
+    // Two steps of the implicit midpoint rule are blind at both ends.
+    const auto doubled =
+        sc::step_doubling(sc::tableaux::rounded<double>(catalogue().at("implicit_midpoint")));
+    const auto both = spots_of(doubled).spots;
+    BOOST_TEST(both.need_left_slope());
+    BOOST_TEST(both.need_right_slope());
+}
+
+BOOST_AUTO_TEST_CASE(every_jump_is_seen_and_what_is_smooth_is_not) {
+    int blind = 0;
+    for (const auto& [name, file] : catalogue()) {
+        const auto m = sc::tableaux::rounded<double>(file);
+        if (m.b_embedded.size() == 0) continue;
+        const V d = m.b - m.b_embedded;
+        if (sc::blind_to_quadrature(m, d)) continue;
+        const auto [spots, is] = spots_of(m);
+        blind += spots.count() > 0;
+        BOOST_TEST_CONTEXT(name) {
+            for (int k = 1; k < 1000; ++k) {
+                const double theta = k / 1000.0 + 1e-7, error = std::abs(shown(m, theta, m.b) - (1 - theta));
+                BOOST_TEST(error <= 200.1 * std::abs(shown(m, theta, d)) + 3.001 * seen(m, theta, spots));
+            }
+            // Smooth: the slopes of y' = f(t) with a polynomial of degree power - 2, and of y' = y.
+            for (int k = 0; k < spots.count(); ++k) {
+                double scale = 0;
+                for (int q = 0; q + 1 < spots.power; ++q) {
+                    double sum = q == 0 ? spots.weights(0, k) : 0;
+                    for (int i = 0; i < m.stages(); ++i) sum += spots.weights(i + 1, k) * std::pow(m.c[i], q);
+                    sum += spots.weights(m.stages() + 1, k);
+                    scale = std::max(scale, std::abs(sum));
+                }
+                BOOST_TEST(scale < 1e-12);
+            }
+        }
+    }
+    BOOST_TEST(blind >= 6);
+}
+
+// Error of the run across jumps against that of the same run in pieces without. The estimate may show 1/200
+// of a jump, in a norm that halves what is in one of four components; what is in y1 grows threefold on the
+// way.
+BOOST_AUTO_TEST_CASE(every_pair_solves_across_jumps_to_the_tolerance) {
+    for (const auto& [name, file] : catalogue()) {
+        const auto m = sc::tableaux::rounded<double>(file);
+        if (m.b_embedded.size() == 0 || sc::blind_to_quadrature(m, V(m.b - m.b_embedded))) continue;
+        const int order = sc::classical_order(m);
+        if (order < 2) continue;
+        for (const double tol : {1e-4, 1e-6, 1e-8}) {
+            if (order < 4 && tol < 1e-6) continue;
+            for (const double frequency : {0.0, 20.0})
+                for (const double shift : {0.0, 0.013, 0.1, 0.237}) {
+                    const sawtooth f{2 + shift, frequency};
+                    const auto r = sc::integrate(m, f, V(Eigen::Vector4d(0, 1, 1, 0)), 0, f.end(),
+                                                 {.rtol = tol, .atol = tol});
+                    BOOST_TEST_CONTEXT(name << " tol " << tol << " frequency " << frequency << " shift "
+                                            << shift << " steps " << r.report.steps) {
+                        BOOST_TEST(sc::name(r.status) == "success");
+                        BOOST_TEST(f.error(r.y) <
+                                   700 * tol + 3 * error_in_pieces(m, f, {.rtol = tol, .atol = tol}));
+                    }
+                }
+        }
+    }
+}
+
+// A jump in the very last step, behind every node, is seen only by f(t1, y1).
+BOOST_AUTO_TEST_CASE(a_jump_behind_the_last_node_of_the_last_step_is_seen) {
+    const auto doubled =
+        sc::step_doubling(sc::tableaux::rounded<double>(catalogue().at("implicit_midpoint")));
+    for (const auto& m : {doubled, rounded("norsett_thomsen_2_3")}) {
+        const auto kink = [](double t, const V&, V& f) { f[0] = t < 0.95 ? 1 : -2; };
+        const auto r =
+            sc::integrate(m, kink, V(V::Zero(1)), 0, 1, {.rtol = 1e-6, .atol = 1e-6, .initial_step = 0.5});
+        BOOST_TEST(r.ok());
+        BOOST_TEST(std::abs(r.y[0] - 0.85) < 1e-4);
+        BOOST_TEST(r.report.rejected_error > 0);
+    }
+}
+
+// At the border of its stability an explicit method raises suspicion again and again; it must not pay for it:
+// 9010 evaluations without the watch.
+BOOST_AUTO_TEST_CASE(mild_stiffness_costs_few_repeated_steps) {
+    const auto van_der_pol = [](double, const V& y, V& f) {
+        f[0] = y[1];
+        f[1] = 30 * (1 - y[0] * y[0]) * y[1] - y[0];
+    };
+    const auto r = sc::integrate(rounded("bogacki_shampine_5_4"), van_der_pol, V(Eigen::Vector2d(2, 0)), 0,
+                                 60, {.rtol = 1e-7, .atol = 1e-7});
+    BOOST_TEST(r.ok());
+    BOOST_TEST(r.report.f < 9900);
+}
