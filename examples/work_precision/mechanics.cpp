@@ -6,14 +6,6 @@
 
 namespace {
 
-Eigen::VectorXd disc_reference(const std::string& time) {
-    std::ifstream in(std::string(DATA_DIR) + "/../../rolling_disc/data/disc.json");
-    const auto values = nlohmann::json::parse(in).at("t=" + time).at("values");
-    Eigen::VectorXd y(values.size());
-    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = std::stod(values[i].get<std::string>());
-    return y;
-}
-
 /// The ellipse of eccentricity e and semi-axis 1 from Kepler's equation E - e sin E = t, by Newton.
 reference_point kepler_ellipse(double t) {
     const double e = 0.6, b = std::sqrt(1 - e * e);
@@ -29,6 +21,7 @@ void compete_on_mechanics(const settings& set, std::vector<curve>& curves) {
     std::vector<reference_point> ellipse;
     for (int t = 1; t < 20; t += 2) ellipse.push_back(kepler_ellipse(t));
     compete(problems::kepler{}, reference("kepler"), set, curves, ellipse);
-    compete(problems::rolling_disc{}, disc_reference("1.0"), set, curves,
-            {{0.1, disc_reference("0.1")}, {0.5, disc_reference("0.5")}});
+    const auto disc = read_json("../../rolling_disc/data/disc");
+    const auto at = [&](const char* time) { return to_vector(disc.at(time).at("values")); };
+    compete(problems::rolling_disc{}, at("t=1.0"), set, curves, {{0.1, at("t=0.1")}, {0.5, at("t=0.5")}});
 }
