@@ -154,7 +154,8 @@ class tableau_step {
         if (!v_.guessed) return;
         const auto& old = *before->nodes_;
         basis_values<Scalar, MaxStages> l(old.size);
-        for (int i = is_.left_stage ? 1 : 0; i < count(); ++i) {
+        const bool share = v_.by_value && !is_.lower;  // of k_1, which the slopes are kept without
+        for (int i = is_.left_stage && !share ? 1 : 0; i < count(); ++i) {
             const Scalar x = from + v_.method.c[i] * h / before->h_;
             if (is_.lower) {
                 old.basis(x, l.data());
@@ -166,6 +167,7 @@ class tableau_step {
                 v_.k.col(i).setZero();
                 for (int j = 0; j < old.size; ++j)
                     v_.k.col(i) += (l[j] / before->h_) * before->z_.col(old.first_column + j);
+                if (share && i > 0) v_.k.col(i) -= v_.carry[i] * v_.k.col(0);
             }
         }
     }
