@@ -85,3 +85,17 @@ BOOST_AUTO_TEST_CASE(few_steps_of_lobatto_iiia_solve_a_problem_of_index_3) {
             BOOST_TEST(std::abs(r.y[4] - e) < 1e-3);
         }
 }
+
+// A step as long as this is solved in parts first, which Newton's iteration for index 3 would not be if it
+// gave up where its second increment is as large as the first.
+BOOST_AUTO_TEST_CASE(one_long_step_of_lobatto_iiia_solves_a_problem_of_index_3) {
+    for (const int s : {5, 6, 7, 8}) BOOST_TEST_CONTEXT("s = " << s) {
+            const auto r = run(lobatto_iiia, s, jay{}, 0, vector::Ones(5), 1, 0.5);
+            BOOST_TEST(sc::name(r.status) == "success");
+            BOOST_TEST(r.report.factorisations > 1);
+            const double e = std::exp(0.5);
+            BOOST_TEST(std::abs(r.y[0] - e * e) < 1e-6);
+            BOOST_TEST(std::abs(r.y[2] - e * e) < 1e-3);
+            BOOST_TEST(std::abs(r.y[4] - e) < 1e-2);
+        }
+}

@@ -25,6 +25,7 @@ struct newton_limits {
     Scalar factor, floor, noise;
     int iterations;
     bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
+    int patience = 1;     ///< contractions to be seen before one near 1 counts as divergence
 };
 
 /// Iterations a step by s coupled stages may take.
@@ -73,12 +74,15 @@ class newton_monitor {
             Scalar& theta = outcome_.theta;
             theta = k == 1 ? rate : Scalar(sqrt(rate * theta));
             if (size <= limits_.noise && rate > Scalar(1) / 4) return end(newton_end::converged);
-            if (!(theta < Scalar(99) / 100)) return end(newton_end::diverged);
-            const Scalar left = size * theta / (Scalar(1) - theta);
-            if (left <= limits_.factor) return end(newton_end::converged);
-            // Give up at once if the iterations that remain cannot reach the goal at the observed rate.
-            if (left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
+            if (theta < Scalar(99) / 100) {
+                const Scalar left = size * theta / (Scalar(1) - theta);
+                if (left <= limits_.factor) return end(newton_end::converged);
+                // Give up at once if the iterations that remain cannot reach the goal at the observed rate.
+                if (left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
+                    return end(newton_end::diverged);
+            } else if (k >= limits_.patience) {
                 return end(newton_end::diverged);
+            }
         }
         last_ = size;
         return false;

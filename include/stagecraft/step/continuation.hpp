@@ -21,7 +21,8 @@ bool solve_by_continuation(Step& method, System& system, const Scalar& t, const 
                            newton_limits<Scalar> limits, typename Step::output& now, report<Scalar>& counts,
                            newton_outcome<Scalar>& newton) {
     if (system.constant_jacobian()) return false;
-    limits.iterations *= 8;  // far from the solution the first iterations contract slowly
+    limits.iterations *= 8;  // far from the solution the first iterations contract slowly,
+    limits.patience = 2;     // and with index 3 the second increment may be as large as the first
     typename Step::output reached(static_cast<int>(y.size()), method.columns());
     typename Step::vector point = y, f = y, negligible = y;
     for (int i = 0; i < y.size(); ++i) negligible[i] = Scalar(1) / (weights[i] * Scalar(1000));
