@@ -85,7 +85,7 @@ class basis_values {
 /// stiff components at any, they are more accurate than what lies between, by orders of magnitude where a
 /// stiff component follows a smooth function in long steps. options.continuous has the tolerance hold there
 /// as well; for methods that do not serve it options.max_step is what helps. Methods given by their
-/// tableau have the highest order that their stages allow (step/stage_output.hpp). Evaluated only where it is
+/// tableau have the highest order that their slopes allow (step/stage_output.hpp). Evaluated only where it is
 /// asked, and valid until the next step; copy it to keep it.
 template <class Vector, int MaxStages>
 class dense_output {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <stagecraft/stages/order_conditions.hpp>
@@ -33,42 +34,46 @@ struct blind_spots {
 
 namespace detail {
 
-/// The smallest w with <w, elementary weights> = 0 for all trees of at most q vertices that sums to `wanted`
-/// over the slopes of `behind` (ones and zeros).
-template <class Scalar, int Stages>
-Eigen::Matrix<Scalar, Eigen::Dynamic, 1> jump_weights(const tableau<Scalar, Stages>& m, int q,
-                                                      const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& behind,
-                                                      const Scalar& wanted) {
-    using std::sqrt;
+/// An orthonormal basis of the elementary weights of the trees of at most `most` vertices, tree by tree, over
+/// the left end, the stages and the right end of a step.
+template <class Scalar>
+struct weights_basis {
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    const int s = m.stages();
-    std::vector<column> basis;
-    const auto remove_known = [&](column& x) {  // twice for the sake of rounding
+    std::vector<column> vectors;
+    std::vector<int> order;  ///< of the tree that each belongs to
+
+    template <int Stages>
+    weights_basis(const tableau<Scalar, Stages>& m, int most) {
+        using std::sqrt;
+        const int s = m.stages();
+        visit_trees(m, most, [&](const auto& stages, const Scalar& density, int n) {
+            column x(s + 2);
+            x[0] = Scalar(n == 1 ? 1 : 0);
+            x.segment(1, s) = stages;
+            x[s + 1] = Scalar(n) / density;
+            const Scalar before = sqrt(x.dot(x));
+            project_out(x, n);
+            const Scalar size = sqrt(x.dot(x));
+            if (size > condition_tolerance<Scalar>() * before) {
+                vectors.push_back(x / size);
+                order.push_back(n);
+            }
+            return static_cast<int>(vectors.size()) < s + 2;
+        });
+    }
+
+    /// x := its part that is orthogonal to the trees of at most q vertices; twice for the sake of rounding.
+    void project_out(column& x, int q) const {
         for (int repeat = 0; repeat < 2; ++repeat)
-            for (const auto& known : basis) x -= known.dot(x) * known;
-    };
-    visit_trees(m, q, [&](const auto& stages, const Scalar& density, int n) {
-        column x(s + 2);
-        x[0] = Scalar(n == 1 ? 1 : 0);
-        x.segment(1, s) = stages;
-        x[s + 1] = Scalar(n) / density;
-        const Scalar before = sqrt(x.dot(x));
-        remove_known(x);
-        const Scalar size = sqrt(x.dot(x));
-        if (size > condition_tolerance<Scalar>() * before) basis.push_back(x / size);
-        return true;
-    });
-    column w = behind;
-    remove_known(w);
-    const Scalar sum = w.dot(behind);
-    if (!(sum > condition_tolerance<Scalar>())) return column::Zero(s + 2);
-    return column(w * (wanted / sum));
-}
+            for (std::size_t k = 0; k < vectors.size() && order[k] <= q; ++k)
+                x -= vectors[k].dot(x) * vectors[k];
+    }
+};
 
 }  // namespace detail
 
 /// The blind spots of the pair with weights b and b - d, p its order, `is` its structure. Blind: the error is
-/// 1000 times what the estimate shows. Of the combinations that see a spot that of the highest power is taken
+/// 200 times what the estimate shows. Of the combinations that see a spot that of the highest power is taken
 /// whose weights sum to at most 20 in size, as larger ones show more of what is smooth.
 template <class Scalar, int Stages, class Weights>
 blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tableau_structure& is,
@@ -82,6 +87,7 @@ blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tab
     std::sort(nodes.begin(), nodes.end());
     blind_spots<Scalar> found;
     found.weights.resize(s + 2, 0);
+    std::optional<detail::weights_basis<Scalar>> trees;  // few pairs ask for it
     for (std::size_t g = 0; g + 1 < nodes.size(); ++g) {
         const Scalar from = nodes[g], to = nodes[g + 1];
         if (detail::holds(from, to)) continue;
@@ -103,10 +109,14 @@ blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tab
         bool seen = false;
         for (int k = 0; k < found.count(); ++k)
             seen = seen || 3 * abs(found.weights.col(k).dot(behind)) >= error;
+        if (!trees) trees.emplace(m, most);
         for (int q = found.count() > 0 ? found.power - 1 : most; q > 0 && !seen; --q) {
-            const column w = detail::jump_weights(m, q, behind, error);
-            const Scalar size = w.cwiseAbs().sum();
-            if (q > 1 && !(size > Scalar(0) && size <= Scalar(20))) continue;
+            column w = behind;
+            trees->project_out(w, q);
+            const Scalar sum = w.dot(behind);
+            if (!(sum > detail::condition_tolerance<Scalar>())) continue;
+            w *= error / sum;
+            if (q > 1 && !(w.cwiseAbs().sum() <= Scalar(20))) continue;
             found.weights.conservativeResize(Eigen::NoChange, found.count() + 1);
             found.weights.col(found.count() - 1) = w;
             found.power = q + 1;

@@ -71,7 +71,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             factored_ |= solve_by_continuation(method, system_, t_, y_, h, weights_, newton_limits_for(s),
                                                now, report_, newton);
         if (!factored_ || newton.end != newton_end::converged) {
-            const bool left_is_finite = norm(f0_, scale_) - norm(f0_, scale_) == scalar(0);
+            const bool left_is_finite = is_finite(f0_);
             obstacle_ = !factored_ && left_is_finite           ? status::singular_matrix
                         : !factored_                           ? status::non_finite
                         : newton.end == newton_end::non_finite ? status::non_finite
@@ -156,6 +156,7 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
     if (err < scalar(1) && method.needs_right_value()) {
         system_(t_next, y1_, f0_);
         right_value_known_ = true;
+        if (!is_finite(f0_)) return std::numeric_limits<scalar>::quiet_NaN();
         if (const int solves = method.estimate_right(system_, h, f0_, now, error_)) {
             report_.error_solves += solves;
             const scalar right = norm(error_, weights_) * ratio;
@@ -179,8 +180,13 @@ template <class Step>
 auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, const scalar& t_next,
                                                  output_type& now) -> attempt_end {
     using std::abs;
-    for (int i = 0; i < n_; ++i)
-        if (!(y1_[i] - y1_[i] == scalar(0))) return end(status::non_finite);
+    if (!is_finite(y1_)) return end(status::non_finite);
+    if (method.ends_with_value()) {
+        if (!right_value_known_) system_(t_next, y1_, f0_);
+        if (!is_finite(f0_)) return end(status::non_finite);
+        right_value_known_ = true;
+        method.end(f0_);
+    }
     now.t0_ = t_;
     now.h_ = h;
     has_output_ = keeps_output_ || method.implicit();

@@ -113,6 +113,8 @@ class collocation_step {
     template <class System>
     void prepare(const System&, bool, bool) {}
     void begin(const vector&) {}
+    static constexpr bool ends_with_value() { return false; }
+    void end(const vector&) {}
     void accepted() {}
     void replaced() {}
 

@@ -147,6 +147,11 @@ class integrator {
         });
     }
 
+    bool is_finite(const Vector& x) const {
+        scalar sum(0);
+        for (int i = 0; i < n_; ++i) sum += x[i] - x[i];
+        return sum == scalar(0);
+    }
     scalar norm(const Vector& x, const Vector& w) const { return weighted_norm(x, w, n_); }
 
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.

@@ -8,23 +8,26 @@
 #include <stagecraft/stages/continuous_weights.hpp>
 #include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
+#include <stagecraft/stages/tableau_structure.hpp>
 
 namespace stagecraft {
 
 /// The continuous solution of a method given by its tableau, brought to the form dense_output evaluates:
 ///   - the collocation polynomial of degree s where B(s) and C(s) hold with distinct nodes;
-///   - else y + h sum b_j(theta) k_j with b(0) = 0, b(1) = b of the highest order q <= p that the stages
+///   - else y + h sum b_j(theta) k_j with b(0) = 0, b(1) = b of the highest order q <= p that the slopes
 ///     allow, in polynomials of degree max(q, 3) (stages/continuous_weights.hpp): 4 for Dormand-Prince 5(4),
-///     5 for Prince-Dormand 8(7), 3 for the classical method. Where both ends are stages (explicit first,
-///     last row of A equal to b) the slopes there are theirs, so that u is continuously differentiable over
-///     the steps, and for q <= 3 it is Hermite's cubic;
+///     6 for Dormand-Prince 8(5,3), 3 for the classical method. Where the first stage is explicit and the
+///     slope at the right end is known too, that of the last stage (last row of A equal to b) or f(t1, y1),
+///     which an explicit method asks for in its next step anyway, the slopes at the ends are these, so that u
+///     is continuously differentiable over the steps, and for q <= 3 it is Hermite's cubic;
 ///   - with a singular M, whose left slope is not known, the quadratic through both ends and the stage
 ///     nearest the middle (all stages where C(s) holds).
-/// Order q means that a step adds an error O(h^{q+1}) between its ends to the O(h^p) of the ends. The
-/// conditions are looked at in the numbers, not in the facts. No form evaluates f: where y1 is no stage the
-/// slope there is not used, and a method of few stages has a continuous solution of order 2 (three stages
-/// without C(3), such as Lobatto IIIB) or 1 (one stage). An accepted step costs s n multiplications for each
-/// of the degree - 2 places between the ends, one place less with both slopes.
+/// Order q means that a step adds an error O(h^{q+1}) between its ends to the O(h^p) of the ends; explicit
+/// methods to order five have q >= p - 1, and lose nothing. The conditions are looked at in the numbers, not
+/// in the facts. Implicit methods whose y1 is no stage do not use the slope there, and those of few stages
+/// have a continuous solution of order 2 (three stages without C(3), such as Lobatto IIIB) or 1 (one stage).
+/// An accepted step costs s n multiplications for each of the degree - 2 places between the ends, one place
+/// less with both slopes.
 template <class Scalar, int N, int Stages, int MaxStages>
 class stage_output {
   public:
@@ -37,12 +40,16 @@ class stage_output {
     explicit stage_output(int stages)
         : nodes_(columns(stages)),
           weights_(stages, MaxStages < 0 ? columns(stages) : MaxStages),
-          right_(make_workspace<Scalar, MaxStages>(columns(stages))) {}
+          right_(make_workspace<Scalar, MaxStages>(columns(stages))),
+          of_right_(make_workspace<Scalar, MaxStages>(columns(stages))) {}
 
-    /// Chooses the form for a method of order p; `ends` is true if k_1 and k_s are the slopes at the ends,
-    /// `by_value` as in stage_slopes.
-    void prepare(const tableau<Scalar, Stages>& m, int p, bool ends, bool by_value) {
+    /// Chooses the form for a method of order p and the structure `is`. `by_value` as in stage_slopes;
+    /// `right_value` is true if k_1 is the slope at the left end and that at the right end, which is no
+    /// stage, will be known as well.
+    void prepare(const tableau<Scalar, Stages>& m, int p, const tableau_structure& is, bool by_value,
+                 bool right_value) {
         const int s = m.stages();
+        const bool ends = is.first_same_as_last() || right_value;
         bool distinct = true;
         for (int i = 0; i < s; ++i)
             for (int j = 0; j < i; ++j) distinct = distinct && !(m.c[i] == m.c[j]);
@@ -64,7 +71,11 @@ class stage_output {
             if (stage_ >= 0) nodes_.c[1] = m.c[stage_];
         } else {
             form_ = ends ? form::weights_and_ends : form::weights;
-            find_weights(m, p, ends);
+            with_right_ = right_value;
+            if (right_value)
+                find_weights(with_right_stage(m), p, ends);
+            else
+                find_weights(m, p, ends);
         }
         nodes_.finish();
         if (form_ == form::weights_and_ends) solve_for_right_slope();
@@ -87,16 +98,16 @@ class stage_output {
         return w;
     }
 
-    /// Fills `now` for the step from (t, y) to y1 with the slopes v; now.z_ holds z_i of the stages.
-    template <class Slopes>
+    /// Fills `now` for the step from (t, y) to y1 with the slopes v and, where both ends have one, `right` at
+    /// the right end; now.z_ holds z_i of the stages.
+    template <class Slopes, class Slope>
     void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, const Slopes& v,
-                output& now) const {
+                const Slope& right, output& now) const {
         now.nodes_ = &nodes_;
         now.t0_ = t;
         now.h_ = h;
         now.y0_ = y;
         auto& z = now.z_;
-        const int s = v.method.stages();
         switch (form_) {
             case form::stages:
                 if (nodes_.c[0] == Scalar(0)) z.col(0) = h * v.k.col(0);
@@ -107,11 +118,11 @@ class stage_output {
                 break;
             case form::weights:
             case form::weights_and_ends:
-                weigh(0, h, v, z);
+                weigh(0, h, v, right, z);
                 z.col(1) = y1 - y;
-                for (int i = 2; i < weighed_; ++i) weigh(i, h, v, z);
+                for (int i = 2; i < weighed_; ++i) weigh(i, h, v, right, z);
                 if (form_ == form::weights) break;
-                z.col(weighed_) = (h * right_[weighed_]) * v.k.col(s - 1);
+                z.col(weighed_) = (h * right_[weighed_]) * right;
                 for (int i = 0; i < weighed_; ++i) z.col(weighed_) += right_[i] * z.col(i);
                 break;
         }
@@ -125,37 +136,59 @@ class stage_output {
         return abs(c - Scalar(1) / 2);
     }
 
-    /// Nodes 0 (the slope), 1, theta_1, ...; the last one is left to the right slope where both ends are
-    /// stages.
-    void find_weights(const tableau<Scalar, Stages>& m, int p, bool ends) {
+    /// m with the right end as one more stage.
+    static tableau<Scalar> with_right_stage(const tableau<Scalar, Stages>& m) {
+        const int s = m.stages();
+        tableau<Scalar> r;
+        r.A.setZero(s + 1, s + 1);
+        r.A.topLeftCorner(s, s) = m.A;
+        r.A.bottomLeftCorner(1, s) = m.b.transpose();
+        r.b.setZero(s + 1);
+        r.b.head(s) = m.b;
+        r.c.setOnes(s + 1);
+        r.c.head(s) = m.c;
+        return r;
+    }
+
+    /// Nodes 0 (the slope), 1, theta_1, ...; the last one is left to the right slope where both ends have
+    /// one.
+    template <int Rows>
+    void find_weights(const tableau<Scalar, Rows>& m, int p, bool ends) {
         const auto found = find_continuous_weights(m, p, ends);
         nodes_.size = found.degree;
         nodes_.c[0] = Scalar(0);
         nodes_.c[1] = Scalar(1);
         for (int i = 2; i < found.degree; ++i) nodes_.c[i] = found.place(i - 1);
         weighed_ = found.degree - (ends ? 1 : 0);
-        weights_.col(0) = found.at.col(0);
-        for (int i = 2; i < weighed_; ++i) weights_.col(i) = found.at.col(i - 1);
+        for (int i = 0; i < weighed_; ++i) {
+            if (i == 1) continue;
+            const auto weights = found.at.col(i == 0 ? 0 : i - 1);
+            weights_.col(i) = weights.head(weights_.rows());
+            of_right_[i] = weights[weights.size() - 1];
+        }
     }
 
-    /// z_last = right_last h k_s + sum_j right_j z_j from the slope at 1, sum_j l_j'(1) z_j = h k_s.
+    /// z_last = right_last h u'(1) + sum_j right_j z_j from the slope at 1, sum_j l_j'(1) z_j = h u'(1).
     void solve_for_right_slope() {
         nodes_.basis_derivative(Scalar(1), right_.data());
         for (int i = 0; i < weighed_; ++i) right_[i] /= -right_[weighed_];
         right_[weighed_] = Scalar(1) / right_[weighed_];
     }
 
-    template <class Slopes, class Matrix>
-    void weigh(int i, const Scalar& h, const Slopes& v, Matrix& z) const {
+    template <class Slopes, class Slope, class Matrix>
+    void weigh(int i, const Scalar& h, const Slopes& v, const Slope& right, Matrix& z) const {
         z.col(i) = h * v.k.lazyProduct(weights_.col(i));
+        if (with_right_) z.col(i) += (h * of_right_[i]) * right;
     }
 
     interpolation_nodes<Scalar, MaxStages> nodes_;
     Eigen::Matrix<Scalar, Stages, MaxStages> weights_;  // b'(0), b, b(theta_1), ..., one column a node
-    workspace<Scalar, MaxStages> right_;
+    workspace<Scalar, MaxStages> right_;     // the last node's value from u'(1) and those of the others
+    workspace<Scalar, MaxStages> of_right_;  // weights of the slope at 1 where it is none of a stage
     form form_ = form::weights;
     int stage_ = -1;
     int weighed_ = 0;  // nodes whose values are weighed slopes, and y1
+    bool with_right_ = false;
 };
 
 }  // namespace stagecraft

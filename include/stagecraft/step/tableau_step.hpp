@@ -81,7 +81,8 @@ class tableau_step {
             throw std::invalid_argument(
                 "integrate: method.b_embedded sees no error of y' = f(t); use options.fixed_step or "
                 "step_doubling(method)");
-        if (output || implicit()) output_.prepare(v_.method, order_, is_.first_same_as_last(), v_.by_value);
+        ends_with_value_ = output && !implicit() && is_.left_stage && !is_.stiffly_accurate && !v_.by_value;
+        if (output || implicit()) output_.prepare(v_.method, order_, is_, v_.by_value, ends_with_value_);
         if (fixed) return;
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
         blind_ = find_blind_spots(v_.method, is_, difference_, order_);
@@ -144,6 +145,14 @@ class tableau_step {
         }
     }
 
+    /// True if the continuous solution uses f at the end of the step, which is the next step's left value.
+    bool ends_with_value() const { return ends_with_value_; }
+    /// A step is about to be finished: f1 = f(t1, y1).
+    void end(const vector& f1) {
+        right_slope_ = f1;
+        v_.mass.solve(right_slope_.data());
+    }
+
     /// First guess: the continuous solution of the step before, extrapolated. `from` says where in that step
     /// this one starts: at its end (1), or together with it (0).
     void guess(const output* before, const vector& y, const Scalar& h, output& now,
@@ -184,7 +193,10 @@ class tableau_step {
 
     /// Makes `now` the continuous solution of the accepted step from (t, y) to y1.
     void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) {
-        output_.finish(t, y, h, y1, v_, now);
+        if (ends_with_value_)
+            output_.finish(t, y, h, y1, v_, right_slope_, now);
+        else
+            output_.finish(t, y, h, y1, v_, v_.k.col(count() - 1), now);
     }
     /// The slope at the end of the step becomes that of the next one's left end.
     void accepted() {
@@ -221,7 +233,7 @@ class tableau_step {
     }
     /// True if f(t1, y1) is asked for before the step is accepted.
     bool needs_right_value() const {
-        return ends_between_nodes() || blind_.need_right_slope() ||
+        return ends_between_nodes() || ends_with_value_ || blind_.need_right_slope() ||
                (blind_.need_left_slope() && !is_.stiffly_accurate);
     }
     /// error := what stiff components carry of the filtered defect f(t1, y1) - M u'(t1) of the continuous
@@ -262,10 +274,7 @@ class tableau_step {
             watch_.refused();
             return err;
         }
-        if (needs_right_value()) {
-            right_slope_ = f1;
-            v_.mass.solve(right_slope_.data());
-        }
+        if (needs_right_value()) end(f1);
         Scalar largest(0);
         for (int g = 0; g < blind_.count() && (end_slope_known_ || !blind_.need_left_slope()); ++g) {
             const auto weights = blind_.weights.col(g);
@@ -307,7 +316,7 @@ class tableau_step {
     vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
     vector next_value_;                // M k_1 of the next step where that is kept
     Scalar h_{0};
-    bool left_known_ = false, end_slope_known_ = false, filtered_ = false;
+    bool left_known_ = false, end_slope_known_ = false, ends_with_value_ = false, filtered_ = false;
     int order_ = 0, power_ = 0;
 };
 
