@@ -114,6 +114,7 @@ class step_range {
 ///
 /// An input range, so the algorithms of std::ranges take it (as an lvalue). Arguments and errors as for
 /// integrate(), except that what the problem throws leaves the loop. An observer is called by hand:
+/// watch.start(t0, y0, t1) before the loop where it has that (solution, output_times, events), then
 /// watch(step.t, step.y, step.h, step.output). Only what corrects states has to be called before the step is
 /// seen, and is given last: projection(problem), projection_onto<M>(g) (dae/projection.hpp) or anything else
 /// with correct(t, y) (observer.hpp), taken by reference if it is an lvalue. Its other members are not

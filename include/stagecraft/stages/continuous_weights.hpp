@@ -73,8 +73,7 @@ struct continuous_weights {
 /// degree, which hold for every theta if they hold where b is computed: b'(0) and b at degree - 2 places, or
 /// one less where the slope at the right end is to be that of the last stage (`ends`). The smallest b where
 /// the conditions do not determine it, and the first unit vector for b'(0) where the first stage is the left
-/// end. q > 3 only up to the order p of b and largest_tree_order; `order`
-/// is min(p, q).
+/// end. q > 3 only up to the order p of b and largest_tree_order; `order` is min(p, q).
 template <class Scalar, int Stages>
 continuous_weights<Scalar> find_continuous_weights(const tableau<Scalar, Stages>& m, int p, bool ends) {
     const int s = m.stages(), order = p < largest_tree_order ? p : largest_tree_order;
