@@ -38,7 +38,7 @@ equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const S
     using std::ceil;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon(), start = abs(t0), end = abs(t1);
     const Scalar count = ceil(abs(t1 - t0) / largest * (Scalar(1) - Scalar(1) / 1000000000));
-    if (!(count < Scalar(1) / eps))
+    if (!(count < Scalar(1) / eps && count < Scalar(std::numeric_limits<long>::max())))
         throw std::invalid_argument("integrate: fixed_step is too small for t1 - t0");
     const long n = static_cast<long>(count) > 0 ? static_cast<long>(count) : 1;
     const Scalar h = (t1 - t0) / Scalar(n);
