@@ -16,21 +16,23 @@ namespace stagecraft {
 template <class Scalar>
 class jump_watch {
   public:
+    /// A suspicion is to be tried again with half of the step, a jump with what its size asks for.
     enum class verdict { smooth, suspicion, jump };
 
-    /// Of an attempt that the estimate would accept. Steps after a suspicion are to be half as long.
+    /// Of an attempt that the estimate would accept.
     verdict judge(const Scalar& h, const Scalar& size, int power) {
         using std::abs;
         using std::pow;
         now_ = {abs(h), size};
-        if (!(before_.h > Scalar(0)) || size <= Scalar(suspicious_ ? 1 : 10)) return verdict::smooth;
-        const Scalar ratio = now_.h / before_.h;
+        if (size <= Scalar(suspicious_ ? 1 : 10)) return verdict::smooth;
+        // In the first step nothing was expected: one repetition shows what it is.
+        const Scalar ratio = before_.h > Scalar(0) ? Scalar(now_.h / before_.h) : Scalar(0);
         const Scalar smooth = before_.size * (suspicious_ ? Scalar(pow(ratio, Scalar(3) / 2))
-                                                          : Scalar(surprise_ * pow(ratio, Scalar(power))));
+                                                          : Scalar(threshold_ * pow(ratio, Scalar(power))));
         if (size <= smooth) return verdict::smooth;
         before_ = now_;
-        confirmed_ = ahead_ > Scalar(0);
-        if (!confirmed_) ahead_ = now_.h;
+        confirmed_ = suspect_length_ > Scalar(0);
+        if (!confirmed_) suspect_length_ = now_.h;
         return std::exchange(suspicious_, true) ? verdict::jump : verdict::suspicion;
     }
     /// The estimate refuses an attempt.
@@ -38,12 +40,12 @@ class jump_watch {
     void accepted() {
         suspicious_ = false;
         before_ = now_;
-        if (surprise_ > Scalar(10)) surprise_ *= Scalar(9) / 10;
-        if (!(ahead_ > Scalar(0))) return;
-        ahead_ -= now_.h;
-        if (!(ahead_ <= now_.h / 1000)) return;
-        ahead_ = Scalar(0);
-        if (!confirmed_) surprise_ *= 10;
+        if (threshold_ > Scalar(10)) threshold_ *= Scalar(9) / 10;
+        if (!(suspect_length_ > Scalar(0))) return;
+        suspect_length_ -= now_.h;
+        if (!(suspect_length_ <= now_.h / 1000)) return;
+        suspect_length_ = Scalar(0);
+        if (!confirmed_) threshold_ *= 10;
     }
 
   private:
@@ -51,7 +53,8 @@ class jump_watch {
         Scalar h{0}, size{0};
     };
     measured before_, now_;
-    Scalar surprise_{10}, ahead_{0};  // ahead_: to the end of the step that raised suspicion
+    Scalar threshold_{10};      // times what was expected raises suspicion
+    Scalar suspect_length_{0};  // to the end of the step that raised it
     bool suspicious_ = false, confirmed_ = false;
 };
 

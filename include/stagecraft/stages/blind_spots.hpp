@@ -23,13 +23,13 @@ namespace stagecraft {
 /// stage its own weight is zero.
 template <class Scalar>
 struct blind_spots {
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights{2, 0};  ///< s + 2 rows, a column each
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights;  ///< s + 2 rows, a column each
     int power = 0;
-    Scalar doubt{1};  ///< largest ratio of error and estimate where the pair is not blind
+    Scalar largest_ratio{1};  ///< of the error of y1 to the estimate, where the pair is not blind
+
+    bool need_left_slope = false, need_right_slope = false;  ///< slopes at ends that are no stages
 
     int count() const { return static_cast<int>(weights.cols()); }
-    bool need_left_slope() const { return !weights.topRows(1).isZero(Scalar(0)); }
-    bool need_right_slope() const { return !weights.bottomRows(1).isZero(Scalar(0)); }
 };
 
 namespace detail {
@@ -74,10 +74,11 @@ struct weights_basis {
 
 /// The blind spots of the pair with weights b and b - d, p its order, `is` its structure. Blind: the error is
 /// 200 times what the estimate shows. Of the combinations that see a spot that of the highest power is taken
-/// whose weights sum to at most 20 in size, as larger ones show more of what is smooth.
+/// whose weights sum to at most 20 in size, as larger ones show more of what is smooth. Where the slopes
+/// at the ends are not known none can be `watched`: there a spot is blind at 10000 and has no combination.
 template <class Scalar, int Stages, class Weights>
 blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tableau_structure& is,
-                                     const Weights& d, int p) {
+                                     const Weights& d, int p, bool watched = true) {
     using std::abs;
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     const int s = m.stages(), most = p < largest_tree_order ? p : largest_tree_order;
@@ -102,14 +103,14 @@ blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tab
             }
         const Scalar error =
             std::max<Scalar>(abs(weight - (Scalar(1) - from)), abs(weight - (Scalar(1) - to)));
-        if (error <= 200 * abs(estimate)) {
-            found.doubt = std::max<Scalar>(found.doubt, error / abs(estimate));
+        if (error <= (watched ? 200 : 10000) * abs(estimate)) {
+            found.largest_ratio = std::max<Scalar>(found.largest_ratio, error / abs(estimate));
             continue;
         }
-        bool seen = false;
+        bool seen = !watched;
         for (int k = 0; k < found.count(); ++k)
             seen = seen || 3 * abs(found.weights.col(k).dot(behind)) >= error;
-        if (!trees) trees.emplace(m, most);
+        if (!seen && !trees) trees.emplace(m, most);
         for (int q = found.count() > 0 ? found.power - 1 : most; q > 0 && !seen; --q) {
             column w = behind;
             trees->project_out(w, q);
@@ -129,6 +130,8 @@ blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tab
     };
     if (is.left_stage) join(0, 1);
     if (is.stiffly_accurate) join(s + 1, s);
+    found.need_left_slope = !found.weights.row(0).isZero(Scalar(0));
+    found.need_right_slope = !found.weights.row(s + 1).isZero(Scalar(0));
     return found;
 }
 

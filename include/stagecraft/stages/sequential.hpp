@@ -122,19 +122,30 @@ class sequential_stages {
     template <class System>
     void filter(const System& system, vector& x, const vector& value, const Scalar& factor) {
         r_ = (shift_[0] * factor) * value;
-        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
-        solve_first(system, r_);
-        x = r_;
+        filter_with(system, x);
+    }
+    /// x := (M - h a J)^-1 M x.
+    template <class System>
+    void filter(const System& system, vector& x) {
+        r_.setZero();
+        filter_with(system, x);
     }
     /// x := x - (M - h a J)^-1 M x, what of x stiff components carry.
     template <class System>
     void stiff_part(const System& system, vector& x) {
         d_ = x;
-        filter(system, x, x, Scalar(0));
+        filter(system, x);
         x = d_ - x;
     }
 
   private:
+    template <class System>
+    void filter_with(const System& system, vector& x) {
+        add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);
+        solve_first(system, r_);
+        x = r_;
+    }
+
     template <class System>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                    const vector& weights, const newton_limits<Scalar>& limits,

@@ -37,6 +37,10 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
                 abs(h_) < options_.min_step)
                 return end(obstacle_);
         }
+        if (needs_left_value(method) && !left_value_known_) {
+            system_(t_, y_, f0_);
+            left_value_known_ = true;
+        }
         output_type& now = outputs_[1 - current_];
         weights_ = scale_;
         system_.weigh_by_index(weights_, h, options_.rtol);
@@ -61,8 +65,8 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             }
         }
         newton_outcome<scalar> newton;
+        method.begin(f0_);
         if (factored_) {
-            method.begin(f0_);
             method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
             newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
                                            report_.solves);
@@ -112,10 +116,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         }
         ++failures_;
         last_was_rejected_ = true;
-        if (right_value_known_) {
-            right_value_known_ = false;
-            system_(t_, y_, f0_);
-        }
+        right_value_known_ = false;
         if (!(err - err == scalar(0))) {
             obstacle_ = status::non_finite;
             ++report_.rejected_newton;
@@ -154,8 +155,7 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
         err = error_size();
     }
     if (err < scalar(1) && method.needs_right_value()) {
-        system_(t_next, y1_, f0_);
-        right_value_known_ = true;
+        evaluate_right(t_next);
         if (!is_finite(f0_)) return std::numeric_limits<scalar>::quiet_NaN();
         if (const int solves = method.estimate_right(system_, h, f0_, now, error_)) {
             report_.error_solves += solves;
@@ -182,19 +182,23 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     using std::abs;
     if (!is_finite(y1_)) return end(status::non_finite);
     if (method.ends_with_value()) {
-        if (!right_value_known_) system_(t_next, y1_, f0_);
+        if (!right_value_known_) evaluate_right(t_next);
         if (!is_finite(f0_)) return end(status::non_finite);
-        right_value_known_ = true;
         method.end(f0_);
     }
-    now.t0_ = t_;
-    now.h_ = h;
     has_output_ = keeps_output_ || method.implicit();
-    if (has_output_) method.finish(t_, y_, h, y1_, now);
+    if (has_output_) {
+        method.finish(t_, y_, h, y1_, now);
+    } else {
+        now.t0_ = t_;
+        now.h_ = h;
+    }
     method.accepted();
     current_ = 1 - current_;
     t_ = t_next;
     y_ = y1_;
+    left_value_known_ = right_value_known_;
+    right_value_known_ = false;
     report_.count_step(abs(h), method.count());
     last_was_rejected_ = false;
     rejected_by_estimate_ = false;
@@ -203,8 +207,6 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     set_weights(options_, y_, scale_);
     if (t_ == t1_) return attempt_end::accepted;
     want_jacobian_ = theta_ > scalar(1) / 1000 && !constant_jacobian();
-    if (needs_left_value(method) && !right_value_known_) system_(t_, y_, f0_);
-    right_value_known_ = false;
     return attempt_end::accepted;
 }
 

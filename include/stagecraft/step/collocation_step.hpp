@@ -7,28 +7,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/stages/transformed.hpp>
 
 namespace stagecraft {
-
-/// Order of the quadrature (b, c), which is the classical order of Gauss, Radau IA/IIA and Lobatto IIIC; used
-/// where a tableau carries no facts. Decided at sqrt(eps), far from both rounding and the first failing
-/// condition.
-template <class Scalar, int Stages>
-int quadrature_order(const tableau<Scalar, Stages>& m) {
-    using std::abs;
-    using std::sqrt;
-    const int s = m.stages();
-    Eigen::Matrix<Scalar, Stages, 1> power = Eigen::Matrix<Scalar, Stages, 1>::Ones(s);
-    for (int k = 1; k <= 2 * s; ++k) {
-        Scalar sum = Scalar(-1) / Scalar(k);
-        for (int i = 0; i < s; ++i) sum += m.b[i] * power[i];
-        if (abs(sum) > sqrt(std::numeric_limits<Scalar>::epsilon())) return k - 1;
-        for (int i = 0; i < s; ++i) power[i] *= m.c[i];
-    }
-    return 2 * s;
-}
 
 /// One step of a method with regular A and distinct nodes: first guess, stage equations, update, error
 /// estimate.
@@ -69,7 +53,7 @@ class collocation_step {
         for (int j = 0; j < s; ++j)
             stiffly_accurate_ = stiffly_accurate_ && method.A(s - 1, j) == method.b[j];
         jump_ = method.c[0] == Scalar(0);
-        order_ = method.facts.order > 0 ? method.facts.order : quadrature_order(method);
+        order_ = method.facts.order > 0 ? method.facts.order : quadrature_conditions(method, 2 * s);
         // Node list of the continuous polynomial: 0 carries y, a first stage at 0 gives way to the end point
         // (Radau IA) or drops out where the end point is a node already (Lobatto IIIC).
         nodes_.first_column = jump_ && stiffly_accurate_ && s > 1 ? 1 : 0;
@@ -273,12 +257,7 @@ class collocation_step {
             scratch_ = top_(0, r) * now.z_.col(nodes_.first_column);
             for (int j = 1; j < nodes_.size; ++j)
                 scratch_ += top_(j, r) * now.z_.col(nodes_.first_column + j);
-            Scalar sum = Scalar(0);
-            for (int i = 0; i < scratch_.size(); ++i) {
-                const Scalar v = scratch_[i] * weights[i];
-                sum += v * v;
-            }
-            size[r] = sqrt(sum);
+            size[r] = weighted_norm(scratch_, weights, static_cast<int>(scratch_.size()));
         }
         last_coefficient_ = size[0];
         const Scalar least = Scalar(1) / 10000;
@@ -293,10 +272,7 @@ class collocation_step {
     /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
     /// and J enters, so that stiff components count in full.
     Scalar output_error(const output& now, const vector& weights) {
-        using std::sqrt;
-        if (weights.size() == 0) return Scalar(0);
-        const Scalar next = decay(now, weights) * last_coefficient_;
-        return 2 * next / sqrt(Scalar(static_cast<int>(weights.size())));
+        return 2 * decay(now, weights) * last_coefficient_;
     }
 
   private:

@@ -25,10 +25,10 @@
 namespace stagecraft {
 
 /// A run that is advanced step by step: while (run.step()) use run.t(), run.y(), run.output().
-/// Construction checks every argument (std::invalid_argument names the bad one) and takes all storage; a step
-/// allocates nothing. Without `keeps_output` the methods that do not need output() themselves leave it empty
-/// but for step(). What a callable throws passes through step(), with t() and y() at the last accepted
-/// state.
+/// Construction takes the arguments of integrate(), checks every one (std::invalid_argument names the bad
+/// one) and takes all storage; a step allocates nothing after the first. Without `keeps_output` the methods
+/// that do not need output() themselves leave it empty but for step(). What a callable throws passes through
+/// step(), with t() and y() at the last accepted state; calling step() again tries the step again.
 template <class Method, class Problem, class Vector>
 class integrator {
   public:
@@ -66,22 +66,26 @@ class integrator {
             h_ = plan_.h;
         }
         if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
-        for (int k = 0; k < method_count<Method>; ++k) set_tolerances(k);
+        for (int k = 0; k < method_count<Method>; ++k) prepare_method(k);
     }
     integrator(const integrator&) = delete;
     integrator& operator=(const integrator&) = delete;
 
+    /// Where the run is: the last accepted state, t0 and y0 before the first.
     const scalar& t() const { return t_; }
     const Vector& y() const { return y_; }
-    /// The continuous solution over the last accepted step.
+    /// The continuous solution over the last accepted step; there is none before the first.
     const output_type& output() const { return outputs_[current_]; }
+    /// The report so far.
     const report<scalar>& counts() const { return report_; }
+    /// success as long as nothing has ended the run.
     stagecraft::status status() const { return status_; }
     bool finished() const { return t_ == t1_ || status_ != status::success; }
+    /// Ends the run here: status::stopped.
     void stop() { status_ = status::stopped; }
     /// Goes on from `y` in place of y() (a projection, say), both of about the accuracy asked for. The
     /// continuous solution of the last step is bent to end there, the next step starts there in every
-    /// respect.
+    /// respect. std::invalid_argument where y is not finite or of another size.
     void replace_state(const Vector& y) {
         for (int i = 0; i < n_; ++i)
             if (y.size() != n_ || !(y[i] - y[i] == scalar(0)))
@@ -90,17 +94,15 @@ class integrator {
         if (has_output_) outputs_[current_].move_end(y - y_);
         y_ = y;
         set_weights(options_, y_, scale_);
-        visit_current([&](auto& m) {
-            m.replaced();
-            if (t_ != t1_ && this->needs_left_value(m)) system_(t_, y_, f0_);
-        });
+        left_value_known_ = false;
+        visit_current([](auto& m) { m.replaced(); });
     }
 
     /// Takes one accepted step; false if there is none to take (t1 reached) or none could be taken
     /// (status()).
     bool step() {
         if (finished()) return false;
-        if (report_.steps == 0 && !started_ && !start()) return false;
+        if (!started_ && !start()) return false;
         failures_ = 0;
         obstacle_ = status::step_underflow;
         for (;;) {
@@ -128,7 +130,7 @@ class integrator {
         return attempt_end::given_up;
     }
 
-    void set_tolerances(int k) {
+    void prepare_method(int k) {
         detail::visit_at(steps_, k, [&](auto& m) {
             m.prepare(system_, fixed(), keeps_output_);
             if (!fixed() && system_.largest_index() > 2 && !m.stiffly_accurate())
@@ -157,12 +159,12 @@ class integrator {
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
     bool start() {
         using std::abs;
-        started_ = true;
         bool left = false;
         visit_current([&](auto& m) { left = this->needs_left_value(m); });
         if (left || (!fixed() && options_.initial_step == scalar(0)) ||
             has_second_order_components<Problem>) {
             system_(t_, y_, f0_);
+            left_value_known_ = true;
             const scalar size = norm(f0_, scale_);
             if (!(size - size == scalar(0))) return end(status::non_finite) == attempt_end::accepted;
             if constexpr (has_second_order_components<Problem>)
@@ -171,6 +173,7 @@ class integrator {
                         throw bad_problem(
                             "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
         }
+        started_ = true;
         if (fixed()) return true;
         const scalar span = abs(t1_ - t_);
         h_ = options_.initial_step > scalar(0) ? options_.initial_step
@@ -191,10 +194,17 @@ class integrator {
     template <class Step>
     void propose(Step& method, const scalar& h, scalar err);
 
+    /// f at the end of the attempt takes the place of that at its beginning.
+    void evaluate_right(const scalar& t_next) {
+        left_value_known_ = false;
+        system_(t_next, y1_, f0_);
+        right_value_known_ = true;
+    }
+
     template <class Step>
     bool needs_left_value(const Step& method) const {
         return method.needs_left_value(fixed()) ||
-               (system_type::finite_difference && method.implicit() && (!fixed() || want_jacobian_));
+               (system_type::finite_difference && method.implicit() && want_jacobian_);
     }
 
     /// True if the polynomial of the last step is to start the iteration.
@@ -275,7 +285,8 @@ class integrator {
     long attempts_ = 0;
     bool keeps_output_, started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
                         fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false,
-                        rejected_by_estimate_ = false, right_value_known_ = false, contradicted_ = false;
+                        rejected_by_estimate_ = false, left_value_known_ = false, right_value_known_ = false,
+                        contradicted_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 

@@ -81,8 +81,8 @@ class stage_output {
         if (form_ == form::weights_and_ends) solve_for_right_slope();
     }
 
-    /// The weights of the slopes in u' at the end of the step. Not with a singular M, nor of a method whose
-    /// last stage has the slope there.
+    /// The weights of the slopes in u' at the end of the step. Not by value, nor of a method whose last
+    /// stage has the slope there.
     Eigen::Matrix<Scalar, Stages, 1> right_slope(const tableau<Scalar, Stages>& m) const {
         workspace<Scalar, MaxStages> l = right_;
         nodes_.basis_derivative(Scalar(1), l.data());

@@ -86,8 +86,10 @@ class tableau_step {
         if (fixed) return;
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
         blind_ = find_blind_spots(v_.method, is_, difference_, order_);
-        if (v_.by_value || (blind_.count() > 0 && !is_.stiffly_accurate && !v_.mass.prepare(system)))
-            blind_.weights.resize(0, 0);  // the slopes at the ends are not known
+        slope_from_f_ = !v_.by_value && (is_.left_stage || (blind_.count() > 0 && v_.mass.prepare(system)));
+        const bool slopes_known = slope_from_f_ || (is_.stiffly_accurate && !v_.by_value);
+        if (blind_.count() > 0 && !slopes_known)
+            blind_ = find_blind_spots(v_.method, is_, difference_, order_, false);
     }
 
     tableau_step& stages() { return *this; }
@@ -102,12 +104,14 @@ class tableau_step {
     /// Embedded weights estimate the error of the step itself, not of one of higher order.
     Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
     /// Of a jump of f they show a part.
-    Scalar jump_ratio(const Scalar&) const { return blind_.doubt; }
+    Scalar jump_ratio(const Scalar&) const { return blind_.largest_ratio; }
     bool stiffly_accurate() const { return is_.stiffly_accurate; }
     /// False if no stage needs a Jacobian.
     bool implicit() const { return !is_.lower || sequential_.implicit(); }
     /// True if the next step uses f at its left end.
-    bool needs_left_value(bool) const { return is_.left_stage && !left_known_; }
+    bool needs_left_value(bool) const {
+        return !left_known_ && (is_.left_stage || (blind_.need_left_slope && slope_from_f_));
+    }
 
     template <class System>
     bool factor(const System& system, const Scalar& h) {
@@ -128,8 +132,8 @@ class tableau_step {
         if (v_.by_value) {
             const int last = count() - 1;
             next_value_ = v_.carry[last] * v_.left;
-            left_slope_ = v_.k.col(last);
-            add_mass_times(system.mass(), Scalar(1), left_slope_.data(), next_value_.data(), system.size());
+            add_mass_times(system.mass(), Scalar(1), v_.k.col(last).data(), next_value_.data(),
+                           system.size());
         }
         return outcome;
     }
@@ -200,18 +204,13 @@ class tableau_step {
     }
     /// The slope at the end of the step becomes that of the next one's left end.
     void accepted() {
-        left_known_ = is_.first_same_as_last();
-        if (v_.by_value) {
+        left_known_ = is_.first_same_as_last() || blind_.need_left_slope;
+        if (v_.by_value)
             v_.left = next_value_;
-        } else if (left_known_) {
+        else if (left_known_ && is_.stiffly_accurate)
             left_slope_ = v_.k.col(count() - 1);
-        } else if (blind_.need_left_slope()) {
-            if (is_.stiffly_accurate)
-                left_slope_ = v_.k.col(count() - 1);
-            else
-                left_slope_ = right_slope_;
-            end_slope_known_ = true;
-        }
+        else if (left_known_)
+            left_slope_ = right_slope_;
         watch_.accepted();
     }
 
@@ -233,8 +232,8 @@ class tableau_step {
     }
     /// True if f(t1, y1) is asked for before the step is accepted.
     bool needs_right_value() const {
-        return ends_between_nodes() || ends_with_value_ || blind_.need_right_slope() ||
-               (blind_.need_left_slope() && !is_.stiffly_accurate);
+        return ends_between_nodes() || ends_with_value_ || blind_.need_right_slope ||
+               (blind_.need_left_slope && !is_.stiffly_accurate);
     }
     /// error := what stiff components carry of the filtered defect f(t1, y1) - M u'(t1) of the continuous
     /// solution: the error of y1 there, O(h^{q+2}) elsewhere, q being the order of u. f1 = f(t1, y1). For
@@ -270,22 +269,25 @@ class tableau_step {
                       long& solves, Size&& size) {
         using std::pow;
         if (blind_.count() == 0) return err;
+        if (blind_.need_left_slope && !left_known_ && !slope_from_f_) return err;
         if (!(err < Scalar(1))) {
             watch_.refused();
             return err;
         }
         if (needs_right_value()) end(f1);
         Scalar largest(0);
-        for (int g = 0; g < blind_.count() && (end_slope_known_ || !blind_.need_left_slope()); ++g) {
+        for (int g = 0; g < blind_.count(); ++g) {
             const auto weights = blind_.weights.col(g);
             v_.combine([&](int j) { return weights[j + 1]; }, count(), h, x);
-            if (blind_.need_left_slope()) x += (h * weights[0]) * left_slope_;
-            if (blind_.need_right_slope()) x += (h * weights[count() + 1]) * right_slope_;
-            if (filtered_ && is_.lower) {
-                sequential_.filter(system, x, x, Scalar(0));
+            if (blind_.need_left_slope) x += (h * weights[0]) * left_slope_;
+            if (blind_.need_right_slope) x += (h * weights[count() + 1]) * right_slope_;
+            Scalar next = size(x, false);
+            // What stiff components carry of it y1 damps: at infinity by two powers of 1/z.
+            for (int k = 0; k < 2 && filtered_ && is_.lower && next > Scalar(10); ++k) {
+                sequential_.filter(system, x);
                 ++solves;
+                next = size(x, false);
             }
-            const Scalar next = size(x, false);
             if (!(next <= largest)) largest = next;
         }
         switch (watch_.judge(h, largest, blind_.power)) {
@@ -316,7 +318,7 @@ class tableau_step {
     vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
     vector next_value_;                // M k_1 of the next step where that is kept
     Scalar h_{0};
-    bool left_known_ = false, end_slope_known_ = false, ends_with_value_ = false, filtered_ = false;
+    bool left_known_ = false, slope_from_f_ = false, ends_with_value_ = false, filtered_ = false;
     int order_ = 0, power_ = 0;
 };
 
