@@ -9,8 +9,8 @@ namespace stagecraft {
 /// Watches a quantity of order h^power that is of the size of the jump where f jumps out of the estimate's
 /// sight (blind_spots), in units of the tolerance. It is no estimate of an error, and may be large all the
 /// time: a jump shows as ten times what the step before let expect. A smooth solution is told from it when
-/// the step is repeated with half of h: there the quantity falls as h^power, and with h across a jump, which
-/// is refused until it has become small. Where the suspicion was false, as no step up to the end of the
+/// the step is repeated with half of h: there the quantity falls as h^power, and about with h across a jump,
+/// which is refused until it has become small. Where the suspicion was false, as no step up to the end of the
 /// suspicious one was refused, it takes more to raise the next one, for a while: an explicit method at the
 /// border of its stability would raise them all the time.
 template <class Scalar>
@@ -27,7 +27,7 @@ class jump_watch {
         if (size <= Scalar(suspicious_ ? 1 : 10)) return verdict::smooth;
         // In the first step nothing was expected: one repetition shows what it is.
         const Scalar ratio = before_.h > Scalar(0) ? Scalar(now_.h / before_.h) : Scalar(0);
-        const Scalar smooth = before_.size * (suspicious_ ? Scalar(pow(ratio, Scalar(3) / 2))
+        const Scalar smooth = before_.size * (suspicious_ ? Scalar(pow(ratio, Scalar(power + 1) / 2))
                                                           : Scalar(threshold_ * pow(ratio, Scalar(power))));
         if (size <= smooth) return verdict::smooth;
         before_ = now_;

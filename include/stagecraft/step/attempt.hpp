@@ -139,7 +139,12 @@ template <class Method, class Problem, class Vector>
 template <class Step>
 auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h, const scalar& t_next,
                                                    output_type& now) -> scalar {
-    const scalar smooth_ratio = ratio_[order_.current()], jump_ratio = method.jump_ratio(smooth_ratio);
+    using std::abs;
+    // In steps so small nothing is gained by looking for more than the estimate shows.
+    const bool room =
+        abs(h) > 4 * options_.min_step && abs(h) > std::numeric_limits<scalar>::epsilon() * 1000000 * abs(t_);
+    const scalar smooth_ratio = ratio_[order_.current()], all = method.jump_ratio(smooth_ratio);
+    const scalar jump_ratio = room || all < scalar(1) ? all : scalar(1);
     scalar ratio = smooth_.doubted() ? jump_ratio : smooth_ratio;
     const auto size = [this](const Vector& x, bool reduced) {
         return norm(x, reduced ? system_.weights_to_follow(weights_) : weights_);
@@ -156,10 +161,9 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
     }
     if (err < scalar(1) && method.needs_right_value()) {
         evaluate_right(t_next);
-        if (!is_finite(f0_)) return std::numeric_limits<scalar>::quiet_NaN();
         if (const int solves = method.estimate_right(system_, h, f0_, now, error_)) {
             report_.error_solves += solves;
-            const scalar right = norm(error_, weights_) * ratio;
+            const scalar right = norm(error_, weights_) * method.right_ratio(ratio);
             if (!(right <= err)) err = right;
         }
     }
@@ -171,7 +175,7 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
         const scalar whole = error_size();
         if (!(whole <= err)) err = whole;
     }
-    return method.judge_jump(system_, h, f0_, err, error_, report_.error_solves, size);
+    return room ? method.judge_jump(system_, h, f0_, err, error_, report_.error_solves, size) : err;
 }
 
 /// Moves to the end of the step and decides whether the Jacobian still serves.
@@ -183,8 +187,10 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     if (!is_finite(y1_)) return end(status::non_finite);
     if (method.ends_with_value()) {
         if (!right_value_known_) evaluate_right(t_next);
-        if (!is_finite(f0_)) return end(status::non_finite);
-        method.end(f0_);
+        if (is_finite(f0_))
+            method.end(f0_);
+        else
+            method.end_without_value(h, y_, y1_);
     }
     has_output_ = keeps_output_ || method.implicit();
     if (has_output_) {
@@ -218,7 +224,7 @@ void integrator<Method, Problem, Vector>::propose(Step& method, const scalar& h,
     if (smooth_.accepted()) {
         controller_.forget();
         const scalar smooth_ratio = ratio_[order_.current()];
-        err *= smooth_ratio / method.jump_ratio(smooth_ratio);
+        if (smooth_ratio < scalar(1)) err *= smooth_ratio;
     }
     const int most = usual_iterations(method.coupled_stages_count());
     const scalar safety = scalar(9) / scalar(10) * scalar(2 * most + 1) / scalar(2 * most + iterations_);

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/stages/transformed.hpp>
@@ -99,6 +98,7 @@ class collocation_step {
     void begin(const vector&) {}
     static constexpr bool ends_with_value() { return false; }
     void end(const vector&) {}
+    void end_without_value(const Scalar&, const vector&, const vector&) {}
     void accepted() {}
     void replaced() {}
 
@@ -170,6 +170,7 @@ class collocation_step {
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
         return 1;
     }
+    static Scalar right_ratio(const Scalar& ratio) { return ratio; }
     /// The estimates see every jump of f.
     template <class System, class Size>
     static Scalar judge_jump(const System&, const Scalar&, const vector&, const Scalar& err, vector&, long&,
@@ -257,7 +258,12 @@ class collocation_step {
             scratch_ = top_(0, r) * now.z_.col(nodes_.first_column);
             for (int j = 1; j < nodes_.size; ++j)
                 scratch_ += top_(j, r) * now.z_.col(nodes_.first_column + j);
-            size[r] = weighted_norm(scratch_, weights, static_cast<int>(scratch_.size()));
+            Scalar sum = Scalar(0);
+            for (int i = 0; i < scratch_.size(); ++i) {
+                const Scalar v = scratch_[i] * weights[i];
+                sum += v * v;
+            }
+            size[r] = sqrt(sum);
         }
         last_coefficient_ = size[0];
         const Scalar least = Scalar(1) / 10000;
@@ -272,7 +278,10 @@ class collocation_step {
     /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
     /// and J enters, so that stiff components count in full.
     Scalar output_error(const output& now, const vector& weights) {
-        return 2 * decay(now, weights) * last_coefficient_;
+        using std::sqrt;
+        if (weights.size() == 0) return Scalar(0);
+        const Scalar next = decay(now, weights) * last_coefficient_;
+        return 2 * next / sqrt(Scalar(static_cast<int>(weights.size())));
     }
 
   private:

@@ -177,7 +177,8 @@ class stage_output {
 
     template <class Slopes, class Slope, class Matrix>
     void weigh(int i, const Scalar& h, const Slopes& v, const Slope& right, Matrix& z) const {
-        z.col(i) = h * v.k.lazyProduct(weights_.col(i));
+        z.col(i) = (h * weights_(0, i)) * v.k.col(0);
+        for (int j = 1; j < weights_.rows(); ++j) z.col(i) += (h * weights_(j, i)) * v.k.col(j);
         if (with_right_) z.col(i) += (h * of_right_[i]) * right;
     }
 

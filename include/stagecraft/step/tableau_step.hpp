@@ -47,7 +47,8 @@ class tableau_step {
           difference_(method.stages()),
           left_slope_(n),
           right_slope_(n),
-          next_value_(n) {
+          next_value_(n),
+          scratch_(n) {
         const int s = method.stages();
         v_.left_stage = is_.left_stage;
         order_ = classical_order(method);
@@ -87,7 +88,8 @@ class tableau_step {
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
         blind_ = find_blind_spots(v_.method, is_, difference_, order_);
         slope_from_f_ = !v_.by_value && (is_.left_stage || (blind_.count() > 0 && v_.mass.prepare(system)));
-        const bool slopes_known = slope_from_f_ || (is_.stiffly_accurate && !v_.by_value);
+        const bool slopes_known =
+            slope_from_f_ || ends_between_nodes() || (is_.stiffly_accurate && !v_.by_value);
         if (blind_.count() > 0 && !slopes_known)
             blind_ = find_blind_spots(v_.method, is_, difference_, order_, false);
     }
@@ -155,6 +157,10 @@ class tableau_step {
     void end(const vector& f1) {
         right_slope_ = f1;
         v_.mass.solve(right_slope_.data());
+    }
+    /// The same where f is not finite there: the slope of the parabola through the ends takes its place.
+    void end_without_value(const Scalar& h, const vector& y, const vector& y1) {
+        right_slope_ = (y1 - y) * (Scalar(2) / h) - v_.k.col(0);
     }
 
     /// First guess: the continuous solution of the step before, extrapolated. `from` says where in that step
@@ -243,24 +249,42 @@ class tableau_step {
     template <class System>
     int estimate_right(const System& system, const Scalar&, const vector& f1, const output&, vector& error) {
         if (!ends_between_nodes()) return 0;
-        next_value_ = v_.k.lazyProduct(end_slope_);
+        v_.combine([&](int j) { return end_slope_[j]; }, count(), Scalar(1), next_value_);
         error = f1;
         add_mass_times(system.mass(), Scalar(-1), next_value_.data(), error.data(), system.size());
         sequential_.solve_first(system, error);
+        // The slope at the end that judge_jump looks at: that of f, but for stiff components, where f
+        // magnifies what y1 is off by.
+        right_slope_ = next_value_ + sequential_.growth_shift() * error;
         sequential_.stiff_part(system, error);
         return 2;
     }
-    /// Nothing is gained by filtering once more.
+    /// It does not stand for a part of a jump.
+    static Scalar right_ratio(const Scalar& ratio) { return ratio < Scalar(1) ? ratio : Scalar(1); }
+    /// The estimate once more filtered, after a rejection: stiffly accurate methods damp what stiff
+    /// components that have not decayed yet leave in it (as collocation_step::estimate_again). Returns the
+    /// number of solves.
     template <class System>
-    int estimate_again(System&, const Scalar&, const vector&, const Scalar&, const output&, vector&,
-                       vector&) {
-        return 0;
+    int estimate_again(System& system, const Scalar&, const vector&, const Scalar&, const output&, vector&,
+                       vector& error) {
+        if (!is_.lower || !implicit() || !is_.stiffly_accurate) return 0;
+        sequential_.filter(system, error);
+        return 1;
     }
-    /// Size of the estimate, which needs no correction for order reduction: it is one of y1 itself.
+    /// Size of the estimate, which needs no correction for order reduction: it is one of y1 itself. A ratio
+    /// above one (jump_ratio) is for what the filter leaves of it twice: in stiff components the estimate
+    /// does not fall with h. Nor for stages that are solved together, which have no filter of their own.
     template <class System, class Size>
-    Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,
-                      Size&& size) const {
-        return size(error, false) * ratio;
+    Scalar error_size(const System& system, const output&, const Scalar& ratio, const vector& error,
+                      long& solves, Size&& size) {
+        const Scalar plain = size(error, false);
+        if (!(ratio > Scalar(1)) || !implicit()) return plain * ratio;
+        if (!is_.lower) return plain;
+        scratch_ = error;
+        for (int k = 0; k < 2; ++k) sequential_.filter(system, scratch_);
+        solves += 2;
+        const Scalar whole = ratio * size(scratch_, false);
+        return whole <= plain ? plain : whole;
     }
     /// The error `err` of the attempt, or what is to stand for it where the slopes show a jump of f at a
     /// blind spot of the pair. f1 = f(t1, y1) if needs_right_value(); x is scratch.
@@ -274,7 +298,7 @@ class tableau_step {
             watch_.refused();
             return err;
         }
-        if (needs_right_value()) end(f1);
+        if (needs_right_value() && !ends_between_nodes()) end(f1);
         Scalar largest(0);
         for (int g = 0; g < blind_.count(); ++g) {
             const auto weights = blind_.weights.col(g);
@@ -282,14 +306,15 @@ class tableau_step {
             if (blind_.need_left_slope) x += (h * weights[0]) * left_slope_;
             if (blind_.need_right_slope) x += (h * weights[count() + 1]) * right_slope_;
             Scalar next = size(x, false);
-            // What stiff components carry of it y1 damps: at infinity by two powers of 1/z.
-            for (int k = 0; k < 2 && filtered_ && is_.lower && next > Scalar(10); ++k) {
+            // What stiff components carry of it is no jump, or damped as time goes on.
+            for (int k = 0; k < 2 && implicit() && is_.lower && next > Scalar(10); ++k) {
                 sequential_.filter(system, x);
                 ++solves;
                 next = size(x, false);
             }
             if (!(next <= largest)) largest = next;
         }
+        if (!(largest - largest == Scalar(0))) return err;  // f1 need not be finite: nothing to see
         switch (watch_.judge(h, largest, blind_.power)) {
             case jump_watch<Scalar>::verdict::suspicion:
                 return pow(Scalar(9) / 5, power_);  // with its safety factor the control takes half of h
@@ -317,6 +342,7 @@ class tableau_step {
     Eigen::Matrix<Scalar, Stages, 1> difference_, end_slope_;  // b - b_embedded; k -> u'(1)
     vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
     vector next_value_;                // M k_1 of the next step where that is kept
+    vector scratch_;
     Scalar h_{0};
     bool left_known_ = false, slope_from_f_ = false, ends_with_value_ = false, filtered_ = false;
     int order_ = 0, power_ = 0;
