@@ -9,6 +9,7 @@
 #include <stagecraft/coefficients/lobatto_iiib.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/step_doubling.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -134,9 +135,9 @@ BOOST_AUTO_TEST_CASE(an_index_1_problem_keeps_the_order_of_lobatto_iiia) {
 }
 
 BOOST_AUTO_TEST_CASE(a_singular_mass_matrix_asks_for_more_of_the_method) {
-    const auto said = [](const method& m) -> std::string {
+    const auto said = [](const method& m, double step = 0.1) -> std::string {
         try {
-            sc::integrate(m, index_one{}, Eigen::Vector2d(1, 1), 0, 1, {.fixed_step = 0.1});
+            sc::integrate(m, index_one{}, Eigen::Vector2d(1, 1), 0, 1, {.fixed_step = step});
         } catch (const std::invalid_argument& e) {
             return e.what();
         }
@@ -148,6 +149,11 @@ BOOST_AUTO_TEST_CASE(a_singular_mass_matrix_asks_for_more_of_the_method) {
     // Radau I: first stage explicit, y1 no stage
     const method radau_i = methods::rows<double>({{}, {1. / 3, 1. / 3}, {1. / 4, 3. / 4}});
     BOOST_TEST(said(radau_i).find("problem.mass() is singular") != std::string::npos);
+    // Two half steps and the whole one leave the same error of z where |R(infinity)| = 1: no estimate.
+    BOOST_TEST(said(sc::step_doubling(plain(sc::gauss<2>()))) == "accepted");
+    BOOST_TEST(said(sc::step_doubling(plain(sc::gauss<2>())), 0).find("use options.fixed_step") !=
+               std::string::npos);
+    BOOST_TEST(said(sc::step_doubling(plain(sc::radau_iia<2>())), 0) == "accepted");
 }
 
 // The stage order s of IIIA carries the error to h^s and below, however stiff the equation is.

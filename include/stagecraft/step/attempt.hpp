@@ -175,7 +175,7 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
         const scalar whole = error_size();
         if (!(whole <= err)) err = whole;
     }
-    return room ? method.judge_jump(system_, h, f0_, err, error_, report_.error_solves, size) : err;
+    return room ? method.judge_jump(system_, h, err, error_, report_.error_solves, size) : err;
 }
 
 /// Moves to the end of the step and decides whether the Jacobian still serves.

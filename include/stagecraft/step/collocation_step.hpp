@@ -173,8 +173,7 @@ class collocation_step {
     static Scalar right_ratio(const Scalar& ratio) { return ratio; }
     /// The estimates see every jump of f.
     template <class System, class Size>
-    static Scalar judge_jump(const System&, const Scalar&, const vector&, const Scalar& err, vector&, long&,
-                             Size&&) {
+    static Scalar judge_jump(const System&, const Scalar&, const Scalar& err, vector&, long&, Size&&) {
         return err;
     }
 

@@ -62,7 +62,8 @@ class tableau_step {
     }
 
     /// Looks at what the run asks of the method (`output`: the continuous solution): std::invalid_argument
-    /// where it has no embedded weights for adaptive steps, or cannot serve a singular mass matrix.
+    /// where it has no embedded weights for adaptive steps, or cannot serve a singular mass matrix, or not
+    /// with adaptive steps.
     template <class System>
     void prepare(const System& system, bool fixed, bool output) {
         if (!fixed && power_ == 0)
@@ -73,10 +74,15 @@ class tableau_step {
                 if (!is_.regular || !is_.stiffly_accurate)
                     throw std::invalid_argument(
                         "integrate: problem.mass() is singular, which method cannot serve: it needs a "
-                        "regular "
-                        "A, or a last row equal to b and a regular A without its first stage");
+                        "regular A, or a last row equal to b and a regular A without its first stage");
                 v_.by_value = true;
             }
+            // Where R(infinity) is one in size nothing of an error of algebraic components ever returns.
+            if (!fixed && !is_.lower && !is_.stiffly_accurate && !v_.mass.prepare(system))
+                throw std::invalid_argument(
+                    "integrate: problem.mass() is singular, and method, whose stages are solved together and "
+                    "whose y1 is none of them, cannot estimate the errors of algebraic components; use "
+                    "options.fixed_step or a transformed_tableau");
         }
         if (!fixed && blind_to_quadrature(v_.method, difference_))
             throw std::invalid_argument(
@@ -245,10 +251,13 @@ class tableau_step {
     /// solution: the error of y1 there, O(h^{q+2}) elsewhere, q being the order of u. f1 = f(t1, y1). For
     /// diagonally implicit methods whose y1 is no stage: in stiff components their stages lie on the
     /// solution, and y1 errs by another combination of them than the embedded weights see. Returns the
-    /// number of solves, 0 where there is no such estimate.
+    /// number of solves, 0 where there is no such estimate. Called where needs_right_value().
     template <class System>
     int estimate_right(const System& system, const Scalar&, const vector& f1, const output&, vector& error) {
-        if (!ends_between_nodes()) return 0;
+        if (!ends_between_nodes()) {
+            end(f1);
+            return 0;
+        }
         v_.combine([&](int j) { return end_slope_[j]; }, count(), Scalar(1), next_value_);
         error = f1;
         add_mass_times(system.mass(), Scalar(-1), next_value_.data(), error.data(), system.size());
@@ -287,10 +296,10 @@ class tableau_step {
         return whole <= plain ? plain : whole;
     }
     /// The error `err` of the attempt, or what is to stand for it where the slopes show a jump of f at a
-    /// blind spot of the pair. f1 = f(t1, y1) if needs_right_value(); x is scratch.
+    /// blind spot of the pair; x is scratch.
     template <class System, class Size>
-    Scalar judge_jump(const System& system, const Scalar& h, const vector& f1, const Scalar& err, vector& x,
-                      long& solves, Size&& size) {
+    Scalar judge_jump(const System& system, const Scalar& h, const Scalar& err, vector& x, long& solves,
+                      Size&& size) {
         using std::pow;
         if (blind_.count() == 0) return err;
         if (blind_.need_left_slope && !left_known_ && !slope_from_f_) return err;
@@ -298,7 +307,6 @@ class tableau_step {
             watch_.refused();
             return err;
         }
-        if (needs_right_value() && !ends_between_nodes()) end(f1);
         Scalar largest(0);
         for (int g = 0; g < blind_.count(); ++g) {
             const auto weights = blind_.weights.col(g);
@@ -314,7 +322,7 @@ class tableau_step {
             }
             if (!(next <= largest)) largest = next;
         }
-        if (!(largest - largest == Scalar(0))) return err;  // f1 need not be finite: nothing to see
+        if (!(largest - largest == Scalar(0))) return err;  // f(t1, y1) need not be finite
         switch (watch_.judge(h, largest, blind_.power)) {
             case jump_watch<Scalar>::verdict::suspicion:
                 return pow(Scalar(9) / 5, power_);  // with its safety factor the control takes half of h
