@@ -5,6 +5,14 @@
 
 namespace stagecraft {
 
+/// True if the first n components of x are finite.
+template <class Vector>
+bool all_finite(const Vector& x, int n) {
+    typename Vector::Scalar sum(0);
+    for (int i = 0; i < n; ++i) sum += x[i] - x[i];
+    return sum == typename Vector::Scalar(0);
+}
+
 /// The root mean square of x_i w_i over n components, 0 for n = 0. Where the squares overflow it is taken
 /// relative to the largest component, so that it is finite whenever the products are; else infinite or NaN.
 template <class Vector, class Weights>

@@ -48,9 +48,9 @@ T& kept(std::any& held, Eigen::Index size, Arguments&&... arguments) {
 /// such as the constraints that index reduction has lost, or its energy. Made by `projection_onto`.
 ///
 /// The order of the method is kept where the exact solution satisfies g = 0. Nothing is allocated after the
-/// first step unless g does. Costs one derivative (by differences, 2 n values of g,
-/// where it is neither given nor automatic) and two or three values of g per step, and one f where the method
-/// has used the value at the end of the step that is moved (FSAL, Gauss).
+/// first step unless g does. Costs one derivative (by differences, 2 n values of g, where it is
+/// neither given nor automatic) and two or three values of g per step, and one f where the method has used
+/// the value at the end of the step that is moved (FSAL, Gauss).
 template <int M, class Constraint>
 class projection_onto_equations {
     static_assert(M > 0, "projection_onto: the number of equations must be positive");

@@ -84,7 +84,7 @@ class sequential_stages {
                 v.mass.solve(fi_.data());
                 v.k.col(i) = fi_;
                 if (implicit()) Z.col(i) = r_;
-                if (!finite(fi_)) {
+                if (!all_finite(fi_, n_)) {
                     slowest.end = newton_end::non_finite;
                     return slowest;
                 }
@@ -164,12 +164,6 @@ class sequential_stages {
             if (monitor.over(weighted_norm(fi_, weights, n_))) break;
         }
         return monitor.outcome();
-    }
-
-    bool finite(const vector& x) const {
-        Scalar sum = Scalar(0);
-        for (int i = 0; i < n_; ++i) sum += x[i] - x[i];
-        return sum == Scalar(0);
     }
 
     int n_;

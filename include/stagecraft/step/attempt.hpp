@@ -75,7 +75,7 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
             factored_ |= solve_by_continuation(method, system_, t_, y_, h, weights_, newton_limits_for(s),
                                                now, report_, newton);
         if (!factored_ || newton.end != newton_end::converged) {
-            const bool left_is_finite = is_finite(f0_);
+            const bool left_is_finite = all_finite(f0_, n_);
             obstacle_ = !factored_ && left_is_finite           ? status::singular_matrix
                         : !factored_                           ? status::non_finite
                         : newton.end == newton_end::non_finite ? status::non_finite
@@ -143,8 +143,8 @@ auto integrator<Method, Problem, Vector>::error_of(Step& method, const scalar& h
     // In steps so small nothing is gained by looking for more than the estimate shows.
     const bool room =
         abs(h) > 4 * options_.min_step && abs(h) > std::numeric_limits<scalar>::epsilon() * 1000000 * abs(t_);
-    const scalar smooth_ratio = ratio_[order_.current()], all = method.jump_ratio(smooth_ratio);
-    const scalar jump_ratio = room || all < scalar(1) ? all : scalar(1);
+    const scalar smooth_ratio = ratio_[order_.current()],
+                 jump_ratio = room ? method.jump_ratio(smooth_ratio) : scalar(1);
     scalar ratio = smooth_.doubted() ? jump_ratio : smooth_ratio;
     const auto size = [this](const Vector& x, bool reduced) {
         return norm(x, reduced ? system_.weights_to_follow(weights_) : weights_);
@@ -184,10 +184,10 @@ template <class Step>
 auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, const scalar& t_next,
                                                  output_type& now) -> attempt_end {
     using std::abs;
-    if (!is_finite(y1_)) return end(status::non_finite);
+    if (!all_finite(y1_, n_)) return end(status::non_finite);
     if (method.ends_with_value()) {
         if (!right_value_known_) evaluate_right(t_next);
-        if (is_finite(f0_))
+        if (all_finite(f0_, n_))
             method.end(f0_);
         else
             method.end_without_value(h, y_, y1_);

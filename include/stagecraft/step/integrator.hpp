@@ -87,10 +87,8 @@ class integrator {
     /// continuous solution of the last step is bent to end there, the next step starts there in every
     /// respect. std::invalid_argument where y is not finite or of another size.
     void replace_state(const Vector& y) {
-        for (int i = 0; i < n_; ++i)
-            if (y.size() != n_ || !(y[i] - y[i] == scalar(0)))
-                throw std::invalid_argument(
-                    "integrate: the corrected state must be finite and of the same size");
+        if (y.size() != n_ || !all_finite(y, n_))
+            throw std::invalid_argument("integrate: the corrected state must be finite and of the same size");
         if (has_output_) outputs_[current_].move_end(y - y_);
         y_ = y;
         set_weights(options_, y_, scale_);
@@ -149,11 +147,6 @@ class integrator {
         });
     }
 
-    bool is_finite(const Vector& x) const {
-        scalar sum(0);
-        for (int i = 0; i < n_; ++i) sum += x[i] - x[i];
-        return sum == scalar(0);
-    }
     scalar norm(const Vector& x, const Vector& w) const { return weighted_norm(x, w, n_); }
 
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
