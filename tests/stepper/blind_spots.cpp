@@ -109,8 +109,7 @@ BOOST_AUTO_TEST_CASE(what_the_estimate_does_not_see_is_found_from_the_weights) {
     // Between c_2 = 1/5 and c_3 = 3/10 the estimate shows 71/57600 of a jump, and y1 errs by up to 401/1920.
     BOOST_TEST(none.largest_ratio == (401.0 / 1920) / (71.0 / 57600), boost::test_tools::tolerance(1e-10));
     // Two steps of the implicit midpoint rule are blind at both ends.
-    const auto doubled =
-        sc::step_doubling(sc::tableaux::rounded<double>(catalogue().at("implicit_midpoint")));
+    const auto doubled = sc::step_doubling(rounded("implicit_midpoint"));
     const auto both = spots_of(doubled).spots;
     BOOST_TEST(both.need_left_slope);
     BOOST_TEST(both.need_right_slope);
@@ -192,8 +191,8 @@ BOOST_AUTO_TEST_CASE(a_jump_in_the_first_step_is_seen) {
 // Halving the step may move a jump from one blind spot into another.
 BOOST_AUTO_TEST_CASE(a_jump_that_stays_unseen_when_the_step_is_halved_is_a_jump) {
     const double jump = 2.6301136871041262;
-    const auto kink = [](double t, const V&, V& f) { f[0] = t < 2.6301136871041262 ? 1 : -2; };
-    const auto doubled = sc::step_doubling(sc::tableaux::rounded<double>(catalogue().at("pareschi_russo_2")));
+    const auto kink = [jump](double t, const V&, V& f) { f[0] = t < jump ? 1 : -2; };
+    const auto doubled = sc::step_doubling(rounded("pareschi_russo_2"));
     const auto r = sc::integrate(doubled, kink, V(V::Zero(1)), 0, 4, {.rtol = 1e-6, .atol = 1e-6});
     BOOST_TEST(r.ok());
     BOOST_TEST(std::abs(r.y[0] - (jump - 2 * (4 - jump))) < 1e-4);
@@ -265,8 +264,7 @@ BOOST_AUTO_TEST_CASE(a_singular_mass_matrix_is_served_as_far_as_slopes_are_known
 
 // A jump in the very last step, behind every node, is seen only by f(t1, y1).
 BOOST_AUTO_TEST_CASE(a_jump_behind_the_last_node_of_the_last_step_is_seen) {
-    const auto doubled =
-        sc::step_doubling(sc::tableaux::rounded<double>(catalogue().at("implicit_midpoint")));
+    const auto doubled = sc::step_doubling(rounded("implicit_midpoint"));
     for (const auto& m : {doubled, rounded("norsett_thomsen_2_3")}) {
         const auto kink = [](double t, const V&, V& f) { f[0] = t < 0.95 ? 1 : -2; };
         const auto r =

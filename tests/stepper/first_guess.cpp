@@ -5,6 +5,8 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 
+#include "problems.hpp"
+
 namespace sc = stagecraft;
 using sc::tableaux::family;
 using enum sc::tableaux::family;
@@ -29,29 +31,14 @@ struct polynomial {
     }
 };
 
-// Jay's problem of index 3 (Hairer-Wanner II.VII.7): y1 = z1 = exp 2t, y2 = z2 = exp -t, u = exp t.
-struct jay {
-    template <class T, class Y>
-    void operator()(const T&, const Y& y, Y& f) const {
-        f[0] = 2.0 * y[0] * y[1] * y[2] * y[3];
-        f[1] = -y[0] * y[1] * y[3] * y[3];
-        f[2] = (y[0] * y[1] + y[2] * y[3]) * y[4];
-        f[3] = -y[0] * y[1] * y[1] * y[3] * y[3] * y[4];
-        f[4] = y[0] * y[1] * y[1] - 1.0;
-    }
-    Eigen::DiagonalMatrix<double, Eigen::Dynamic> mass() const {
-        vector m = vector::Ones(5);
-        m[4] = 0;
-        return Eigen::DiagonalMatrix<double, Eigen::Dynamic>(m);
-    }
-    std::vector<int> index() const { return {1, 1, 2, 2, 3}; }
-};
-
-template <class Problem>
-auto run(family f, int s, const Problem& p, double t0, const vector& y0, int steps, double h) {
+template <class Problem, class Vector>
+auto run(family f, int s, const Problem& p, double t0, const Vector& y0, int steps, double h) {
     return sc::integrate(sc::tableaux::rounded<double>(f, s), p, y0, t0, t0 + steps * h,
                          {.rtol = 1e-10, .atol = 1e-10, .fixed_step = h});
 }
+
+// Of Jay's problem, problems::index_three.
+const Eigen::Matrix<double, 5, 1> jay0 = Eigen::Matrix<double, 5, 1>::Ones();
 
 }  // namespace
 
@@ -63,7 +50,7 @@ BOOST_AUTO_TEST_CASE(an_exact_continuous_solution_leaves_nothing_to_iterate) {
             for (const int s : {4, 5})
                 BOOST_TEST_CONTEXT(sc::tableaux::name(f) << " " << s << " " << algebraic) {
                     const polynomial p{algebraic};
-                    const Eigen::Vector2d y0(1.0 / 3, 1);
+                    const vector y0 = Eigen::Vector2d(1.0 / 3, 1);
                     const auto one = run(f, s, p, 1, y0, 1, 0.125), five = run(f, s, p, 1, y0, 5, 0.125);
                     BOOST_TEST(one.ok());
                     BOOST_TEST(five.ok());
@@ -76,7 +63,7 @@ BOOST_AUTO_TEST_CASE(an_exact_continuous_solution_leaves_nothing_to_iterate) {
 
 BOOST_AUTO_TEST_CASE(few_steps_of_lobatto_iiia_solve_a_problem_of_index_3) {
     for (const int s : {4, 5, 6, 7, 8}) BOOST_TEST_CONTEXT("s = " << s) {
-            const auto r = run(lobatto_iiia, s, jay{}, 0, vector::Ones(5), 4, 0.125);
+            const auto r = run(lobatto_iiia, s, problems::index_three{}, 0, jay0, 4, 0.125);
             BOOST_TEST(sc::name(r.status) == "success");
             BOOST_TEST(r.report.factorisations == 4);  // none by continuation
             const double e = std::exp(0.5);
@@ -90,7 +77,7 @@ BOOST_AUTO_TEST_CASE(few_steps_of_lobatto_iiia_solve_a_problem_of_index_3) {
 // gave up where its second increment is as large as the first.
 BOOST_AUTO_TEST_CASE(one_long_step_of_lobatto_iiia_solves_a_problem_of_index_3) {
     for (const int s : {5, 6, 7, 8}) BOOST_TEST_CONTEXT("s = " << s) {
-            const auto r = run(lobatto_iiia, s, jay{}, 0, vector::Ones(5), 1, 0.5);
+            const auto r = run(lobatto_iiia, s, problems::index_three{}, 0, jay0, 1, 0.5);
             BOOST_TEST(sc::name(r.status) == "success");
             BOOST_TEST(r.report.factorisations > 1);
             const double e = std::exp(0.5);
