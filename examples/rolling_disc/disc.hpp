@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include <stagecraft/problem/mechanical.hpp>
+#include <stagecraft/mechanics/model.hpp>
 
 namespace rolling_disc {
 

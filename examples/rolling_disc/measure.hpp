@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stagecraft/dae/hessenberg.hpp>
-#include <stagecraft/problem/holonomic.hpp>
-#include <stagecraft/problem/model_assumptions.hpp>
-#include <stagecraft/problem/regularisation_conditions.hpp>
+#include <stagecraft/mechanics/holonomic.hpp>
+#include <stagecraft/mechanics/model_assumptions.hpp>
+#include <stagecraft/mechanics/regularisation_conditions.hpp>
 
 #include "../rolling_disc/disc.hpp"
 #include "experiments.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
-#include <stagecraft/problem/mechanical_dae.hpp>
-#include <stagecraft/problem/mechanical_singularity.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
+#include <stagecraft/mechanics/singularity.hpp>
 
 #include "../rolling_disc/disc.hpp"
 #include "experiments.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <stagecraft/problem/regularised.hpp>
+#include <stagecraft/mechanics/regularised.hpp>
 #include <stdexcept>
 #include <type_traits>
 

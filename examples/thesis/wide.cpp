@@ -5,7 +5,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 #include <stdexcept>
 #include <string>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 
 #include "../rolling_disc/disc.hpp"
 

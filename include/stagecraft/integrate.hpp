@@ -6,7 +6,7 @@
 #include <exception>
 #include <type_traits>
 
-#include <stagecraft/observer.hpp>
+#include <stagecraft/observe/observer.hpp>
 #include <stagecraft/step/integrator.hpp>
 
 namespace stagecraft {

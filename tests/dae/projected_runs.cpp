@@ -5,8 +5,8 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/dae/projection.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
+#include <stagecraft/observe/observers.hpp>
 
 #include "../../examples/rolling_disc/disc.hpp"
 

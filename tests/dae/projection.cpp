@@ -7,7 +7,7 @@
 #include <stagecraft/dae/constraint_monitor.hpp>
 #include <stagecraft/dae/projection.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
+#include <stagecraft/observe/observers.hpp>
 #include <stagecraft/problem/semi_explicit.hpp>
 
 #include "problems.hpp"

@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE asymptotic_expansion
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/dae/asymptotic_expansion.hpp>
+#include <stagecraft/mechanics/asymptotic_expansion.hpp>
 
 #include "../../examples/rolling_disc/disc.hpp"
 

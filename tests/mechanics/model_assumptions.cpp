@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <stagecraft/dae/hessenberg.hpp>
-#include <stagecraft/problem/holonomic.hpp>
-#include <stagecraft/problem/mechanical_singularity.hpp>
-#include <stagecraft/problem/model_assumptions.hpp>
+#include <stagecraft/mechanics/holonomic.hpp>
+#include <stagecraft/mechanics/model_assumptions.hpp>
+#include <stagecraft/mechanics/singularity.hpp>
 
 #include "../../examples/rolling_disc/disc.hpp"
 #include "../../examples/thesis/nonholonomic.hpp"

@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE nonholonomic
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/problem/holonomic.hpp>
+#include <stagecraft/mechanics/holonomic.hpp>
 
 #include "../../examples/thesis/nonholonomic.hpp"
 #include "../../examples/thesis/solve.hpp"

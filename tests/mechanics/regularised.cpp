@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/problem/regularisation_conditions.hpp>
+#include <stagecraft/mechanics/regularisation_conditions.hpp>
 #include <string>
 
 #include "../../examples/rolling_disc/disc.hpp"

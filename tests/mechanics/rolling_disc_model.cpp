@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 #include <string>
 
 #include "../../examples/rolling_disc/disc.hpp"

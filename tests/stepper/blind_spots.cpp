@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/stages/blind_spots.hpp>
-#include <stagecraft/step_doubling.hpp>
+#include <stagecraft/jumps/blind_spots.hpp>
+#include <stagecraft/tableau/step_doubling.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 
 #include "catalogue.hpp"

@@ -7,7 +7,7 @@
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/radau_ia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/output_times.hpp>
+#include <stagecraft/observe/output_times.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
 #include <stdexcept>
 #include <string>

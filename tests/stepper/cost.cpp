@@ -5,11 +5,11 @@
 #include <boost/test/unit_test.hpp>
 #include <memory>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/output_times.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/output_times.hpp>
+#include <stagecraft/observe/solution.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
-#include <stagecraft/solution.hpp>
 
 #include "../allocations.hpp"
 

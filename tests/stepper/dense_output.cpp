@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/solution.hpp>
+#include <stagecraft/observe/solution.hpp>
 
 #include "problems.hpp"
 

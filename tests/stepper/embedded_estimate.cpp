@@ -5,8 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/step/embedded_estimate.hpp>
-#include <stagecraft/step_doubling.hpp>
+#include <stagecraft/tableau/embedded_estimate.hpp>
+#include <stagecraft/tableau/step_doubling.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/observers.hpp>
 #include <string>
 
 namespace sc = stagecraft;

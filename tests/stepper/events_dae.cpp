@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/event.hpp>
+#include <stagecraft/observe/event.hpp>
 
 #include "../../examples/rolling_disc/measure.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/output_times.hpp>
-#include <stagecraft/solution.hpp>
+#include <stagecraft/observe/output_times.hpp>
+#include <stagecraft/observe/solution.hpp>
 #include <stdexcept>
 
 #include "methods.hpp"

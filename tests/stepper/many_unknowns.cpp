@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <stagecraft/dae/projection.hpp>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/observers.hpp>
 #include <stagecraft/problem/with.hpp>
 
 namespace sc = stagecraft;

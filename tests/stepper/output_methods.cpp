@@ -4,11 +4,11 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
-#include <stagecraft/output_times.hpp>
-#include <stagecraft/solution.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/observers.hpp>
+#include <stagecraft/observe/output_times.hpp>
+#include <stagecraft/observe/solution.hpp>
 #include <stagecraft/steps.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
-#include <stagecraft/output_times.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/observers.hpp>
+#include <stagecraft/observe/output_times.hpp>
 #include <stdexcept>
 #include <string>
 

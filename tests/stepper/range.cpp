@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/dae/projection.hpp>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/observers.hpp>
 #include <stagecraft/steps.hpp>
 #include <stdexcept>
 #include <vector>

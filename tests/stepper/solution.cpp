@@ -5,11 +5,11 @@
 #include <limits>
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_ia.hpp>
-#include <stagecraft/event.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/observers.hpp>
+#include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/observers.hpp>
+#include <stagecraft/observe/solution.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
-#include <stagecraft/solution.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/stages/order_conditions.hpp>
-#include <stagecraft/step_doubling.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/step_doubling.hpp>
 #include <stdexcept>
 
 namespace sc = stagecraft;

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <stagecraft/control/weighted_norm.hpp>
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/norms.hpp>
 
 namespace stagecraft {
 

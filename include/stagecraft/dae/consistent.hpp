@@ -110,7 +110,7 @@ auto check_consistent(Problem&& problem, std::type_identity_t<typename Derived::
 /// y, z). Index 2: y moves onto g = 0 by the smallest change in the 2-norm, z solves 0 = g_t + g_y f; index 3
 /// likewise. With options.free exactly these components move, jointly, by the smallest change if there are
 /// more than constraints. Newton's iteration with damping: x0 must be near enough. Models of mechanics have
-/// an initial_state() that needs no iteration (problem/mechanical_dae.hpp).
+/// an initial_state() that needs no iteration (mechanics/formulations.hpp).
 ///
 /// Throws std::domain_error naming the block that is singular (g_z, g_y f_z, ...) or that the free components
 /// do not determine, std::runtime_error if Newton's iteration does not converge, std::invalid_argument for a

@@ -12,7 +12,7 @@
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/problem/capabilities.hpp>
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/problem/make_mass.hpp>
 
 namespace stagecraft {
 

@@ -6,7 +6,7 @@
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/complex_number.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/linear/mass.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include <stagecraft/linear/dense_lu.hpp>
+#include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/small_inverse.hpp>
 #include <stagecraft/linear/split_lu.hpp>
-#include <stagecraft/problem/mass.hpp>
 
 namespace stagecraft {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <stagecraft/linear/dense_blocks.hpp>
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/linear/mass.hpp>
 
 namespace stagecraft {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/linear/mass.hpp>
 
 namespace stagecraft {
 

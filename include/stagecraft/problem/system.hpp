@@ -10,7 +10,7 @@
 #include <stagecraft/jacobian/finite_difference.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/capabilities.hpp>
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/report.hpp>
 
 namespace stagecraft {

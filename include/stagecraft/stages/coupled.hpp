@@ -5,11 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include <stagecraft/control/weighted_norm.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/coupled_systems.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
-#include <stagecraft/stages/tableau_structure.hpp>
+#include <stagecraft/tableau/structure.hpp>
+#include <stagecraft/work.hpp>
 
 namespace stagecraft {
 

@@ -9,8 +9,8 @@
 
 #include <stagecraft/linear/block_diagonal.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/split_complex.hpp>
-#include <stagecraft/problem/mass.hpp>
 
 namespace stagecraft {
 

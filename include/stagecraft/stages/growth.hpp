@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/split_lu.hpp>
-#include <stagecraft/problem/mass.hpp>
 
 namespace stagecraft {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <stagecraft/linear/lane_lu.hpp>
-#include <stagecraft/problem/mass.hpp>
+#include <stagecraft/linear/mass.hpp>
 
 namespace stagecraft {
 

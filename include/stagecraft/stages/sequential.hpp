@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
 #include <stagecraft/work.hpp>

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include <stagecraft/control/weighted_norm.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/linear/block_work.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/lane_blocks.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/separate_blocks.hpp>

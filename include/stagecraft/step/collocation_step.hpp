@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
-#include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/stages/transformed.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft {
 

@@ -12,9 +12,9 @@
 #include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/control/order.hpp>
-#include <stagecraft/control/smoothness.hpp>
 #include <stagecraft/control/step_size.hpp>
-#include <stagecraft/control/weighted_norm.hpp>
+#include <stagecraft/jumps/smoothness.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/stages/growth.hpp>

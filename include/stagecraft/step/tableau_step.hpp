@@ -5,15 +5,15 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <stagecraft/control/jump_watch.hpp>
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/jumps/blind_spots.hpp>
+#include <stagecraft/jumps/jump_watch.hpp>
 #include <stagecraft/problem/system.hpp>
-#include <stagecraft/stages/blind_spots.hpp>
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
-#include <stagecraft/stages/tableau_structure.hpp>
-#include <stagecraft/step/embedded_estimate.hpp>
 #include <stagecraft/step/stage_output.hpp>
+#include <stagecraft/tableau/embedded_estimate.hpp>
+#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include <stagecraft/stages/order_conditions.hpp>
 #include <stagecraft/tableau.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bracketing.hpp>
+#include <stagecraft/observe/bracketing.hpp>
 #include <stagecraft/status.hpp>
 
 namespace stagecraft {

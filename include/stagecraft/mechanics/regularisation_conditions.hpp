@@ -6,7 +6,7 @@
 #include <string>
 
 #include <stagecraft/linear/logarithmic_norm.hpp>
-#include <stagecraft/problem/regularised.hpp>
+#include <stagecraft/mechanics/regularised.hpp>
 
 namespace stagecraft {
 

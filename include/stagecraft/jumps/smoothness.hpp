@@ -5,7 +5,7 @@ namespace stagecraft {
 
 /// Whether the solution may be taken as smooth. An estimate of order q stands for an error of order p + 1
 /// (collocation_step::estimate_ratio) only where it is: across a jump of f or of a derivative both are of the
-/// size of the jump, and that of an embedded pair is a part of the error (stages/blind_spots.hpp). That shows
+/// size of the jump, and that of an embedded pair is a part of the error (jumps/blind_spots.hpp). That shows
 /// in an estimate far beyond what the step before let expect, or in one that is still too large when the step
 /// has been made smaller as a smooth solution demands. Then what the estimate shows of a jump has to meet the
 /// tolerance, until ten steps in a row have.

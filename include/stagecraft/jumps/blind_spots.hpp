@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include <stagecraft/stages/order_conditions.hpp>
-#include <stagecraft/stages/tableau_structure.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 

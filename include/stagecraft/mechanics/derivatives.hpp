@@ -6,7 +6,7 @@
 #include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
-#include <stagecraft/problem/mechanical.hpp>
+#include <stagecraft/mechanics/model.hpp>
 
 namespace stagecraft {
 

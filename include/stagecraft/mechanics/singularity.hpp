@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <stagecraft/problem/mechanical.hpp>
+#include <stagecraft/mechanics/model.hpp>
 
 namespace stagecraft {
 

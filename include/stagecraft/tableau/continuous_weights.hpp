@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <stagecraft/stages/order_conditions.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <stagecraft/linear/split_lu.hpp>
-#include <stagecraft/stages/order_conditions.hpp>
-#include <stagecraft/stages/tableau_structure.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/problem/singular_perturbation.hpp>
+#include <stagecraft/mechanics/singular_perturbation.hpp>
 
 namespace stagecraft {
 

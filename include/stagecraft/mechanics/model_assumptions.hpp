@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 
 namespace stagecraft {
 

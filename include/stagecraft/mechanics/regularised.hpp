@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 
 namespace stagecraft {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include <stagecraft/problem/mechanical_dae.hpp>
+#include <stagecraft/mechanics/formulations.hpp>
 
 namespace stagecraft {
 

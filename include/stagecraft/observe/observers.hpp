@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include <stagecraft/observer.hpp>
+#include <stagecraft/observe/observer.hpp>
 
 namespace stagecraft {
 

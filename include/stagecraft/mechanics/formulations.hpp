@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <stagecraft/problem/mechanical_derivatives.hpp>
+#include <stagecraft/mechanics/derivatives.hpp>
 
 namespace stagecraft {
 
