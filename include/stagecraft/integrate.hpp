@@ -26,31 +26,31 @@ struct result {
 
 /// Integrates M y' = f(t, y), y(t0) = y0 to t1, in either direction of time.
 ///
-/// method   a transformed_tableau (regular A: Radau IA/IIA, Gauss, Lobatto IIIC), e.g. radau_iia<3>() from
-///          coefficients/radau_iia.hpp, with stages known at compile time or at run time; a variable_order
-///          set; or any tableau: explicit and diagonally implicit methods are solved stage by stage, others
-///          together, in real and complex blocks where A has a basis of eigenvectors. Adaptive steps of a
-///          tableau need its b_embedded.
-/// problem  anything with problem(t, y, f). Detected members: jacobian(t, y, J), mass(), index(),
-///          constant_jacobian(), second_order_components, bandwidth(), sparsity() (problem/capabilities.hpp);
-///          a generic right-hand side without jacobian() is differentiated automatically, any other by finite
-///          differences. problem/with.hpp equips lambdas; problem/semi_explicit.hpp and
-///          problem/fully_implicit.hpp make problems of y' = f(t, y, z), 0 = g and of F(t, y, y') = 0;
-///          dae/consistent.hpp finds and checks their initial values.
-/// y0       an Eigen column vector, fixed or dynamic size, of the same scalar type as the method.
-/// options  tolerances, steps and limits (control/options.hpp); options.fixed_step > 0 runs equal steps
-/// without
-///          error estimate.
-/// observer called after every accepted step as observer(t, y, h, output), (t, y, h) or (t, y);
-/// `output(time)` and
-///          `output.derivative(time)` evaluate the collocation polynomial anywhere in that step, at no cost
-///          if not called. An observer that returns false stops the run (status::stopped). It may be a lambda
-///          that captures by reference, and is taken by reference if it is an lvalue. More: observer.hpp.
+/// method   One of three kinds. (1) A transformed_tableau (its A is regular: Radau IA/IIA, Gauss, Lobatto
+///          IIIC), e.g. radau_iia<3>() from coefficients/radau_iia.hpp, with the number of stages known at
+///          compile time or at run time. (2) A variable_order set, which chooses among such methods. (3) Any
+///          tableau: the stages of explicit and of diagonally implicit methods are solved one by one, those of
+///          the others together, in real and complex blocks where A has a basis of eigenvectors. Adaptive
+///          steps of a tableau need its b_embedded (or tableau/step_doubling.hpp).
+/// problem  Anything that can be called as problem(t, y, f) and writes f. Optional members are detected:
+///          jacobian(t, y, J), mass(), index(), constant_jacobian(), second_order_components, bandwidth(),
+///          sparsity() (problem/capabilities.hpp). Without jacobian(), a generic right-hand side is
+///          differentiated automatically and any other by finite differences. problem/with.hpp adds such
+///          members to a lambda; problem/semi_explicit.hpp and problem/fully_implicit.hpp make a problem of
+///          y' = f(t, y, z), 0 = g and of F(t, y, y') = 0; dae/consistent.hpp finds and checks their initial
+///          values.
+/// y0       An Eigen column vector of fixed or dynamic size, of the method's scalar type.
+/// options  Tolerances, step sizes and limits (control/options.hpp). options.fixed_step > 0 takes equal steps
+///          without an error estimate.
+/// observer Called after every accepted step as observer(t, y, h, output), (t, y, h) or (t, y), where
+///          output(time) and output.derivative(time) evaluate the continuous solution anywhere in that step
+///          and cost nothing unless they are called. An observer that returns false stops the run
+///          (status::stopped). It is used in place, never copied. More in observe/observer.hpp.
 ///
-/// Never returns success with a non-finite state. Bad arguments: std::invalid_argument naming the argument.
-/// What the problem or the observer throws ends the run with status::function_threw; result.exception holds
-/// it. t1 == t0 returns y0 with success and no step. No allocation per step for fixed-size and dense dynamic
-/// states.
+/// Never returns success with a state that is not finite. Bad arguments throw std::invalid_argument, which
+/// names the argument. Whatever the problem or the observer throws ends the run with status::function_threw
+/// and is kept in result.exception. t1 == t0 returns y0 with success and takes no step. No step allocates
+/// memory where the state has a fixed size or the matrices are dense.
 template <class Method, class Problem, class Derived, class Observer = no_observer>
 requires right_hand_side < std::remove_reference_t<Problem>,
 typename Derived::PlainObject >

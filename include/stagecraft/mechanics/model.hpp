@@ -12,13 +12,14 @@
 
 namespace stagecraft {
 
-/// A constrained mechanical system M(q) q'' = F(q, q') - G(q)^T lambda, 0 = G(q) q' (velocity constraints,
-/// rolling without slip for instance), as a type `Model` with
+/// A constrained mechanical system M(q) q'' = F(q, q') - G(q)^T lambda, 0 = G(q) q' (constraints on the
+/// velocities, for instance rolling without slip), as a type `Model` with
 ///
 ///     static constexpr int coordinates = n, constraints = m;   // m < n
 ///     template <class S> Eigen::Matrix<S, n, n> M(const Eigen::Matrix<S, n, 1>& q) const;
-///     template <class S> Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, const Eigen::Matrix<S, n,
-///     1>& v) const; template <class S> Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, n, 1>& q) const;
+///     template <class S>
+///     Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, const Eigen::Matrix<S, n, 1>& v) const;
+///     template <class S> Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, n, 1>& q) const;
 ///
 /// F may take the time as a third argument. All three are templates on the scalar: derivatives are taken by
 /// automatic differentiation and the same model runs at any precision. M is symmetric positive definite and G
