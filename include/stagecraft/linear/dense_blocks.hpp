@@ -12,7 +12,7 @@
 namespace stagecraft {
 
 /// The linear solvers for shift * M - J with dense J, chosen by size and scalar: explicit inverse to n = 4,
-/// own LU with compile-time loops to n = 16 and for wide scalars, Eigen's blocked LU else. A solver set is
+/// LU with compile-time loops to n = 16 and for wide scalars, blocked LU else. A solver set is
 /// anything with these two member types; a real block has entries(), factor(), solve(x), a complex one
 /// real_entries(), imaginary_entries(), factor(), solve(re, im).
 template <class Scalar, int N>
@@ -50,7 +50,8 @@ bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scala
         const int n = static_cast<int>(J.rows());
         Scalar* a = block.entries();
         const Scalar* j = J.data();
-        for (int i = 0; i < n * n; ++i) a[i] = -j[i];
+        using entries = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+        Eigen::Map<entries>(a, n * n) = -Eigen::Map<const entries>(j, n * n);
         add_mass(mass, shift, a, n);
         return block.factor();
     }
@@ -65,7 +66,9 @@ bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scala
         const int n = static_cast<int>(J.rows());
         Scalar *a = block.real_entries(), *b = block.imaginary_entries();
         const Scalar* j = J.data();
-        for (int i = 0; i < n * n; ++i) a[i] = -j[i], b[i] = Scalar(0);
+        using entries = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+        Eigen::Map<entries>(a, n * n) = -Eigen::Map<const entries>(j, n * n);
+        Eigen::Map<entries>(b, n * n).setZero();
         add_mass(mass, re, a, n);
         add_mass(mass, im, b, n);
         return block.factor();

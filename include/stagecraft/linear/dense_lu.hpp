@@ -1,98 +1,58 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/LU>
-#include <cmath>
-#include <complex>
+#include <cstddef>
+#include <vector>
 
-#include <stagecraft/linear/split_complex.hpp>
+#include <stagecraft/linear/elimination.hpp>
 
 namespace stagecraft {
 
-/// Blocked LU with row pivoting of a dense real matrix of run-time size (Eigen's PartialPivLU).
+/// LU with row pivoting of a dense real matrix of any size (float or double), blocked for the cache.
 template <class Scalar>
 class dense_lu {
   public:
-    explicit dense_lu(int n) : a_(n, n), x_(n), lu_(n), seen_(n) {}
+    explicit dense_lu(int n) : n_(n), a_(static_cast<std::size_t>(n) * n), pivot_(n) {}
 
     Scalar* entries() { return a_.data(); }
-
-    bool factor() {
-        using std::abs;
-        if (a_.size() == 0) return true;
-        lu_.compute(a_);
-        for (Eigen::Index i = 0; i < a_.rows(); ++i)
-            if (!usable_pivot(Scalar(abs(lu_.matrixLU()(i, i))))) return false;
-        return true;
-    }
-
+    /// False if the matrix is singular or not finite.
+    bool factor() { return lu().factor(odd_); }
+    void solve(Scalar* x) { lu().solve({x}); }
     /// Sign of the determinant of the matrix last factored.
-    bool negative_determinant() {
-        if (a_.size() == 0) return false;
-        bool negative = false;
-        seen_.setConstant(false);
-        const auto& to = lu_.permutationP().indices();
-        for (Eigen::Index i = 0; i < a_.rows(); ++i) {
-            negative ^= lu_.matrixLU()(i, i) < Scalar(0);
-            for (Eigen::Index k = i; !seen_[k]; k = to[k]) {  // a cycle of length l is l - 1 exchanges
-                seen_[k] = true;
-                negative ^= to[k] != i;
-            }
-        }
+    bool negative_determinant() const {
+        bool negative = odd_;
+        for (int k = 0; k < n_; ++k) negative ^= a_[k + static_cast<std::size_t>(k) * n_] < Scalar(0);
         return negative;
     }
 
-    void solve(Scalar* x) {
-        if (a_.size() == 0) return;
-        Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> map(x, a_.rows());
-        x_ = lu_.solve(map);
-        map = x_;
-    }
-
   private:
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> a_;
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
-    Eigen::PartialPivLU<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>> lu_;
-    Eigen::Array<bool, Eigen::Dynamic, 1> seen_;
+    elimination<real_column<Scalar>> lu() { return {{a_.data()}, pivot_.data(), n_}; }
+    int n_;
+    std::vector<Scalar> a_;
+    std::vector<int> pivot_;
+    bool odd_ = false;
 };
 
-/// The same for a complex matrix; real and imaginary parts are collected into std::complex for Eigen's
-/// kernels.
+/// The same for a complex matrix kept as real and imaginary part; pivots are compared by |re| + |im|.
 template <class Scalar>
 class dense_complex_lu {
-    using complex = std::complex<Scalar>;
-
   public:
-    explicit dense_complex_lu(int n) : re_(n, n), im_(n, n), a_(n, n), b_(n), x_(n), lu_(n) {}
+    explicit dense_complex_lu(int n)
+        : n_(n), re_(static_cast<std::size_t>(n) * n), im_(re_.size()), pivot_(n) {}
 
     Scalar* real_entries() { return re_.data(); }
     Scalar* imaginary_entries() { return im_.data(); }
-
     bool factor() {
-        using std::abs;
-        if (re_.size() == 0) return true;
-        a_.real() = re_;
-        a_.imag() = im_;
-        lu_.compute(a_);
-        for (Eigen::Index i = 0; i < a_.rows(); ++i)
-            if (!usable_pivot(Scalar(abs(lu_.matrixLU()(i, i))))) return false;
-        return true;
+        bool odd;
+        return lu().factor(odd);
     }
-
-    void solve(Scalar* x, Scalar* y) {
-        const Eigen::Index n = b_.size();
-        if (n == 0) return;
-        for (Eigen::Index i = 0; i < n; ++i) b_[i] = complex(x[i], y[i]);
-        x_ = lu_.solve(b_);
-        for (Eigen::Index i = 0; i < n; ++i) x[i] = x_[i].real(), y[i] = x_[i].imag();
-    }
+    void solve(Scalar* x, Scalar* y) { lu().solve({x, y}); }
 
   private:
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> re_, im_;
-    Eigen::Matrix<complex, Eigen::Dynamic, Eigen::Dynamic> a_;
-    Eigen::Matrix<complex, Eigen::Dynamic, 1> b_, x_;
-    Eigen::PartialPivLU<Eigen::Matrix<complex, Eigen::Dynamic, Eigen::Dynamic>> lu_;
+    elimination<complex_column<Scalar>> lu() { return {{re_.data(), im_.data()}, pivot_.data(), n_}; }
+    int n_;
+    std::vector<Scalar> re_, im_;
+    std::vector<int> pivot_;
 };
 
 }  // namespace stagecraft

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <utility>
+
+#include <stagecraft/linear/complex_number.hpp>
+
+namespace stagecraft {
+
+/// As many numbers as one instruction of the processor adds or multiplies. The hot loops are written in these
+/// packets, so that they do not wait for a compiler to vectorise loops of run-time length, which g++ does at
+/// -O3 only; Eigen knows them for every platform.
+template <class Scalar>
+struct packet {
+    using type = typename Eigen::internal::packet_traits<Scalar>::type;
+    static constexpr int size = Eigen::internal::unpacket_traits<type>::size;
+    static type load(const Scalar* x) { return Eigen::internal::ploadu<type>(x); }
+    static type all(const Scalar& x) { return Eigen::internal::pset1<type>(x); }
+    static void store(Scalar* x, const type& v) { Eigen::internal::pstoreu(x, v); }
+};
+/// A single number in the same clothes, for the rest of a loop.
+template <class Scalar>
+struct single {
+    using type = Scalar;
+    static constexpr int size = 1;
+    static type load(const Scalar* x) { return *x; }
+    static type all(const Scalar& x) { return x; }
+    static void store(Scalar* x, const type& v) { *x = v; }
+};
+
+/// A column of a matrix of floating-point numbers, or a vector.
+template <class Scalar>
+struct real_column {
+    using scalar = Scalar;
+    using number = Scalar;
+    static constexpr int together = 8;  ///< so many columns are eliminated from another one at once
+
+    Scalar* x;
+
+    number operator[](int i) const { return x[i]; }
+    void set(int i, const number& v) const { x[i] = v; }
+    void swap(int i, int k) const { std::swap(x[i], x[k]); }
+    friend real_column operator+(const real_column& c, std::ptrdiff_t i) { return {c.x + i}; }
+
+    /// Multiplies entries first ... last - 1 by `factor`.
+    [[gnu::flatten]] void scale(int first, int last, const number& factor) const {
+        int i = first;
+        const auto run = [&]<class P>(P) {
+            const auto m = P::all(factor);
+            for (; i + P::size <= last; i += P::size) P::store(x + i, P::load(x + i) * m);
+        };
+        run(packet<Scalar>());
+        run(single<Scalar>());
+    }
+
+    /// Subtracts m[0] a[0] + m[1] a[1] + ..., as many terms as there are k, from entries first ... last - 1.
+    template <int... k>
+    void subtract(int first, int last, const real_column* a, const number* m,
+                  std::integer_sequence<int, k...>) const {
+        int i = first;
+        const auto run = [&]<class P>(P) {
+            const Scalar* const from[] = {a[k].x...};
+            const typename P::type by[] = {P::all(m[k])...};
+            for (; i + P::size <= last; i += P::size)
+                P::store(x + i, P::load(x + i) - ((P::load(from[k] + i) * by[k]) + ...));
+        };
+        run(packet<Scalar>());
+        run(single<Scalar>());
+    }
+};
+
+/// A column of complex numbers, real and imaginary parts apart.
+template <class Scalar>
+struct complex_column {
+    using scalar = Scalar;
+    using number = complex_number<Scalar>;
+    static constexpr int together = 4;
+
+    Scalar *re, *im;
+
+    number operator[](int i) const { return {re[i], im[i]}; }
+    void set(int i, const number& v) const { re[i] = v.re, im[i] = v.im; }
+    void swap(int i, int k) const { std::swap(re[i], re[k]), std::swap(im[i], im[k]); }
+    friend complex_column operator+(const complex_column& c, std::ptrdiff_t i) {
+        return {c.re + i, c.im + i};
+    }
+
+    [[gnu::flatten]] void scale(int first, int last, const number& factor) const {
+        int i = first;
+        const auto run = [&]<class P>(P) {
+            const auto a = P::all(factor.re), b = P::all(factor.im);
+            for (; i + P::size <= last; i += P::size) {
+                const auto x = P::load(re + i), y = P::load(im + i);
+                P::store(re + i, x * a - y * b);
+                P::store(im + i, x * b + y * a);
+            }
+        };
+        run(packet<Scalar>());
+        run(single<Scalar>());
+    }
+
+    template <int... k>
+    void subtract(int first, int last, const complex_column* a, const number* m,
+                  std::integer_sequence<int, k...>) const {
+        int i = first;
+        const auto run = [&]<class P>(P) {
+            const Scalar *const x[] = {a[k].re...}, *const y[] = {a[k].im...};
+            const typename P::type r[] = {P::all(m[k].re)...}, s[] = {P::all(m[k].im)...};
+            for (; i + P::size <= last; i += P::size) {
+                const auto u = ((P::load(x[k] + i) * r[k] - P::load(y[k] + i) * s[k]) + ...);
+                const auto v = ((P::load(x[k] + i) * s[k] + P::load(y[k] + i) * r[k]) + ...);
+                P::store(re + i, P::load(re + i) - u);
+                P::store(im + i, P::load(im + i) - v);
+            }
+        };
+        run(packet<Scalar>());
+        run(single<Scalar>());
+    }
+};
+
+}  // namespace stagecraft

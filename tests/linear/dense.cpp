@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE dense
+#include <Eigen/LU>
+#include <boost/test/unit_test.hpp>
+#include <complex>
+#include <limits>
+#include <random>
+#include <stagecraft/linear/dense_blocks.hpp>
+
+namespace sc = stagecraft;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+std::mt19937 generator(11);
+
+/// Entries from the normal distribution, each with this probability, else zero.
+MatrixXd random_matrix(int n, double density) {
+    std::normal_distribution<double> entry;
+    std::uniform_real_distribution<double> u(0, 1);
+    return MatrixXd::NullaryExpr(n, n, [&] { return u(generator) < density ? entry(generator) : 0.0; });
+}
+
+/// |b - A x| / (|A| |x| + |b|) by components, computed with 64 bits of mantissa.
+template <class Matrix, class Vector>
+double backward_error(const Matrix& A, const Vector& x, const Vector& b) {
+    using wide = std::conditional_t<std::is_same_v<typename Matrix::Scalar, double>, long double,
+                                    std::complex<long double>>;
+    const auto r = (b.template cast<wide>() - A.template cast<wide>() * x.template cast<wide>()).eval();
+    const VectorXd size = A.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs();
+    double largest = 0;
+    for (int i = 0; i < b.size(); ++i)
+        if (size[i] > 0) largest = std::max(largest, static_cast<double>(std::abs(r[i])) / size[i]);
+    return largest;
+}
+
+double real_error(const MatrixXd& A) {
+    const int n = static_cast<int>(A.rows());
+    sc::dense_lu<double> lu(n);
+    Eigen::Map<MatrixXd>(lu.entries(), n, n) = A;
+    BOOST_REQUIRE(lu.factor());
+    const VectorXd b = VectorXd::Random(n);
+    VectorXd x = b;
+    lu.solve(x.data());
+    return backward_error(A, x, b);
+}
+
+double complex_error(const Eigen::MatrixXcd& A) {
+    const int n = static_cast<int>(A.rows());
+    sc::dense_complex_lu<double> lu(n);
+    Eigen::Map<MatrixXd>(lu.real_entries(), n, n) = A.real();
+    Eigen::Map<MatrixXd>(lu.imaginary_entries(), n, n) = A.imag();
+    BOOST_REQUIRE(lu.factor());
+    const Eigen::VectorXcd b = Eigen::VectorXcd::Random(n);
+    VectorXd re = b.real(), im = b.imag();
+    lu.solve(re.data(), im.data());
+    const Eigen::VectorXcd x = re + std::complex<double>(0, 1) * im;
+    return backward_error(A, x, b);
+}
+
+bool factors(const MatrixXd& re, const MatrixXd& im) {
+    const int n = static_cast<int>(re.rows());
+    sc::dense_complex_lu<double> lu(n);
+    Eigen::Map<MatrixXd>(lu.real_entries(), n, n) = re;
+    Eigen::Map<MatrixXd>(lu.imaginary_entries(), n, n) = im;
+    return lu.factor();
+}
+bool factors(const MatrixXd& A) {
+    const int n = static_cast<int>(A.rows());
+    sc::dense_lu<double> lu(n);
+    Eigen::Map<MatrixXd>(lu.entries(), n, n) = A;
+    return lu.factor();
+}
+
+}  // namespace
+
+// Every remainder of the blocks of four and eight columns, and of the packets.
+BOOST_AUTO_TEST_CASE(solutions_are_backward_stable_at_every_size_around_the_blocks) {
+    const std::complex<double> i(0, 1);
+    for (const double density : {1.0, 0.15})
+        for (const int n :
+             {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 17, 23, 24, 25, 63, 64, 65, 129}) {
+            const MatrixXd A = random_matrix(n, density) + MatrixXd::Identity(n, n);
+            const MatrixXd B = random_matrix(n, density) + 2 * MatrixXd::Identity(n, n);
+            BOOST_TEST_CONTEXT("n = " << n << ", density " << density) {
+                BOOST_TEST(real_error(A) < 10 * n * eps);
+                BOOST_TEST(complex_error(A + i * B) < 10 * n * eps);
+            }
+        }
+}
+
+BOOST_AUTO_TEST_CASE(rows_are_exchanged_where_the_diagonal_is_zero) {
+    for (const int n : {5, 8, 19, 32}) {
+        MatrixXd cycle = MatrixXd::Zero(n, n);  // a permutation matrix: the solution is exact
+        for (int j = 0; j < n; ++j) cycle((j + 1) % n, j) = j % 2 == 0 ? 1 : -2;
+        BOOST_TEST(real_error(cycle) == 0);
+        BOOST_TEST(complex_error(std::complex<double>(0, 1) * cycle) == 0);
+        MatrixXd hollow = random_matrix(n, 1);
+        hollow.diagonal().setZero();
+        BOOST_TEST(real_error(hollow) < 10 * n * eps);
+        // Tiny diagonal: without exchanges every digit would be lost.
+        hollow.diagonal().setConstant(1e-300);
+        BOOST_TEST(complex_error(hollow.cast<std::complex<double>>()) < 10 * n * eps);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(singular_matrices_are_refused) {
+    for (const int n : {1, 7, 8, 20, 33}) {
+        BOOST_TEST(!factors(MatrixXd::Zero(n, n)));
+        BOOST_TEST(!factors(MatrixXd::Zero(n, n), MatrixXd::Zero(n, n)));
+        MatrixXd A = MatrixXd::Identity(n, n);
+        A.col(n / 2).setZero();
+        BOOST_TEST(!factors(A));
+        BOOST_TEST(!factors(A, A));
+    }
+}
+
+// An entry that is not finite meets nothing but zero multipliers where the rest is diagonal.
+BOOST_AUTO_TEST_CASE(no_skipped_zero_hides_an_entry_that_is_not_finite) {
+    const int n = 19;
+    const MatrixXd I = MatrixXd::Identity(n, n), Z = MatrixXd::Zero(n, n);
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                MatrixXd A = I, B = Z;
+                A(i, j) = B(i, j) = bad;
+                BOOST_REQUIRE_MESSAGE(!factors(A), "real " << i << ' ' << j << ' ' << bad);
+                BOOST_REQUIRE_MESSAGE(!factors(I, B), "imaginary " << i << ' ' << j << ' ' << bad);
+            }
+    BOOST_TEST(factors(I));
+}
+
+BOOST_AUTO_TEST_CASE(the_sign_of_the_determinant_is_known) {
+    for (const int n : {1, 2, 8, 9, 21, 40})
+        for (int k = 0; k < 10; ++k) {
+            const MatrixXd A = random_matrix(n, 0.5) + MatrixXd::Identity(n, n);
+            sc::dense_lu<double> lu(n);
+            Eigen::Map<MatrixXd>(lu.entries(), n, n) = A;
+            BOOST_REQUIRE(lu.factor());
+            BOOST_TEST(lu.negative_determinant() == (Eigen::FullPivLU<MatrixXd>(A).determinant() < 0));
+        }
+}
+
+BOOST_AUTO_TEST_CASE(float_is_served_as_well) {
+    const int n = 37;
+    const Eigen::MatrixXf A = Eigen::MatrixXf::Random(n, n) + Eigen::MatrixXf::Identity(n, n);
+    sc::dense_lu<float> lu(n);
+    Eigen::Map<Eigen::MatrixXf>(lu.entries(), n, n) = A;
+    BOOST_REQUIRE(lu.factor());
+    const Eigen::VectorXf b = Eigen::VectorXf::Random(n);
+    Eigen::VectorXf x = b;
+    lu.solve(x.data());
+    const double residual = (A.cast<double>() * x.cast<double>() - b.cast<double>()).norm();
+    BOOST_TEST(residual < 1e-6 * n * A.norm() * x.norm());
+}
