@@ -2,7 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/AutoDiff>
+
+#include <stagecraft/jacobian/dual_number.hpp>
 
 namespace stagecraft {
 
@@ -13,14 +14,14 @@ inline constexpr int dual_width = (N > 0 && N <= 16) ? N : 8;
 
 /// The dual numbers in which a generic right-hand side is differentiated.
 template <class Scalar, int N>
-using dual = Eigen::AutoDiffScalar<Eigen::Matrix<Scalar, dual_width<N>, 1>>;
+using dual = dual_number<Scalar, dual_width<N>>;
 
 template <class Scalar, int N>
 using dual_vector = Eigen::Matrix<dual<Scalar, N>, N, 1>;
 
 /// True if f(t, y, f) accepts dual vectors with t dual as well, or with t left as it is. A lambda with a
 /// deduced return type is compiled by this very question: if its body does not compile with
-/// Eigen::AutoDiffScalar, give its parameters concrete types or bring a Jacobian.
+/// dual_number, give its parameters concrete types or bring a Jacobian.
 template <class Problem, class Scalar, int N>
 concept differentiable_with_dual_time = requires(Problem& p, const dual<Scalar, N>& t,
                                                  const dual_vector<Scalar, N>& y, dual_vector<Scalar, N>& f) {
@@ -36,7 +37,7 @@ template <class Problem, class Scalar, int N>
 concept automatically_differentiable =
     differentiable_with_dual_time<Problem, Scalar, N> || differentiable_with_plain_time<Problem, Scalar, N>;
 
-/// df/dy by forward-mode automatic differentiation (Eigen's AutoDiffScalar), exact to rounding: ceil(n /
+/// df/dy by forward-mode automatic differentiation (dual_number), exact to rounding: ceil(n /
 /// width) evaluations of f in dual numbers.
 template <class Scalar, int N>
 class automatic_jacobian {

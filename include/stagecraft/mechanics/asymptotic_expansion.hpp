@@ -7,7 +7,6 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stdexcept>
 #include <string>
-#include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
 #include <stagecraft/integrate.hpp>
@@ -117,7 +116,7 @@ class asymptotic_expansion {
     }
 
   private:
-    using dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
+    using dual = dual_number<double, 1>;
 
     template <int N>
     static Eigen::Matrix<dual, N, 1> moving(const Eigen::Matrix<double, N, 1>& x,

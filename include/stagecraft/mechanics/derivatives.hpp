@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
 #include <stagecraft/mechanics/model.hpp>
@@ -85,7 +84,7 @@ struct acceleration_jacobian {
     }
 
   private:
-    using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+    using dual = dual_number<S, n>;
     using dual_vector = Eigen::Matrix<dual, n, 1>;
 };
 
@@ -101,7 +100,7 @@ struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
                                const coordinate_vector<S, Model>& v,
                                const multiplier_vector<S, Model>& lambda, const S& t)
         : acceleration_jacobian<S, Model>(model, q, v, lambda, t) {
-        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+        using dual = dual_number<S, n>;
         const multiplier_vector<dual, Model> c_q =
             constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v));
         const multiplier_vector<dual, Model> c_v =

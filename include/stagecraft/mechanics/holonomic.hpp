@@ -77,7 +77,7 @@ class stabilised_dae {
         const coordinate_vector<S, Model> q = y.template head<n>();
         const acceleration_jacobian<S, Model> d(model_, q, y.template segment<n>(n),
                                                 y.template segment<m>(2 * n), t);
-        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, n, 1>>;
+        using dual = dual_number<S, n>;
         const Eigen::Matrix<dual, m, n> dG = model_.G(detail::variables<dual>(q));
         detail::motion_jacobian(d, 2 * n, J);
         for (int i = 0; i < n; ++i)

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <unsupported/Eigen/AutoDiff>
 
+#include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
 
 namespace stagecraft {
@@ -119,7 +119,7 @@ multiplier_vector<S, Model> constraint_curvature(const Model& model, const coord
     if constexpr (has_constraint_rate<Model>) {
         return model.G_rate(q, v) * v;
     } else {
-        using dual = Eigen::AutoDiffScalar<Eigen::Matrix<S, 1, 1>>;
+        using dual = dual_number<S, 1>;
         coordinate_vector<dual, Model> moving;
         for (int i = 0; i < Model::coordinates; ++i) {
             moving[i].value() = q[i];
