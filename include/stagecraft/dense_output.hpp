@@ -86,7 +86,8 @@ class basis_values {
 /// stiff component follows a smooth function in long steps. options.continuous has the tolerance hold there
 /// as well; for methods that do not serve it options.max_step is what helps. Methods given by their
 /// tableau have the highest order that their slopes allow (step/stage_output.hpp). Evaluated only where it is
-/// asked, and valid until the next step; copy it to keep it.
+/// asked. The one that a run shows changes with the next step; a copy owns all that it needs and outlives the
+/// run (n (s + 1) + 2 s numbers).
 template <class Vector, int MaxStages>
 class dense_output {
   public:
@@ -96,7 +97,7 @@ class dense_output {
     scalar t0() const { return t0_; }
     scalar t1() const { return t0_ + h_; }
     scalar step() const { return h_; }
-    int degree() const { return nodes_->size; }
+    int degree() const { return nodes_.size; }
 
     /// u(t); meant for t within the step (extrapolation is allowed and as good as extrapolation is).
     Vector operator()(const scalar& t) const {
@@ -106,10 +107,10 @@ class dense_output {
     }
     /// The same into a vector that has its size already.
     void evaluate(const scalar& t, Vector& result) const {
-        basis_values<scalar, MaxStages> l(nodes_->size);
-        nodes_->basis((t - t0_) / h_, l.data());
+        basis_values<scalar, MaxStages> l(nodes_.size);
+        nodes_.basis((t - t0_) / h_, l.data());
         result = y0_;
-        for (int j = 0; j < nodes_->size; ++j) result += l[j] * z_.col(nodes_->first_column + j);
+        for (int j = 0; j < nodes_.size; ++j) result += l[j] * z_.col(nodes_.first_column + j);
     }
 
     /// u'(t), one order less than u.
@@ -122,23 +123,47 @@ class dense_output {
     template <class Result>
     void evaluate_derivative(const scalar& t, Result&& result) const {
         result.setZero();
-        basis_values<scalar, MaxStages> l(nodes_->size);
-        nodes_->basis_derivative((t - t0_) / h_, l.data());
-        for (int j = 0; j < nodes_->size; ++j) result += (l[j] / h_) * z_.col(nodes_->first_column + j);
+        basis_values<scalar, MaxStages> l(nodes_.size);
+        nodes_.basis_derivative((t - t0_) / h_, l.data());
+        for (int j = 0; j < nodes_.size; ++j) result += (l[j] / h_) * z_.col(nodes_.first_column + j);
     }
 
     /// Adds delta (t - t0)/h, so that the end is moved by delta and the start stays.
     template <class Delta>
     void move_end(const Delta& delta) {
-        for (int j = 0; j < nodes_->size; ++j) {
-            const scalar part = nodes_->c[j] == scalar(0) ? scalar(1) : nodes_->c[j];  // a slope, or a value
-            z_.col(nodes_->first_column + j) += part * delta;
+        for (int j = 0; j < nodes_.size; ++j) {
+            const scalar part = nodes_.c[j] == scalar(0) ? scalar(1) : nodes_.c[j];  // a slope, or a value
+            z_.col(nodes_.first_column + j) += part * delta;
         }
     }
 
-    // What a stepper fills in; z holds z_i = Y_i - y0 in its columns.
-    dense_output(int n, int stages) : y0_(n), z_(n, stages) {}
-    const interpolation_nodes<scalar, MaxStages>* nodes_ = nullptr;
+    // For the steppers, which alone make one.
+    using nodes_type = interpolation_nodes<scalar, MaxStages>;
+
+    /// For n components and at most so many columns of increments; covers no step yet.
+    dense_output(int n, int columns) : nodes_(columns), y0_(n), z_(n, columns) {}
+
+    /// From here on: the step from (t, y) of length h, with increments() at `nodes`, which are copied.
+    void cover(const nodes_type& nodes, const scalar& t, const scalar& h, const Vector& y) {
+        nodes_ = nodes;
+        cover(t, h);
+        y0_ = y;
+    }
+    /// The same for a run that asks for no values.
+    void cover(const scalar& t, const scalar& h) {
+        t0_ = t;
+        h_ = h;
+    }
+
+    const nodes_type& nodes() const { return nodes_; }
+    /// The state at t0().
+    const Vector& y0() const { return y0_; }
+    /// z_j = u at node j, less y0, in the columns from nodes().first_column; in the order of the nodes.
+    stage_matrix& increments() { return z_; }
+    const stage_matrix& increments() const { return z_; }
+
+  private:
+    nodes_type nodes_;
     scalar t0_{0}, h_{0};
     Vector y0_;
     stage_matrix z_;

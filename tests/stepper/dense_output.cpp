@@ -3,9 +3,12 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <functional>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/observe/solution.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
+#include <vector>
 
 #include "problems.hpp"
 
@@ -89,4 +92,46 @@ BOOST_AUTO_TEST_CASE(continuous_output_of_index_2_has_order_s_plus_1_in_y_and_s_
 // For index 3: s + 1, s, s - 1 in y, z, u.
 BOOST_AUTO_TEST_CASE(continuous_output_of_index_3_loses_an_order_with_each_level) {
     check<3, 5>(problems::index_three{}, exponentials<5>({2, -1, 2, -1, 1}), {4, 4, 3, 3, 2}, 1. / 32);
+}
+
+namespace {
+
+// What was seen in the middle of a step, and the continuous solution to be asked for it again.
+struct copied_step {
+    double t, value;
+    std::function<Eigen::Matrix<double, 1, 1>(double)> u;
+};
+
+// y' = -y. Not inlined: the run and all it held are gone when it returns.
+template <class Method>
+[[gnu::noinline]] std::vector<copied_step> copied_steps(const Method& method) {
+    using vector = Eigen::Matrix<double, 1, 1>;
+    std::vector<copied_step> kept;
+    sc::integrate(
+        method, [](double, const auto& y, auto& f) { f[0] = -y[0]; }, vector(1.0), 0, 1,
+        {.rtol = 1e-6, .atol = 1e-6},
+        [&](double t, const vector&, double h, const auto& output) {
+            const double middle = t - h / 2;
+            kept.push_back({middle, output(middle)[0], output});
+        });
+    return kept;
+}
+
+[[gnu::noinline]] void overwrite_the_stack() {
+    volatile double numbers[20000];
+    for (auto& x : numbers) x = 1e300;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_copied_output_is_as_good_after_the_run_as_within_it) {
+    for (const auto& kept :
+         {copied_steps(sc::radau_iia<3>()), copied_steps(sc::radau_iia_variable<2, 3>())}) {
+        overwrite_the_stack();
+        BOOST_TEST(kept.size() > 1u);
+        for (const auto& k : kept) {
+            BOOST_TEST(k.u(k.t)[0] == k.value);
+            BOOST_TEST(std::abs(k.value - std::exp(-k.t)) < 1e-4);
+        }
+    }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
@@ -65,7 +66,6 @@ class solution {
         pieces_.clear();
         numbers_.clear();
         nodes_.clear();
-        sources_.clear();
         t0_ = t1_ = t0;
         y0_ = y0;
         backwards_ = t1 < t0;
@@ -74,12 +74,13 @@ class solution {
 
     template <class Output>
     void operator()(const scalar& t, const Vector&, const scalar&, const Output& output) {
-        pieces_.push_back({output.t0_, output.h_, t, numbers_.size(), nodes_of(*output.nodes_)});
+        pieces_.push_back({output.t0(), output.step(), t, numbers_.size(), nodes_of(output.nodes())});
         const auto append = [&](const auto& x) {
             numbers_.insert(numbers_.end(), x.data(), x.data() + x.size());
         };
-        append(output.y0_);
-        append(output.z_.middleCols(output.nodes_->first_column, output.nodes_->size));
+        append(output.y0());
+        const auto& nodes = output.nodes();
+        append(output.increments().middleCols(nodes.first_column, nodes.size));
         t1_ = t;
     }
 
@@ -99,17 +100,18 @@ class solution {
 
     bool after(const scalar& t, const scalar& u) const { return backwards_ ? t < u : t > u; }
 
-    /// The nodes of a method outlive the run here; those of a step are known by where the run keeps them.
+    /// The place of these nodes in nodes_: a run uses those of few methods, mostly the same again.
     template <class Nodes>
     std::size_t nodes_of(const Nodes& nodes) {
-        for (std::size_t k = sources_.size(); k-- > 0;)
-            if (sources_[k] == &nodes) return k;
+        for (std::size_t k = nodes_.size(); k-- > 0;)
+            if (nodes_[k].size == nodes.size &&
+                std::equal(nodes_[k].c.begin(), nodes_[k].c.begin() + nodes.size, nodes.c.begin()))
+                return k;
         interpolation_nodes<scalar, dynamic> copy(nodes.size);
         copy.size = nodes.size;
         std::copy_n(nodes.c.begin(), nodes.size, copy.c.begin());
         std::copy_n(nodes.omega.begin(), nodes.size, copy.omega.begin());
-        nodes_.push_back(copy);
-        sources_.push_back(&nodes);
+        nodes_.push_back(std::move(copy));
         return nodes_.size() - 1;
     }
 
@@ -139,7 +141,6 @@ class solution {
     std::vector<piece> pieces_;
     std::vector<scalar> numbers_;
     std::vector<interpolation_nodes<scalar, dynamic>> nodes_;
-    std::vector<const void*> sources_;
     scalar t0_{0}, t1_{0};
     Vector y0_;
     bool backwards_ = false, started_ = false;

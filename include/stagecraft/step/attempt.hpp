@@ -68,8 +68,8 @@ auto integrator<Method, Problem, Vector>::attempt(Step& method) -> attempt_end {
         method.begin(f0_);
         if (factored_) {
             method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
-            newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s), now.z_,
-                                           report_.solves);
+            newton = method.stages().solve(system_, t_, y_, h, weights_, newton_limits_for(s),
+                                           now.increments(), report_.solves);
         }
         if (fixed() && fresh_jacobian_ && newton.end != newton_end::converged)
             factored_ |= solve_by_continuation(method, system_, t_, y_, h, weights_, newton_limits_for(s),
@@ -196,8 +196,7 @@ auto integrator<Method, Problem, Vector>::accept(Step& method, const scalar& h, 
     if (has_output_) {
         method.finish(t_, y_, h, y1_, now);
     } else {
-        now.t0_ = t_;
-        now.h_ = h;
+        now.cover(t_, h);
     }
     method.accepted();
     current_ = 1 - current_;

@@ -107,18 +107,19 @@ class collocation_step {
     void guess(const output* before, const vector& y, const Scalar& h, output& now,
                const Scalar& from = Scalar(1)) const {
         const int s = count();
-        auto& Z = now.z_;
+        auto& Z = now.increments();
         if (before == nullptr) {
             Z.setZero();
             return;
         }
-        const Scalar ratio = h / before->h_;
-        const auto& old = *before->nodes_;
+        const Scalar ratio = h / before->step();
+        const auto& old = before->nodes();
         basis_values<Scalar, MaxStages> l(old.size);
         for (int i = 0; i < s; ++i) {
             old.basis(from + stages_.method().c[i] * ratio, l.data());
-            Z.col(i) = before->y0_ - y;
-            for (int j = 0; j < old.size; ++j) Z.col(i) += l[j] * before->z_.col(old.first_column + j);
+            Z.col(i) = before->y0() - y;
+            for (int j = 0; j < old.size; ++j)
+                Z.col(i) += l[j] * before->increments().col(old.first_column + j);
         }
     }
 
@@ -127,26 +128,23 @@ class collocation_step {
         const int s = count();
         y1 = y;
         if (stiffly_accurate_) {
-            y1 += now.z_.col(s - 1);
+            y1 += now.increments().col(s - 1);
         } else {
-            for (int j = 0; j < s; ++j) y1 += update_[j] * now.z_.col(j);
+            for (int j = 0; j < s; ++j) y1 += update_[j] * now.increments().col(j);
         }
     }
 
     /// Makes `now` the continuous polynomial of the accepted step from (t, y) to y1.
     void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) const {
-        now.nodes_ = &nodes_;
-        now.t0_ = t;
-        now.h_ = h;
-        now.y0_ = y;
-        if (jump_ && nodes_.first_column == 0) now.z_.col(0) = y1 - y;
+        now.cover(nodes_, t, h, y);
+        if (jump_ && nodes_.first_column == 0) now.increments().col(0) = y1 - y;
     }
 
     /// error := the estimate; f0 = f(t, y) where needs_left_value().
     template <class System>
     int estimate(const System& system, const Scalar& h, const vector& f0, const output& now, vector& error) {
         if (jump_) {
-            error = now.z_.col(0);
+            error = now.increments().col(0);
             return 0;
         }
         defect(system, h, defect_, f0, now, error);
@@ -211,7 +209,7 @@ class collocation_step {
             rest_ = error;
         } else {
             rest_.setZero();
-            for (int j = 0; j < count(); ++j) rest_ += ends_[j] * now.z_.col(j);
+            for (int j = 0; j < count(); ++j) rest_ += ends_[j] * now.increments().col(j);
         }
         Scalar left = size(rest_, true) / 2;
         const int orders = order_ + 1 - estimate_power() + (stiffly_accurate_ ? 0 : 1);
@@ -254,9 +252,9 @@ class collocation_step {
         using std::sqrt;
         Scalar size[2];
         for (int r = 0; r < 2; ++r) {
-            scratch_ = top_(0, r) * now.z_.col(nodes_.first_column);
+            scratch_ = top_(0, r) * now.increments().col(nodes_.first_column);
             for (int j = 1; j < nodes_.size; ++j)
-                scratch_ += top_(j, r) * now.z_.col(nodes_.first_column + j);
+                scratch_ += top_(j, r) * now.increments().col(nodes_.first_column + j);
             Scalar sum = Scalar(0);
             for (int i = 0; i < scratch_.size(); ++i) {
                 const Scalar v = scratch_[i] * weights[i];
@@ -318,8 +316,8 @@ class collocation_step {
     template <class System>
     void defect(const System& system, const Scalar& h, const Eigen::Matrix<Scalar, Stages, 1>& slope,
                 const vector& f, const output& now, vector& error) {
-        scratch_ = (slope[0] / h) * now.z_.col(0);
-        for (int j = 1; j < count(); ++j) scratch_ += (slope[j] / h) * now.z_.col(j);
+        scratch_ = (slope[0] / h) * now.increments().col(0);
+        for (int j = 1; j < count(); ++j) scratch_ += (slope[j] / h) * now.increments().col(j);
         error = f;
         add_mass_times(system.mass(), Scalar(-1), scratch_.data(), error.data(), system.size());
     }

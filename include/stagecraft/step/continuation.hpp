@@ -39,7 +39,8 @@ bool solve_by_continuation(Step& method, System& system, const Scalar& t, const 
         newton_outcome<Scalar> outcome;
         if (method.stages().factor(system, part)) {
             method.guess(known > Scalar(0) ? &reached : nullptr, y, part, now, Scalar(0));
-            outcome = method.stages().solve(system, t, y, part, weights, limits, now.z_, counts.solves);
+            outcome =
+                method.stages().solve(system, t, y, part, weights, limits, now.increments(), counts.solves);
         }
         if (outcome.end == newton_end::converged && target == Scalar(1)) {
             newton = outcome;

@@ -99,15 +99,12 @@ class stage_output {
     }
 
     /// Fills `now` for the step from (t, y) to y1 with the slopes v and, where both ends have one, `right` at
-    /// the right end; now.z_ holds z_i of the stages.
+    /// the right end; now.increments() holds z_i of the stages.
     template <class Slopes, class Slope>
     void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, const Slopes& v,
                 const Slope& right, output& now) const {
-        now.nodes_ = &nodes_;
-        now.t0_ = t;
-        now.h_ = h;
-        now.y0_ = y;
-        auto& z = now.z_;
+        now.cover(nodes_, t, h, y);
+        auto& z = now.increments();
         switch (form_) {
             case form::stages:
                 if (nodes_.c[0] == Scalar(0)) z.col(0) = h * v.k.col(0);

@@ -177,21 +177,21 @@ class tableau_step {
         if (is_.left_stage && !v_.by_value) v_.k.col(0) = left_slope_;
         v_.guessed = before != nullptr && implicit();
         if (!v_.guessed) return;
-        const auto& old = *before->nodes_;
+        const auto& old = before->nodes();
         basis_values<Scalar, MaxStages> l(old.size);
         const bool share = v_.by_value && !is_.lower;  // of k_1, which the slopes are kept without
         for (int i = is_.left_stage && !share ? 1 : 0; i < count(); ++i) {
-            const Scalar x = from + v_.method.c[i] * h / before->h_;
+            const Scalar x = from + v_.method.c[i] * h / before->step();
             if (is_.lower) {
                 old.basis(x, l.data());
-                now.z_.col(i) = before->y0_ - y;
+                now.increments().col(i) = before->y0() - y;
                 for (int j = 0; j < old.size; ++j)
-                    now.z_.col(i) += l[j] * before->z_.col(old.first_column + j);
+                    now.increments().col(i) += l[j] * before->increments().col(old.first_column + j);
             } else {
                 old.basis_derivative(x, l.data());
                 v_.k.col(i).setZero();
                 for (int j = 0; j < old.size; ++j)
-                    v_.k.col(i) += (l[j] / before->h_) * before->z_.col(old.first_column + j);
+                    v_.k.col(i) += (l[j] / before->step()) * before->increments().col(old.first_column + j);
                 if (share && i > 0) v_.k.col(i) -= v_.carry[i] * v_.k.col(0);
             }
         }
