@@ -3,7 +3,7 @@
 // e^z on the real axis, and min(1, |R|) of the explicit Euler method, the implicit Euler method and the
 // trapezoidal rule. The functions come from the tableaux. Usage: lecture_figures [FOLDER]
 #include <stagecraft/tableaux/rational.hpp>
-#include <stagecraft/theory/plot_pictures.hpp>
+#include <stagecraft/theory/plot/pictures.hpp>
 
 #include <filesystem>
 #include <iostream>

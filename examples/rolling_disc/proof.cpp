@@ -2,7 +2,7 @@
 #include "proof.hpp"
 
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/theory/certify.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
 
 #include "surd_tableau.hpp"
 

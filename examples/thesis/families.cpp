@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/theory/dae_order.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
 
 #include "experiments.hpp"
 #include "solve.hpp"

@@ -13,9 +13,9 @@
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/family.hpp>
 #include <stagecraft/tableaux/rational.hpp>
-#include <stagecraft/theory/legendre_model.hpp>
-#include <stagecraft/theory/matrix_model.hpp>
-#include <stagecraft/theory/tree_weights.hpp>
+#include <stagecraft/theory/models/legendre_model.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/trees/tree_weights.hpp>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE certified
-#include <stagecraft/theory/method_table.hpp>
+#include <stagecraft/theory/judging/method_table.hpp>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE files
 #include <stagecraft/tableaux/read.hpp>
-#include <stagecraft/theory/matrix_model.hpp>
-#include <stagecraft/theory/tree_order.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/trees/tree_order.hpp>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

@@ -12,9 +12,9 @@
 #include <stagecraft/tableaux/entry.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
-#include <stagecraft/theory/matrix_model.hpp>
-#include <stagecraft/theory/tree_table.hpp>
-#include <stagecraft/theory/tree_text.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/trees/tree_table.hpp>
+#include <stagecraft/theory/trees/tree_text.hpp>
 
 #include "certify_once.hpp"
 

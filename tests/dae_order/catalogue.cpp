@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <stagecraft/tableaux/read.hpp>
-#include <stagecraft/theory/dae_order.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
 
 using namespace stagecraft;
 using namespace stagecraft::theory;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE dae_order
 #include <boost/test/unit_test.hpp>
-#include <stagecraft/theory/dae_order.hpp>
-#include <stagecraft/theory/dae_order_left_stage.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
+#include <stagecraft/theory/dae/dae_order_left_stage.hpp>
 
 #include "../stability/methods.hpp"
 

@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE index_3_linear
 #include <array>
 #include <boost/test/unit_test.hpp>
-#include <stagecraft/theory/dae_order.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
 #include <vector>
 
 #include "../stability/methods.hpp"

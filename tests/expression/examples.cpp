@@ -8,11 +8,11 @@
 #include <stagecraft/tableaux/fixed_rational.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/rational.hpp>
-#include <stagecraft/theory/expression.hpp>
-#include <stagecraft/theory/expression_text.hpp>
-#include <stagecraft/theory/expression_tree.hpp>
-#include <stagecraft/theory/legendre_model.hpp>
-#include <stagecraft/theory/matrix_model.hpp>
+#include <stagecraft/theory/models/legendre_model.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/statements/expression.hpp>
+#include <stagecraft/theory/statements/expression_text.hpp>
+#include <stagecraft/theory/statements/expression_tree.hpp>
 #include <stagecraft/theory/statements/simplifying.hpp>
 #include <stagecraft/theory/statements/statement.hpp>
 #include <string>

@@ -3,8 +3,8 @@
 #include "slopes.hpp"
 
 #include <stagecraft/tableaux/exact_collocation.hpp>
-#include <stagecraft/theory/dae_order.hpp>
-#include <stagecraft/theory/dae_order_left_stage.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
+#include <stagecraft/theory/dae/dae_order_left_stage.hpp>
 #include <stdexcept>
 #include <string>
 

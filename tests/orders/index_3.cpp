@@ -3,7 +3,7 @@
 #include "slopes.hpp"
 
 #include <array>
-#include <stagecraft/theory/dae_order.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
 #include <string>
 
 // Every family on problems of index 3: fixed steps at 50 digits over a decade of h, on Jay's problem and on

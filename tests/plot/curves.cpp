@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE curves
-#include <stagecraft/theory/plot_gnuplot.hpp>
+#include <stagecraft/theory/plot/gnuplot.hpp>
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

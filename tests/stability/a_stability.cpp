@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE a_stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/theory/a_stability.hpp>
+#include <stagecraft/theory/stability/a_stability.hpp>
 
 #include "methods.hpp"
 

@@ -2,9 +2,9 @@
 #define BOOST_TEST_MODULE algebraic_stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/theory/algebraic_stability.hpp>
-#include <stagecraft/theory/ssp.hpp>
-#include <stagecraft/theory/symmetry.hpp>
+#include <stagecraft/theory/stability/algebraic_stability.hpp>
+#include <stagecraft/theory/stability/ssp.hpp>
+#include <stagecraft/theory/stability/symmetry.hpp>
 
 #include "methods.hpp"
 

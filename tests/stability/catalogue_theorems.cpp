@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/transformations.hpp>
-#include <stagecraft/theory/dae_order.hpp>
-#include <stagecraft/theory/ssp.hpp>
-#include <stagecraft/theory/symmetry.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
+#include <stagecraft/theory/stability/ssp.hpp>
+#include <stagecraft/theory/stability/symmetry.hpp>
 
 using namespace stagecraft;
 using namespace stagecraft::theory;

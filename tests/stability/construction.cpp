@@ -5,9 +5,9 @@
 #include <stagecraft/tableaux/quadratic_roots.hpp>
 #include <stagecraft/tableaux/transformations.hpp>
 #include <stagecraft/tableaux/w_transform.hpp>
-#include <stagecraft/theory/a_stability.hpp>
-#include <stagecraft/theory/algebraic_stability.hpp>
-#include <stagecraft/theory/symmetry.hpp>
+#include <stagecraft/theory/stability/a_stability.hpp>
+#include <stagecraft/theory/stability/algebraic_stability.hpp>
+#include <stagecraft/theory/stability/symmetry.hpp>
 
 #include "methods.hpp"
 

@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE report
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <stagecraft/theory/stability_report.hpp>
+#include <stagecraft/theory/judging/stability_report.hpp>
 
 #include "methods.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <random>
-#include <stagecraft/theory/sector_stability.hpp>
+#include <stagecraft/theory/stability/sector_stability.hpp>
 
 #include "methods.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE stability_function
 #include <boost/test/unit_test.hpp>
-#include <stagecraft/theory/stability_function.hpp>
+#include <stagecraft/theory/stability/stability_function.hpp>
 
 #include "methods.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/tableaux/rounded_file.hpp>
+#include <stagecraft/tableaux/tableau_from_file.hpp>
 
 #include <Eigen/Core>
 #include <boost/multiprecision/cpp_bin_float.hpp>

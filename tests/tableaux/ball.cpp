@@ -6,8 +6,8 @@
 #include <random>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/tableaux/complex_ball.hpp>
+#include <stagecraft/tableaux/correct_rounding.hpp>
 #include <stagecraft/tableaux/rough_ball.hpp>
-#include <stagecraft/tableaux/round.hpp>
 #include <vector>
 
 using namespace stagecraft::tableaux;

@@ -2,8 +2,8 @@
 #define BOOST_TEST_MODULE certify
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/theory/certificate_json.hpp>
-#include <stagecraft/theory/certify.hpp>
+#include <stagecraft/theory/judging/certificate_json.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
 #include <string>
 
 using namespace stagecraft;

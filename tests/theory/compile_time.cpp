@@ -2,8 +2,8 @@
 #define BOOST_TEST_MODULE compile_time
 #include <boost/test/unit_test.hpp>
 #include <stagecraft/tableaux/fixed_rational.hpp>
-#include <stagecraft/theory/schwarz.hpp>
-#include <stagecraft/theory/simplifying.hpp>
+#include <stagecraft/theory/models/legendre_simplifying.hpp>
+#include <stagecraft/theory/stability/schwarz.hpp>
 
 // Everything in this file is proved by the compiler: that it compiles is the test.
 

@@ -3,10 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <stagecraft/tableaux/exact_collocation.hpp>
 #include <stagecraft/tableaux/fixed_rational.hpp>
-#include <stagecraft/theory/algebraic_stability.hpp>
-#include <stagecraft/theory/nodal_stability.hpp>
-#include <stagecraft/theory/simplifying.hpp>
-#include <stagecraft/theory/stage_algebra.hpp>
+#include <stagecraft/theory/models/legendre_simplifying.hpp>
+#include <stagecraft/theory/models/stage_algebra.hpp>
+#include <stagecraft/theory/stability/algebraic_stability.hpp>
+#include <stagecraft/theory/stability/nodal_stability.hpp>
 
 // The model against the matrices (a_ij) of the same methods, made from Lagrange polynomials on rational
 // nodes: the two share no formula.

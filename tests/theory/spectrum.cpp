@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/tableaux/family.hpp>
-#include <stagecraft/theory/certificate_json.hpp>
-#include <stagecraft/theory/certify.hpp>
-#include <stagecraft/theory/spectra.hpp>
+#include <stagecraft/theory/judging/certificate_json.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
+#include <stagecraft/theory/judging/subject_spectrum.hpp>
 #include <string>
 #include <vector>
 

@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <set>
-#include <stagecraft/theory/rooted_tree.hpp>
-#include <stagecraft/theory/tree_table.hpp>
+#include <stagecraft/theory/trees/rooted_tree.hpp>
+#include <stagecraft/theory/trees/tree_table.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/rational.hpp>
-#include <stagecraft/theory/matrix_model.hpp>
-#include <stagecraft/theory/tree_order.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/trees/tree_order.hpp>
 #include <stdexcept>
 #include <vector>
 

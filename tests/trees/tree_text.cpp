@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE tree_text
 #include <boost/test/unit_test.hpp>
 #include <set>
-#include <stagecraft/theory/tree_text.hpp>
+#include <stagecraft/theory/trees/tree_text.hpp>
 #include <stdexcept>
 #include <string>
 

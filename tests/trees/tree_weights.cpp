@@ -9,9 +9,9 @@
 #include <stagecraft/tableaux/family.hpp>
 #include <stagecraft/tableaux/fixed_rational.hpp>
 #include <stagecraft/tableaux/rational.hpp>
-#include <stagecraft/theory/legendre_model.hpp>
-#include <stagecraft/theory/matrix_model.hpp>
-#include <stagecraft/theory/tree_order.hpp>
+#include <stagecraft/theory/models/legendre_model.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/trees/tree_order.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <iostream>
-#include <stagecraft/theory/certificate_json.hpp>
-#include <stagecraft/theory/certify.hpp>
+#include <stagecraft/theory/judging/certificate_json.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
 #include <string>
 
 #include "certify_file.hpp"

@@ -2,7 +2,7 @@
 #include "certify_file.hpp"
 
 #include <iostream>
-#include <stagecraft/theory/certify_file.hpp>
+#include <stagecraft/theory/judging/certify_file.hpp>
 
 namespace stagecraft::tool {
 

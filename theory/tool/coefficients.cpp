@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <stagecraft/tableaux/emit.hpp>
-#include <stagecraft/theory/certify.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
 #include <string>
 
 #include "command.hpp"

@@ -6,8 +6,8 @@
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/tableaux/entry.hpp>
 #include <stagecraft/tableaux/polynomial_text.hpp>
-#include <stagecraft/theory/certificate_json.hpp>
-#include <stagecraft/theory/certify.hpp>
+#include <stagecraft/theory/judging/certificate_json.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <stagecraft/theory/plot_subject.hpp>
+#include <stagecraft/theory/plot/method_data.hpp>
 
 #include <CLI/CLI.hpp>
 #include <array>

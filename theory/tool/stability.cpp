@@ -3,7 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
-#include <stagecraft/theory/stability_report.hpp>
+#include <stagecraft/theory/judging/stability_report.hpp>
 #include <stdexcept>
 #include <string>
 

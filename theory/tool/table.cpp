@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stagecraft/theory/method_table.hpp>
+#include <stagecraft/theory/judging/method_table.hpp>
 #include <string>
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/tableaux/correct_rounding.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/round.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 #include <stdexcept>
 #include <string>

@@ -6,8 +6,8 @@
 #include <optional>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/collocation.hpp>
+#include <stagecraft/tableaux/correct_rounding.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/round.hpp>
 #include <stagecraft/tableaux/transformed.hpp>
 #include <stdexcept>
 #include <string>

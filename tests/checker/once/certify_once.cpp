@@ -2,7 +2,7 @@
 #include "certify_once.hpp"
 
 #include <sstream>
-#include <stagecraft/theory/certify_file.hpp>
+#include <stagecraft/theory/judging/certify_file.hpp>
 
 namespace certify_once {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/theory/file_certificate.hpp>
+#include <stagecraft/theory/judging/file_certificate.hpp>
 #include <string>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: A*(A*v) for the square of A
-#include <stagecraft/theory/expression.hpp>
+#include <stagecraft/theory/statements/expression.hpp>
 
 using namespace stagecraft::theory::symbols;
 

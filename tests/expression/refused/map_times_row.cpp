@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: b is a row: write transposed(A)*b
-#include <stagecraft/theory/expression.hpp>
+#include <stagecraft/theory/statements/expression.hpp>
 
 using namespace stagecraft::theory::symbols;
 

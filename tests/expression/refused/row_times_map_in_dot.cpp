@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: b*A is ambiguous
-#include <stagecraft/theory/expression.hpp>
+#include <stagecraft/theory/statements/expression.hpp>
 
 using namespace stagecraft::theory::symbols;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: zero_may_be_a_truncated_quotient_write_1_over_15_q_or_0_q
-#include <stagecraft/theory/expression.hpp>
+#include <stagecraft/theory/statements/expression.hpp>
 
 using namespace stagecraft::theory::symbols;
 

@@ -3,10 +3,10 @@
 
 #include <concepts>
 #include <sstream>
-#include <stagecraft/theory/expression.hpp>
-#include <stagecraft/theory/expression_text.hpp>
-#include <stagecraft/theory/tree_order.hpp>
-#include <stagecraft/theory/verdict.hpp>
+#include <stagecraft/theory/statements/expression.hpp>
+#include <stagecraft/theory/statements/expression_text.hpp>
+#include <stagecraft/theory/statements/verdict.hpp>
+#include <stagecraft/theory/trees/tree_order.hpp>
 #include <string>
 #include <string_view>
 #include <tuple>

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stagecraft/tableaux/embedded.hpp"
+#include "stagecraft/theory/dae/index2_conditions.hpp"
+#include "stagecraft/theory/models/matrix_model.hpp"
+#include "stagecraft/theory/stability/algebraic_stability.hpp"
+#include "stagecraft/theory/trees/tree_order.hpp"
+
+namespace stagecraft::theory {
+
+/// A hypothesis of a theorem and the verdict on it for the method at hand.
+struct hypothesis {
+    std::string name;
+    theory::verdict verdict;
+};
+
+/// What one theorem says of the global error of a method: y_n - y(t_n) = O(h^y) and so on for the algebraic
+/// components, for constant step sizes and consistent initial values. Where a hypothesis fails the orders are
+/// empty; z is the Lagrange multiplier lambda for index 1 and 2, for index 3 the velocities, and u then the
+/// multiplier. Orders are lower bounds: a theorem's promise, not a measurement.
+struct order_prediction {
+    std::string theorem;
+    std::vector<hypothesis> hypotheses;
+    std::optional<int> y;
+    std::optional<int> z;
+    std::optional<int> u;
+    std::string note;
+
+    bool applies() const { return y.has_value(); }
+};
+
+/// One term O(eps^epsilon h^h) of an error in a singular perturbation problem.
+struct epsilon_term {
+    int epsilon = 0;
+    int h = 0;
+    friend bool operator==(const epsilon_term&, const epsilon_term&) = default;
+};
+
+/// The thesis' Theorem 7 for a method: y and lambda errors are sums of the terms.
+struct epsilon_prediction {
+    std::string theorem;
+    std::vector<hypothesis> hypotheses;
+    std::vector<epsilon_term> y;
+    std::vector<epsilon_term> lambda;
+
+    bool applies() const { return !y.empty(); }
+};
+
+/// What the theorems need to know of a method, computed once.
+template <class K>
+struct dae_traits {
+    int stages = 0;
+    tableaux::simplifying_orders simplifying;
+    int order = 0;             ///< classical order
+    int stage_order = 0;       ///< largest q with B(q) and C(q)
+    bool regular = false;      ///< A is regular
+    bool stiff = false;        ///< stiffly accurate
+    bool collocation = false;  ///< distinct nodes, B(s), C(s)
+    std::optional<K> r_infinity;
+};
+
+/// The order for y' = f(x, y): min(B, C+D+1, 2C+2) where it equals B, otherwise by the rooted trees up to
+/// order B + 1 and at most 12; where c is not A 1, by the trees with leaves for the time, up to order 8.
+template <class K>
+int classical_order(const tableau<K>& t) {
+    const auto n = tableaux::simplifying_orders_of(t);
+    if (n.C > 0 && n.order() == n.B) return n.order();
+    if (n.C > 0) return std::min(n.B, order_of(matrix_model<K>(t), std::min(n.B + 1, 12)).order);
+    int order = std::min(n.B, 8);
+    if (order == 0) return 0;
+    for (const auto& condition : tableaux::detail::weight_conditions(t, order)) {
+        K sum(0);
+        for (Eigen::Index i = 0; i < t.b.size(); ++i) sum = sum + t.b[i] * condition.stages[i];
+        if (!(sum * condition.density == K(1))) order = std::min(order, condition.order - 1);
+    }
+    return order;
+}
+
+template <class K>
+dae_traits<K> dae_traits_of(const tableau<K>& t) {
+    require_shape(t);
+    dae_traits<K> m;
+    m.stages = t.stages();
+    m.simplifying = tableaux::simplifying_orders_of(t);
+    m.order = classical_order(t);
+    m.stage_order = std::min(m.simplifying.B, m.simplifying.C);
+    m.regular = regular_matrix(t).is_proved();
+    m.stiff = stiffly_accurate(t).is_proved();
+    m.r_infinity = stability_function_of(t).at_infinity();
+    bool distinct = true;
+    for (Eigen::Index i = 0; i < t.c.size(); ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) distinct = distinct && !(t.c[i] == t.c[j]);
+    }
+    m.collocation = distinct && m.stage_order >= m.stages;
+    return m;
+}
+
+namespace detail {
+
+inline verdict decided(bool holds, std::string text) {
+    return holds ? verdict::proved(std::move(text)) : verdict::refuted(std::move(text));
+}
+
+template <class K>
+hypothesis regular(const dae_traits<K>& m) {
+    return {"A is regular", decided(m.regular, m.regular ? "det A != 0" : "det A = 0")};
+}
+template <class K>
+std::string r_text(const dae_traits<K>& m) {
+    return m.r_infinity ? "R(inf) = " + m.r_infinity->str() : "R(inf) is infinite";
+}
+/// -1, 0, 1 as |R(inf)| is less than, equal to, greater than 1.
+template <class K>
+int modulus(const dae_traits<K>& m) {
+    return m.r_infinity ? tableaux::sign_of(*m.r_infinity * *m.r_infinity - K(1)) : 1;
+}
+template <class K>
+hypothesis damped(const dae_traits<K>& m) {
+    return {"|R(inf)| < 1", decided(modulus(m) < 0, r_text(m))};
+}
+template <class K>
+hypothesis stiff(const dae_traits<K>& m) {
+    return {"stiffly accurate", decided(m.stiff, m.stiff ? "a_si = b_i" : "the last row of A is not b")};
+}
+template <class K>
+hypothesis bounded(const dae_traits<K>& m) {
+    return {"|R(inf)| <= 1", decided(modulus(m) <= 0, r_text(m))};
+}
+template <class K>
+hypothesis of_order_one(const dae_traits<K>& m) {
+    return {"p >= 1", decided(m.order >= 1, "p = " + std::to_string(m.order))};
+}
+template <class K>
+hypothesis is_collocation(const dae_traits<K>& m) {
+    return {"collocation method", decided(m.collocation, "B(" + std::to_string(m.simplifying.B) + "), C(" +
+                                                             std::to_string(m.simplifying.C) +
+                                                             "), s = " + std::to_string(m.stages))};
+}
+template <class K>
+hypothesis no_node_at_zero(const tableau<K>& t) {
+    for (Eigen::Index i = 0; i < t.c.size(); ++i) {
+        if (t.c[i] == K(0)) {
+            return {"c_i != 0", verdict::refuted("c_" + std::to_string(i + 1) + " = 0")};
+        }
+    }
+    return {"c_i != 0", verdict::proved("no node vanishes")};
+}
+template <class K>
+hypothesis last_node_is_one(const tableau<K>& t) {
+    const K& c = t.c[t.c.size() - 1];
+    return {"c_s = 1", decided(c == K(1), "c_s = " + c.str())};
+}
+
+inline bool all_proved(const std::vector<hypothesis>& list) {
+    return std::all_of(list.begin(), list.end(), [](const auto& h) { return h.verdict.is_proved(); });
+}
+
+/// The applicable prediction with the largest (y, z); where none applies, one that
+/// says so and lists every hypothesis that fails.
+inline order_prediction best_of(const std::vector<order_prediction>& all) {
+    const order_prediction* best = nullptr;
+    for (const auto& p : all) {
+        if (!p.applies()) continue;
+        if (!best || std::pair(*p.y, p.z.value_or(0)) > std::pair(*best->y, best->z.value_or(0))) best = &p;
+    }
+    if (best) return *best;
+    order_prediction none;
+    none.theorem = "none";
+    for (const auto& p : all) {
+        for (const auto& h : p.hypotheses) {
+            const auto known = [&](const auto& other) { return other.name == h.name; };
+            if (!h.verdict.is_refuted()) continue;
+            if (std::none_of(none.hypotheses.begin(), none.hypotheses.end(), known))
+                none.hypotheses.push_back(h);
+        }
+    }
+    none.note = "no theorem applies";
+    return none;
+}
+
+}  // namespace detail
+
+/// y' = f(y, z), 0 = g(y, z) with g_z regular: Hairer-Wanner II, Theorem VI.1.1. y has the classical order p;
+/// z has p for stiffly accurate methods, min(p, q+1) for -1 <= R(inf) < 1, min(p-1, q) for R(inf) = 1, and
+/// diverges for |R(inf)| > 1.
+template <class K>
+order_prediction predict_index1(const tableau<K>& t) {
+    const auto m = dae_traits_of(t);
+    order_prediction p;
+    p.theorem = "Hairer-Wanner II, Theorem VI.1.1";
+    p.hypotheses = {detail::regular(m), detail::of_order_one(m),
+                    m.stiff ? detail::stiff(m) : detail::bounded(m)};
+    if (!detail::all_proved(p.hypotheses)) {
+        p.note = "no theorem applies";
+        return p;
+    }
+    p.y = m.order;
+    if (m.stiff) {
+        p.z = m.order;
+    } else if (*m.r_infinity == K(1)) {
+        p.z = std::min(m.order - 1, m.stage_order);
+    } else {
+        p.z = std::min(m.order, m.stage_order + 1);
+    }
+    return p;
+}
+
+/// Every theorem for y' = f(y, z), 0 = g(y) with g_y f_z regular (index 2), with the verdicts on its
+/// hypotheses. `condition_order`: how far exact order conditions are looked at (0: not at all).
+template <class K>
+std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition_order = 0) {
+    using detail::decided;
+    const auto m = dae_traits_of(t);
+    const int q = std::min(m.simplifying.C, m.simplifying.B - 1);  // Theorem 2 wants B(p), C(q), p > q >= 1
+    const hypothesis stages{"B(p), C(q), p > q >= 1",
+                            decided(q >= 1, "B(" + std::to_string(m.simplifying.B) + "), C(" +
+                                                std::to_string(m.simplifying.C) + ")")};
+    std::vector<order_prediction> all;
+    {
+        order_prediction p;
+        p.theorem = "thesis, Theorems 2, 3 and 4 (HLR89, Theorems 4.3, 4.4 and 4.6)";
+        p.hypotheses = {detail::regular(m), detail::damped(m), stages};
+        if (detail::all_proved(p.hypotheses)) {
+            p.y = q + 1;  // local errors O(h^{q+1}), projected O(h^{q+2})
+            p.z = q;
+        }
+        all.push_back(std::move(p));
+    }
+    {
+        order_prediction p;
+        p.theorem = "thesis, Corollary 1";
+        p.hypotheses = {detail::regular(m),
+                        detail::damped(m),
+                        detail::is_collocation(m),
+                        {"p > s", decided(m.order > m.stages, "p = " + std::to_string(m.order))}};
+        if (detail::all_proved(p.hypotheses)) p.y = p.z = m.stages;
+        all.push_back(std::move(p));
+    }
+    {
+        order_prediction p;
+        p.theorem = "thesis, Theorem 5 and Corollary 2 (Hairer-Wanner II, Theorem VII.4.9)";
+        p.hypotheses = {detail::regular(m),
+                        detail::is_collocation(m),
+                        detail::stiff(m),
+                        detail::no_node_at_zero(t),
+                        detail::last_node_is_one(t),
+                        {"p > 1", decided(m.simplifying.B > 1, "p = " + std::to_string(m.simplifying.B))}};
+        if (detail::all_proved(p.hypotheses)) {
+            p.y = m.simplifying.B;
+            p.z = m.stages;
+        }
+        all.push_back(std::move(p));
+    }
+    {
+        const auto& n = m.simplifying;
+        order_prediction p;
+        p.theorem = "HLR89, section 5 (B(p), C(q), D(r), stiffly accurate: y of order min(p, 2q, q+r+1))";
+        p.hypotheses = {
+            detail::regular(m),
+            detail::stiff(m),
+            {"B(p), C(q), q >= 1",
+             decided(n.C >= 1 && n.B >= 1, "B(" + std::to_string(n.B) + "), C(" + std::to_string(n.C) +
+                                               "), D(" + std::to_string(n.D) + ")")}};
+        if (detail::all_proved(p.hypotheses)) {
+            p.y = std::min({n.B, 2 * n.C, n.C + n.D + 1});
+            p.z = std::min(n.C, *p.y);
+        }
+        all.push_back(std::move(p));
+    }
+    {
+        order_prediction p;
+        p.theorem = "HLR89, section 4, |R(inf)| = 1";
+        p.hypotheses = {detail::regular(m),
+                        {"|R(inf)| = 1", decided(detail::modulus(m) == 0, detail::r_text(m))},
+                        stages};
+        if (detail::all_proved(p.hypotheses)) {
+            const bool alternating = *m.r_infinity < K(0);  // local errors cancel from step to step
+            p.y = alternating ? q + 1 : q;
+            p.z = alternating ? q - 1 : q - 2;
+            p.note = "for constant step sizes";
+        }
+        all.push_back(std::move(p));
+    }
+    if (condition_order > 0) {
+        const auto n = index2_local_orders_of(t, condition_order);
+        order_prediction p;
+        p.theorem = "order conditions of index 2 (HLR89, section 5) with thesis, Theorems 3 and 4";
+        p.hypotheses = {detail::regular(m), detail::damped(m)};
+        if (n) {
+            const int r = std::min(n->y + 1, n->projected);
+            p.hypotheses.push_back(
+                {"local error of y at least O(h^2)",
+                 decided(r >= 1, "conditions of y hold to order " + std::to_string(n->y) + ", of P y to " +
+                                     std::to_string(n->projected) + ", of z to " + std::to_string(n->z))});
+            if (detail::all_proved(p.hypotheses)) {
+                p.y = r;
+                // Theorem 4 wants g(y_n) = O(h^{k+1}): exact for stiffly accurate methods
+                p.z = std::min({n->z + 1, r, m.stiff ? r : n->y});
+                if (n->searched == condition_order && n->y == condition_order) {
+                    p.note = "conditions searched to order " + std::to_string(condition_order) + " only";
+                }
+            }
+        }
+        all.push_back(std::move(p));
+    }
+    return all;
+}
+
+/// The best of them (largest y order, then z), or "none" with every failing hypothesis.
+template <class K>
+order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
+    return detail::best_of(index2_theorems(t, condition_order));
+}
+
+/// y' = f(y, z), z' = k(y, z, u), 0 = g(y) (Hessenberg form of index 3), stiffly accurate collocation with s
+/// >= 2: z has order s, u has s - 1 and y at least s (HLR89, section 6). Higher orders of y, up to 2s - 1,
+/// are observed for Radau IIA and not promised here.
+///
+/// For the other families no theorem is known to this library and the prediction is none, with the
+/// hypotheses that fail. Orders of (y, z, u) observed with constant steps (tests/orders/index_3.cpp; exact
+/// examples where u does not converge: tests/dae_order/index_3_linear.cpp):
+///
+/// - Gauss, |R(inf)| = 1: (s+1, s-1, s-3) for s = 3, 5, (s, s-2, s-4) for s = 2, 4. What a step leaves over
+///   in g is not damped, enters z divided by h and u divided by h^2, and adds up from step to step unless
+///   R(inf) = -1. u does not converge for s <= 4, for s = 2 neither does z.
+/// - Lobatto IIIA, |R(inf)| = 1 and A singular, which the theorems invert; u_n enters the step by the first
+///   stage: (2s-2, s, s-2) for s = 2, 4, (2s-4, s-1, s-3) for s = 3, 5. u does not converge for s = 2, 3.
+/// - Lobatto IIIC and Radau IA, no collocation: z has s - 1, u has s - 2.
+/// - Lobatto IIIB, A singular: no step can be made.
+template <class K>
+order_prediction predict_index3(const tableau<K>& t) {
+    const auto m = dae_traits_of(t);
+    order_prediction p;
+    p.theorem = "HLR89, section 6, stiffly accurate collocation";
+    p.hypotheses = {detail::regular(m),
+                    detail::damped(m),
+                    detail::is_collocation(m),
+                    detail::stiff(m),
+                    detail::no_node_at_zero(t),
+                    detail::last_node_is_one(t),
+                    {"s >= 2", detail::decided(m.stages >= 2, "s = " + std::to_string(m.stages))}};
+    if (!detail::all_proved(p.hypotheses)) {
+        p.note = "no theorem applies";
+        return p;
+    }
+    p.y = p.z = m.stages;
+    p.u = m.stages - 1;
+    p.note = "y: lower bound; up to " + std::to_string(m.simplifying.B) + " is observed, not promised";
+    return p;
+}
+
+/// y' = f(y, lambda), eps lambda' = g(y, lambda) with mu(g_lambda) <= -1: the thesis' Theorem 7
+/// (Hairer-Wanner II, Corollary VI.3.10). y: O(h^p) + O(eps h^{q+1}); lambda: O(h^{q+1}), stiffly accurate
+/// methods O(h^p) + O(eps h^q).
+template <class K>
+epsilon_prediction predict_singular_perturbation(const tableau<K>& t) {
+    const auto m = dae_traits_of(t);
+    epsilon_prediction p;
+    p.theorem = "thesis, Theorem 7 (Hairer-Wanner II, Corollary VI.3.10)";
+    p.hypotheses = {
+        {"A-stable", a_stable(stability_function_of(t))},
+        {"eigenvalues of A in the right half-plane", eigenvalues_in_right_half_plane(t)},
+        detail::damped(m),
+        {"p > q", detail::decided(m.order > m.stage_order, "p = " + std::to_string(m.order) +
+                                                               ", q = " + std::to_string(m.stage_order))}};
+    if (!detail::all_proved(p.hypotheses)) return p;
+    p.y = {{0, m.order}, {1, m.stage_order + 1}};
+    if (m.stiff) {
+        p.lambda = {{0, m.order}, {1, m.stage_order}};
+    } else {
+        p.lambda = {{0, m.stage_order + 1}};
+    }
+    return p;
+}
+
+}  // namespace stagecraft::theory

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stagecraft/theory/judging/spectrum_json.hpp>
+#include <stagecraft/theory/judging/verdict_json.hpp>
+#include <stagecraft/theory/statements/verdict.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::theory {
+
+/// What the checker found of one statement on a tableau file. `truth` is the verdict on the statement itself,
+/// `judgement` the one on the claim, which is the negation where the file claims that it does not hold; empty
+/// where nothing is claimed.
+struct finding {
+    std::string name;
+    std::optional<std::string> claimed;  ///< as JSON: "5", "true"
+    std::optional<int> value;  ///< for orders: the true one, for rounded data the largest not refuted
+    std::optional<verdict> truth;
+    std::optional<verdict> judgement;
+};
+
+/// A condition that fails.
+struct failure {
+    std::string condition;  ///< "dot(b, c*c*(A*c)) == 1/15", "A[3][1] + ... = c[3]"
+    std::string tree;       ///< bracket notation, empty for row sums and simplifying conditions
+    std::string residual;
+    std::string in_words;  ///< the residual, shortened
+};
+
+/// A single entry whose change alone restores every claim.
+struct suspect {
+    std::string entry;    ///< "A[6][3]", counted from 1
+    std::string written;  ///< what the file has there
+    std::string suggest;  ///< the repaired value; exact unless the data leave it uncertain
+};
+
+/// The member of the known families next to rounded data.
+struct nearest_family {
+    std::string family;
+    int stages = 0;
+    std::string error;  ///< largest deviation over all entries, in units of the last digit given
+    std::string entry;  ///< where it occurs
+};
+
+/// The outcome for a tableau file.
+struct file_certificate {
+    std::string name;
+    std::string source;
+    std::string data;  ///< name of the tableaux::number_kind
+    int stages = 0;
+    std::vector<finding> findings;
+    std::vector<failure> failures;
+    std::vector<suspect> suspects;
+    std::string suspects_note;
+    std::optional<nearest_family> nearest;
+    theory::spectra spectra;
+
+    /// Refuted where any claim is, proved where all are, consistent otherwise.
+    standing overall() const {
+        bool open = false;
+        for (const finding& f : findings) {
+            if (!f.judgement) continue;
+            if (f.judgement->is_refuted()) return standing::refuted;
+            open = open || f.judgement->is_consistent();
+        }
+        return open ? standing::consistent : standing::proved;
+    }
+    /// 1 when something claimed is refuted, 0 otherwise.
+    int exit_code() const { return overall() == standing::refuted ? 1 : 0; }
+
+    const finding* find(std::string_view finding_name) const {
+        for (const finding& f : findings)
+            if (f.name == finding_name) return &f;
+        return nullptr;
+    }
+};
+
+/// The certificate as JSON: name, source, data, stages, verdict; one object for each finding with `value` for
+/// orders, `verdict` on the statement (for orders: on the one claimed), `claimed` and the verdict `claim` on
+/// that; eigenvalues of A, poles of R and spectrum_note; failures, suspects and nearest.
+inline nlohmann::ordered_json to_json(const file_certificate& c) {
+    nlohmann::ordered_json j{{"name", c.name},
+                             {"source", c.source},
+                             {"data", c.data},
+                             {"stages", c.stages},
+                             {"verdict", name(c.overall())}};
+    for (const finding& f : c.findings) {
+        nlohmann::ordered_json entry = nlohmann::ordered_json::object();
+        if (f.value) entry["value"] = *f.value;
+        if (f.truth)
+            entry.update(to_json(*f.truth));
+        else if (f.judgement)
+            entry.update(to_json(*f.judgement));
+        if (f.claimed) {
+            entry["claimed"] = nlohmann::ordered_json::parse(*f.claimed);
+            entry["claim"] = name(f.judgement->standing());
+        }
+        j[f.name] = std::move(entry);
+    }
+    add_to_json(c.spectra, j);
+    j["failures"] = nlohmann::ordered_json::array();
+    for (const failure& f : c.failures)
+        j["failures"].push_back({{"condition", f.condition}, {"tree", f.tree}, {"residual", f.residual}});
+    j["suspects"] = nlohmann::ordered_json::array();
+    for (const suspect& s : c.suspects)
+        j["suspects"].push_back({{"entry", s.entry}, {"written", s.written}, {"suggest", s.suggest}});
+    if (!c.suspects_note.empty()) j["suspects_note"] = c.suspects_note;
+    if (c.nearest)
+        j["nearest"] = {{"family", c.nearest->family},
+                        {"stages", c.nearest->stages},
+                        {"error", c.nearest->error},
+                        {"entry", c.nearest->entry}};
+    return j;
+}
+
+/// to_json, written out; what is not UTF-8 in a name is replaced.
+inline std::string json_text(const file_certificate& c) {
+    return to_json(c).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// The certificate for a reader, several lines.
+inline std::string to_text(const file_certificate& c) {
+    std::string out = c.name.empty() ? "tableau\n" : c.name + "\n";
+    if (!c.source.empty()) out += "  source: " + c.source + "\n";
+    out +=
+        "  data: " + c.data + ", " + std::to_string(c.stages) + " stage" + (c.stages == 1 ? "" : "s") + "\n";
+    for (const finding& f : c.findings) {
+        out += "  " + f.name + ":";
+        if (f.value) out += " " + std::to_string(*f.value);
+        if (f.truth) out += " " + f.truth->text();
+        if (f.claimed) {
+            out += (f.value || f.truth ? "; " : " ");
+            out += "claimed " + *f.claimed + ": ";
+            const bool same = f.truth && f.truth->standing() == f.judgement->standing();
+            out += f.truth ? (same ? std::string(name(f.judgement->standing()))
+                                   : "claim " + std::string(name(f.judgement->standing())))
+                           : f.judgement->text();
+        }
+        out += "\n";
+    }
+    if (c.spectra.eigenvalues) out += "  eigenvalues of A: " + text(*c.spectra.eigenvalues) + "\n";
+    if (c.spectra.poles) out += "  poles of R: " + text(*c.spectra.poles) + "\n";
+    if (!c.spectra.note.empty()) out += "  " + c.spectra.note + "\n";
+    // A true certificate need not show hundreds of conditions of the order that it does not claim.
+    const std::size_t most = c.overall() == standing::refuted ? c.failures.size() : 6;
+    if (!c.failures.empty()) out += "  failing conditions, of the first order that has some:\n";
+    for (std::size_t i = 0; i < std::min(most, c.failures.size()); ++i) {
+        const failure& f = c.failures[i];
+        out += "    " + f.condition + (f.tree.empty() ? "" : "   tree " + f.tree) + "   residual " +
+               f.in_words + "\n";
+    }
+    if (most < c.failures.size()) out += "    and " + std::to_string(c.failures.size() - most) + " more\n";
+    if (!c.suspects.empty()) out += "  suspects, the single entries whose change restores every claim:\n";
+    for (const suspect& s : c.suspects)
+        out += "    " + s.entry + " = " + s.written + " should read " + s.suggest + "\n";
+    if (!c.suspects_note.empty()) out += "  " + c.suspects_note + "\n";
+    if (c.nearest)
+        out += "  nearest: " + c.nearest->family + ", s = " + std::to_string(c.nearest->stages) +
+               ", largest error " + c.nearest->error +
+               (c.nearest->entry.empty() ? "" : " at " + c.nearest->entry) + "\n";
+    return out + "  verdict: " + std::string(name(c.overall())) + "\n";
+}
+
+}  // namespace stagecraft::theory

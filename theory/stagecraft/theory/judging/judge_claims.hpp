@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/theory/judging/file_certificate.hpp>
+#include <stagecraft/theory/judging/order_finding.hpp>
+#include <stagecraft/theory/judging/properties.hpp>
+#include <stagecraft/theory/judging/subject.hpp>
+#include <stagecraft/theory/trees/tree_text.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::theory {
+
+/// Orders searched for: up to one beyond the barrier, which settles the order, or 14 over exact fields;
+/// enclosures stop at 10 (1205 conditions), or at the order claimed.
+template <class K>
+int search_limit(const subject<K>& s, std::optional<int> claimed) {
+    const int reach = exact_scalar<K> ? tableaux::largest_order : std::max(10, claimed.value_or(0));
+    return std::min(order_barrier(s) + 1, reach);
+}
+
+/// A file that gives c claims c = A*1, unless it states stage order 0.
+template <class K>
+bool claims_row_sums(const subject<K>& s, const tableaux::claims& claims) {
+    return s.nodes_given && claims.stage_order.value_or(1) > 0;
+}
+
+namespace detail {
+
+/// The finding on one set of weights, and its failures.
+template <class K, class Weights>
+finding judge_order(const subject<K>& s, const Weights& weights, const std::string& which,
+                    std::optional<int> claimed, bool row_sums_fail, std::vector<failure>& failures) {
+    auto found = find_order(s, weights, search_limit(s, claimed));
+    finding f;
+    f.name = which == "b" ? "order" : "embedded_order";
+    f.value = found.order;
+    if (row_sums_fail && found.order > 1)
+        f.value = std::min(found.order, non_autonomous_order(s, weights, std::min(found.order, 8)));
+    const std::size_t first = failures.size();
+    for (const auto& [tree, residual] : found.failing) {
+        std::string condition = condition_text(tree);
+        if (which != "b") condition.replace(condition.find("dot(b,"), 6, "dot(" + which + ",");
+        failures.push_back({std::move(condition), bracket(tree), shown(residual), in_words(residual)});
+    }
+    if (claimed) f.claimed = std::to_string(*claimed);
+    auto& judged = claimed ? f.judgement : f.truth;
+    const int order = claimed.value_or(*f.value);
+    if (*f.value < order) {
+        std::string why = "order " + std::to_string(*f.value);
+        if (*f.value < found.order)
+            why += ": c is not A*1, and a non-autonomous problem sees it";
+        else if (found.failing.empty())
+            why += ", the most that " + std::to_string(s.stages()) + " stages can have";
+        else
+            why += ": " + failures[first].condition + " leaves " + failures[first].in_words;
+        judged = verdict::refuted(std::move(why));
+    } else if constexpr (exact_scalar<K>) {
+        judged = verdict::proved("every condition up to order " + std::to_string(order) + " holds");
+    } else {
+        judged = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
+    }
+    return f;
+}
+
+template <class K>
+finding judge_row_sums(const subject<K>& s, const tableaux::claims& claims, std::vector<failure>& failures) {
+    const auto defects = row_sum_defects(s);
+    verdict v = verdict::proved("A*1 = c");
+    for (int i = 0; i < s.stages(); ++i) {
+        const K& defect = defects[static_cast<std::size_t>(i)];
+        const std::string row = std::to_string(i + 1);
+        v = both(v, vanishes(defect, "row " + row + " of A*1 = c", data_reason));
+        if (certainly_nonzero(defect))
+            failures.push_back(
+                {"sum(A[" + row + "]) == c[" + row + "]", "", shown(defect), in_words(defect)});
+    }
+    if (v.is_proved()) v = verdict::proved("A*1 = c");
+    finding f{"row_sums", std::nullopt, std::nullopt, v, std::nullopt};
+    if (claims_row_sums(s, claims)) {
+        f.claimed = "true";
+        f.judgement = v;
+    }
+    return f;
+}
+
+template <class K>
+finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::vector<failure>& failures) {
+    finding f;
+    f.name = "stage_order";
+    const auto found = find_stage_order(s, std::max(claimed.value_or(0), 2 * s.stages()));
+    f.value = found.stage_order;
+    if (!claimed) return f;
+    f.claimed = std::to_string(*claimed);
+    if (found.stage_order < *claimed) {
+        for (const auto& x : found.failing) {
+            const std::string k = std::to_string(x.k), i = std::to_string(x.row + 1);
+            const std::string power = x.k == 1   ? "one"
+                                      : x.k == 2 ? "c"
+                                                 : "pow<" + std::to_string(x.k - 1) + ">(c)";
+            failures.push_back({x.which == 'B'
+                                    ? "B(" + k + "): dot(b, " + power + ") == 1/" + k
+                                    : "C(" + k + ") in row " + i + ": A*" + power + " == c^" + k + "/" + k,
+                                "", shown(x.residual), in_words(x.residual)});
+        }
+        f.judgement = verdict::refuted(failures.back().condition + " leaves " + failures.back().in_words);
+    } else if constexpr (exact_scalar<K>) {
+        f.judgement = verdict::proved("B(" + *f.claimed + ") and C(" + *f.claimed + ") hold");
+    } else {
+        f.judgement = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
+    }
+    return f;
+}
+
+}  // namespace detail
+
+/// Judges every claim; properties that are not claimed are reported too while they are cheap (s <= 16).
+template <class K>
+void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate& certificate) {
+    auto& failures = certificate.failures;
+    bool row_sums_fail = false;
+    if (s.nodes_given) {
+        certificate.findings.push_back(detail::judge_row_sums(s, claims, failures));
+        row_sums_fail = certificate.findings.back().truth->is_refuted();
+    }
+    certificate.findings.push_back(detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, failures));
+    if (s.t.b_embedded.size() > 0)
+        certificate.findings.push_back(detail::judge_order(s, s.t.b_embedded, "b_embedded",
+                                                           claims.embedded_order, row_sums_fail, failures));
+    certificate.findings.push_back(detail::judge_stage_order(s, claims.stage_order, failures));
+    for (const auto& [property, member] : tableaux::yes_no_claims) {
+        const std::optional<bool> claimed = claims.*member;
+        if (!claimed && s.stages() > 16) continue;
+        finding f;
+        f.name = property;
+        f.truth = property_of(s, property);
+        if (claimed) {
+            f.claimed = *claimed ? "true" : "false";
+            f.judgement = *claimed ? *f.truth : negation(*f.truth);
+        }
+        certificate.findings.push_back(std::move(f));
+    }
+}
+
+/// Whether a claim that is a polynomial identity in the entries (row sums, orders, stage order) certainly
+/// fails.
+template <class K>
+bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims) {
+    bool row_sums_fail = false;
+    if (s.nodes_given)
+        for (const K& defect : row_sum_defects(s)) row_sums_fail = row_sums_fail || certainly_nonzero(defect);
+    if (row_sums_fail && claims_row_sums(s, claims)) return true;
+    const auto falls_short = [&](const auto& weights, int claimed) {
+        if (claimed < 1) return false;
+        if (find_order(s, weights, claimed).order < claimed) return true;
+        return row_sums_fail && non_autonomous_order(s, weights, std::min(claimed, 8)) < std::min(claimed, 8);
+    };
+    if (falls_short(s.t.b, claims.order.value_or(0))) return true;
+    if (claims.embedded_order && falls_short(s.t.b_embedded, *claims.embedded_order)) return true;
+    if (claims.stage_order && find_stage_order(s, *claims.stage_order).stage_order < *claims.stage_order)
+        return true;
+    return false;
+}
+
+/// Whether some claim certainly fails: what judge() would refute, found with less work.
+template <class K>
+bool refutes_a_claim(const subject<K>& s, const tableaux::claims& claims) {
+    if (refutes_a_condition(s, claims)) return true;
+    for (const auto& [property, member] : tableaux::yes_no_claims) {
+        if (!(claims.*member)) continue;
+        const verdict v = property_of(s, property);
+        if (*(claims.*member) ? v.is_refuted() : v.is_proved()) return true;
+    }
+    return false;
+}
+
+}  // namespace stagecraft::theory

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <set>
+#include <stagecraft/theory/judging/subject.hpp>
+#include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/statements/certainty.hpp>
+#include <stagecraft/theory/trees/tree_order.hpp>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::theory {
+
+/// Row sums minus nodes: (A*1 - c)_i.
+template <class K>
+std::vector<K> row_sum_defects(const subject<K>& s) {
+    std::vector<K> defects;
+    for (int i = 0; i < s.stages(); ++i) {
+        K sum = s.t.A(i, 0);
+        for (int j = 1; j < s.stages(); ++j) sum = sum + s.t.A(i, j);
+        defects.push_back(sum - s.t.c(i));
+    }
+    return defects;
+}
+
+/// The order of one set of weights: `order` is the largest order no condition of which certainly fails;
+/// `failing` the conditions of the next order that do, empty where the search ended first.
+/// `residual` and `bound` are the largest over the conditions that hold (zero over exact fields).
+template <class K>
+struct order_finding {
+    int order = 0;
+    std::vector<tree_residual<K>> failing;
+    tableaux::bound residual = 0;
+    tableaux::bound bound = 0;
+};
+
+/// No method with s stages exceeds order 2s (lecture, Lemma 2.6), no explicit one order s
+/// (Hairer-Norsett-Wanner II.5), because the tall tree's condition b^T A^{p-1} 1 = 1/p! fails.
+template <class K>
+int order_barrier(const subject<K>& s) {
+    return s.strictly_lower ? s.stages() : 2 * s.stages();
+}
+
+/// Order conditions of autonomous systems for A and `weights`, up to order `most`.
+template <class K, class Weights>
+order_finding<K> find_order(const subject<K>& s, const Weights& weights, int most) {
+    order_finding<K> found;
+    const auto fails = [&](const K& residual) {
+        if constexpr (requires { residual.radius(); }) {
+            if (!certainly_nonzero(residual)) {
+                found.residual = std::max(found.residual, residual.magnitude());
+                found.bound = std::max(found.bound, residual.radius());
+            }
+        }
+        return certainly_nonzero(residual);
+    };
+    auto result = order_of(matrix_model<K>(s.t, weights), most, fails);
+    found.order = std::min(result.order, order_barrier(s));
+    found.failing = std::move(result.failing);
+    return found;
+}
+
+/// Where c = A*1 fails the conditions of non-autonomous systems are more than those of autonomous ones: they
+/// are those of y' = f(t, y), t' = 1 with the stages' times c, so a leaf of a tree stands for A*1 or for c
+/// (Hairer-Norsett-Wanner II.2, before Theorem 2.13, assumes c = A*1 to avoid this). The largest order up to
+/// `most` of which no such condition certainly fails. With the vectors normalised as in tree_weights every
+/// condition of order n reads b^T v = 1/n.
+template <class K, class Weights>
+int non_autonomous_order(const subject<K>& s, const Weights& weights, int most) {
+    using vector = std::vector<K>;
+    const matrix_model<K> model(s.t, weights);
+    std::vector<std::vector<vector>> branches(1);  // by order of the branch: n A v, and c as a leaf
+    std::vector<std::vector<vector>> trees(1);     // by order
+    const auto insert_once = [](std::vector<vector>& all, vector v) {
+        const auto same = [&](const vector& u) {
+            if constexpr (exact_scalar<K>) return u == v;
+            return false;
+        };
+        if (std::none_of(all.begin(), all.end(), same)) all.push_back(std::move(v));
+    };
+    // All products of branches with `left` vertices together, branches in non-increasing position.
+    const auto grow = [&](const auto& self, std::vector<vector>& out, const vector& v, int left, int order,
+                          std::size_t index) -> void {
+        if (left == 0) return insert_once(out, v);
+        for (int n = std::min(order, left); n >= 1; --n) {
+            const auto& candidates = branches[static_cast<std::size_t>(n)];
+            const std::size_t end = n == order ? std::min(index + 1, candidates.size()) : candidates.size();
+            for (std::size_t k = 0; k < end; ++k)
+                self(self, out, model.multiply(v, candidates[k]), left - n, n, k);
+        }
+    };
+    for (int n = 1; n <= most; ++n) {
+        std::vector<vector> found;
+        grow(grow, found, model.one(), n - 1, n - 1, branches.back().size());
+        for (const vector& v : found)
+            if (certainly_nonzero(model.dot_b(v) * K(n) - K(1))) return n - 1;
+        std::vector<vector> next;
+        for (const vector& v : found) insert_once(next, scale(model, K(n), model.apply(v)));
+        if (n == 1) insert_once(next, model.c());
+        branches.push_back(std::move(next));
+    }
+    return most;
+}
+
+/// One simplifying condition, where it fails: B(k) has no row.
+template <class K>
+struct simplifying_failure {
+    char which;  ///< 'B' or 'C'
+    int k;
+    int row;  ///< 0-based, -1 for B
+    K residual;
+};
+
+/// What B(q) and C(q) leave: the failures of the first k with one, and the largest residual and bound of
+/// those that hold (zero over exact fields).
+template <class K>
+struct stage_order_finding {
+    int stage_order = 0;
+    std::vector<simplifying_failure<K>> failing;
+    tableaux::bound residual = 0;
+    tableaux::bound bound = 0;
+};
+
+/// B(k): b^T c^{k-1} = 1/k and C(k): A c^{k-1} = c^k/k for k = 1, ..., most (Hairer-Wanner II, section IV.5),
+/// up to the first k that certainly fails.
+template <class K>
+stage_order_finding<K> find_stage_order(const subject<K>& s, int most) {
+    const matrix_model<K> model(s.t);
+    stage_order_finding<K> found;
+    const auto add = [&](char which, int k, int row, const K& residual) {
+        if (certainly_nonzero(residual)) {
+            found.failing.push_back({which, k, row, residual});
+        } else if constexpr (requires { residual.radius(); }) {
+            found.residual = std::max(found.residual, residual.magnitude());
+            found.bound = std::max(found.bound, residual.radius());
+        }
+    };
+    auto power = model.one();
+    for (int k = 1; k <= most; ++k) {
+        add('B', k, -1, (model.dot_b(power) * K(k) - K(1)) / K(k));
+        const auto left = model.apply(power);
+        power = model.multiply(power, model.c());
+        for (int i = 0; i < s.stages(); ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            add('C', k, i, (left[at] * K(k) - power[at]) / K(k));
+        }
+        if (!found.failing.empty()) break;
+        found.stage_order = k;
+    }
+    return found;
+}
+
+}  // namespace stagecraft::theory

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <stagecraft/theory/judging/rounded_properties.hpp>
+#include <stagecraft/theory/judging/subject.hpp>
+#include <stagecraft/theory/stability/a_stability.hpp>
+#include <stagecraft/theory/stability/algebraic_stability.hpp>
+#include <stagecraft/theory/stability/symmetry.hpp>
+#include <stagecraft/theory/statements/verdict.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stagecraft::theory {
+
+/// Bits that the coefficients of det(I - zA) may have: a row's longest entry, summed over the rows.
+inline int determinant_bits(const subject<tableaux::quadratic>& s) {
+    int bits = 0;
+    for (int i = 0; i < s.stages(); ++i) {
+        int longest = 0;
+        for (int j = 0; j < s.stages(); ++j) longest = std::max(longest, tableaux::bit_size(s.t.A(i, j)));
+        bits += longest;
+    }
+    return bits;
+}
+
+/// Beyond this the stability function is enclosed: Sturm chains over such fractions take seconds. Published
+/// methods stay far below.
+inline constexpr int longest_exact_determinant = 1200;
+
+/// The same tableau in enclosures of its exact entries.
+inline subject<tableaux::ball> enclosed(const subject<tableaux::quadratic>& s) {
+    subject<tableaux::ball> e{{}, s.nodes_given, s.strictly_lower, s.lower};
+    const auto map = [](const auto& from, auto& to) {
+        to.resize(from.rows(), from.cols());
+        for (int i = 0; i < from.rows(); ++i)
+            for (int j = 0; j < from.cols(); ++j) to(i, j) = to_ball(tableaux::to_range(from(i, j)));
+    };
+    map(s.t.A, e.t.A);
+    map(s.t.b, e.t.b);
+    map(s.t.c, e.t.c);
+    map(s.t.b_embedded, e.t.b_embedded);
+    return e;
+}
+
+/// The verdict on one of the properties that a file can claim (tableaux::yes_no_claims), by its name there:
+/// decided over exact fields (A- and L-stability unless the fractions are enormous), with enclosures refuted
+/// or consistent. Throws std::invalid_argument for another name.
+template <class K>
+verdict property_of(const subject<K>& s, std::string_view property) {
+    const auto& t = s.t;
+    if constexpr (exact_scalar<K>) {
+        if (property == "stiffly_accurate") return stiffly_accurate(t);
+        if (property == "symplectic" || property == "symmetric") {
+            const bool idle = std::all_of(t.b.begin(), t.b.end(), [](const K& b) { return b == K(0); });
+            if (idle) return verdict::proved("b = 0: y_1 = y_0 for every problem");
+            return property == "symplectic" ? symplectic(t) : symmetric(t);
+        }
+        if (property == "algebraically_stable") return algebraically_stable(t);
+        if (property == "A_stable" || property == "L_stable") {
+            if (s.strictly_lower && certainly_nonzero(t.b.sum()))
+                return verdict::refuted("explicit: R is a polynomial and not constant");
+            if (determinant_bits(s) > longest_exact_determinant)
+                return property == "A_stable" ? rounded_a_stable(enclosed(s)) : rounded_l_stable(enclosed(s));
+            const auto r = stability_function_of(t);
+            return property == "A_stable" ? a_stable(r) : l_stable(r);
+        }
+    } else {
+        if (property == "stiffly_accurate") return rounded_stiffly_accurate(s);
+        if (property == "symplectic") return rounded_symplectic(s);
+        if (property == "symmetric") return rounded_symmetric(s);
+        if (property == "algebraically_stable") return rounded_algebraically_stable(s);
+        if (property == "A_stable") return rounded_a_stable(s);
+        if (property == "L_stable") return rounded_l_stable(s);
+    }
+    throw std::invalid_argument("property: unknown name '" + std::string(property) + "'");
+}
+
+}  // namespace stagecraft::theory

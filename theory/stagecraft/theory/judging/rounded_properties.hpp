@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <stagecraft/theory/judging/order_finding.hpp>
+#include <stagecraft/theory/judging/subject.hpp>
+#include <stagecraft/theory/statements/certainty.hpp>
+#include <stagecraft/theory/statements/verdict.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Stability, symmetry and the like for tableaux known by enclosures only. An enclosure contains methods with
+/// and without such a property (they are equalities, or inequalities that hold with equality at order p), so
+/// nothing is proved here; what no method in the enclosure can have is refuted, with a witness.
+
+namespace stagecraft::theory {
+
+using tableaux::ball;
+using tableaux::bound;
+
+inline constexpr const char* data_reason = "the entries are known by enclosures";
+
+namespace detail {
+
+/// The parts of a conjunction of equalities, the first certain failure deciding.
+class equalities {
+  public:
+    void add(const ball& defect, const std::string& name) {
+        if (failure_.empty() && certainly_nonzero(defect)) failure_ = name + " leaves " + shown(defect);
+        residual_ = std::max(residual_, defect.magnitude());
+        radius_ = std::max(radius_, defect.radius());
+    }
+    theory::verdict verdict() const {
+        if (!failure_.empty()) return theory::verdict::refuted(failure_);
+        return theory::verdict::consistent(brief(residual_), brief(radius_), data_reason);
+    }
+
+  private:
+    std::string failure_;
+    bound residual_ = 0;
+    bound radius_ = 0;
+};
+
+inline ball stability_matrix_entry(const tableau<ball>& t, int i, int j) {
+    return t.b(i) * t.A(i, j) + t.b(j) * t.A(j, i) - t.b(i) * t.b(j);
+}
+
+/// Whether the stages certainly all matter and differ, as the converse theorems need.
+inline bool certainly_irreducible(const tableau<ball>& t) {
+    for (int i = 0; i < t.stages(); ++i) {
+        if (!certainly_nonzero(t.b(i))) return false;
+        for (int j = 0; j < i; ++j)
+            if (!certainly_nonzero(t.c(i) - t.c(j))) return false;
+    }
+    return true;
+}
+
+inline double middle(const ball& x) { return static_cast<double>(x.middle().to<bound>()); }
+
+inline Eigen::MatrixXd middle(const Eigen::Matrix<ball, -1, -1>& m) {
+    Eigen::MatrixXd d(m.rows(), m.cols());
+    for (int i = 0; i < m.rows(); ++i)
+        for (int j = 0; j < m.cols(); ++j) d(i, j) = middle(m(i, j));
+    return d;
+}
+
+/// A double, exactly.
+inline ball exactly(double x) {
+    int e = 0;
+    const double f = std::frexp(x, &e);
+    return ball(ball::mantissa(static_cast<std::int64_t>(std::ldexp(f, 53))), e - 53, 0, checker_bits);
+}
+
+/// Coefficients of det(I - zA), ascending, by the recursion of Faddeev and Leverrier.
+inline std::vector<ball> determinant_of_one_minus_z(const Eigen::Matrix<ball, -1, -1>& A) {
+    const int s = static_cast<int>(A.rows());
+    std::vector<ball> coefficients{ball(1)};
+    Eigen::Matrix<ball, -1, -1> next(s, s), product(s, s);
+    for (int i = 0; i < s; ++i)
+        for (int j = 0; j < s; ++j) next(i, j) = ball(i == j ? 1 : 0);
+    for (int k = 1; k <= s; ++k) {
+        ball trace(0);
+        for (int i = 0; i < s; ++i) {
+            for (int j = 0; j < s; ++j) {
+                ball sum(0);
+                for (int l = 0; l < s; ++l) sum += A(i, l) * next(l, j);
+                product(i, j) = sum;
+            }
+            trace += product(i, i);
+        }
+        coefficients.push_back(-trace.over(k));
+        next = product;
+        for (int i = 0; i < s; ++i) next(i, i) += coefficients.back();
+    }
+    return coefficients;
+}
+
+/// P and Q of R = P/Q, both of formal degree s.
+struct enclosed_stability_function {
+    std::vector<ball> numerator;
+    std::vector<ball> denominator;
+};
+
+inline enclosed_stability_function stability_function_of(const tableau<ball>& t) {
+    Eigen::Matrix<ball, -1, -1> shifted = t.A;
+    for (int i = 0; i < t.A.rows(); ++i)
+        for (int j = 0; j < t.A.cols(); ++j) shifted(i, j) -= t.b(j);
+    return {determinant_of_one_minus_z(shifted), determinant_of_one_minus_z(t.A)};
+}
+
+/// |p(iy)|^2.
+inline ball squared_on_axis(const std::vector<ball>& p, const ball& y) {
+    ball real(0), imaginary(0), power(1);
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        const ball term = k % 4 < 2 ? p[k] * power : -(p[k] * power);
+        (k % 2 == 0 ? real : imaginary) += term;
+        power *= y;
+    }
+    return real * real + imaginary * imaginary;
+}
+
+inline ball at(const std::vector<ball>& p, const ball& x) {
+    ball sum(0);
+    for (auto c = p.rbegin(); c != p.rend(); ++c) sum = sum * x + *c;
+    return sum;
+}
+
+}  // namespace detail
+
+/// The last row of A against b.
+inline verdict rounded_stiffly_accurate(const subject<ball>& s) {
+    detail::equalities all;
+    const int last = s.stages() - 1;
+    for (int j = 0; j <= last; ++j)
+        all.add(s.t.A(last, j) - s.t.b(j),
+                place{part::A, last, j}.name() + " = " + place{part::b, j, 0}.name());
+    return all.verdict();
+}
+
+/// M = 0; necessary for irreducible methods only.
+inline verdict rounded_symplectic(const subject<ball>& s) {
+    detail::equalities all;
+    for (int i = 0; i < s.stages(); ++i)
+        for (int j = 0; j <= i; ++j)
+            all.add(detail::stability_matrix_entry(s.t, i, j),
+                    "M[" + std::to_string(i + 1) + "][" + std::to_string(j + 1) + "] = 0");
+    const auto v = all.verdict();
+    if (v.is_refuted() && !detail::certainly_irreducible(s.t))
+        return verdict::consistent("nonzero", "none", "M is not 0, but the method may be reducible");
+    return v;
+}
+
+/// b_sigma(i) = b_i, a_ij + a_sigma(i)sigma(j) = b_j for the numbering sigma with c_i + c_sigma(i) = 1, where
+/// the nodes determine it.
+inline verdict rounded_symmetric(const subject<ball>& s) {
+    const auto& t = s.t;
+    std::vector<int> sigma;
+    bool unique = detail::certainly_irreducible(t);
+    for (int i = 0; i < s.stages(); ++i) {
+        int mirror = -1;
+        for (int k = 0; k < s.stages(); ++k) {
+            if (certainly_nonzero(t.c(i) + t.c(k) - ball(1))) continue;
+            unique = unique && mirror < 0;
+            mirror = k;
+        }
+        if (mirror < 0 && unique) return verdict::refuted("no node mirrors " + place{part::c, i, 0}.name());
+        sigma.push_back(mirror);
+    }
+    if (!unique)
+        return verdict::consistent("not computed", "none",
+                                   "the nodes do not determine the stages' mirror images");
+    detail::equalities all;
+    for (int i = 0; i < s.stages(); ++i)
+        for (int j = 0; j < s.stages(); ++j)
+            all.add(t.A(i, j) + t.A(sigma[i], sigma[j]) - t.b(j),
+                    place{part::A, i, j}.name() + " + " + place{part::A, sigma[i], sigma[j]}.name() + " = " +
+                        place{part::b, j, 0}.name());
+    return all.verdict();
+}
+
+/// b >= 0 and M >= 0: refuted by a negative weight or by a vector v with v^T M v < 0, tried for the lowest
+/// eigenvector of the middle of M.
+inline verdict rounded_algebraically_stable(const subject<ball>& s) {
+    const int n = s.stages();
+    Eigen::Matrix<ball, -1, -1> m(n, n);
+    for (int i = 0; i < n; ++i) {
+        if (certainly_negative(s.t.b(i))) return verdict::refuted(place{part::b, i, 0}.name() + " < 0");
+        for (int j = 0; j < n; ++j) m(i, j) = detail::stability_matrix_entry(s.t, i, j);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(detail::middle(m));
+    if (eigen.info() != Eigen::Success || !eigen.eigenvectors().allFinite())
+        return verdict::consistent("not computed", "none", data_reason);
+    const Eigen::VectorXd v = eigen.eigenvectors().col(0);
+    ball form(0);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) form += detail::exactly(v(i)) * m(i, j) * detail::exactly(v(j));
+    if (certainly_negative(form)) {
+        std::string text;
+        for (int i = 0; i < n; ++i) text += (i ? ", " : "") + brief(v(i));
+        return verdict::refuted("v^T M v = " + shown(form) + " for v = (" + text + ")");
+    }
+    return verdict::consistent(brief(form.magnitude()), brief(form.radius()), data_reason);
+}
+
+/// |R(z)| <= 1 for Re z <= 0: refuted for explicit methods, and by a z on the imaginary or the negative real
+/// axis with |R(z)| > 1 for certain, of a grid of 401 points from 1e-4 to 1e4 on each. What is left is
+/// measured by the largest |R(iy)|^2 - 1 of the middle on the grid.
+inline verdict rounded_a_stable(const subject<ball>& s) {
+    ball sum(0);
+    for (int i = 0; i < s.stages(); ++i) sum += s.t.b(i);
+    if (s.strictly_lower && certainly_nonzero(sum))
+        return verdict::refuted("explicit: R is a polynomial and not constant");
+    const auto r = detail::stability_function_of(s.t);
+    bound gap = 0, radius = 0;
+    for (int k = -200; k <= 200; ++k) {
+        const double y = std::exp2(k / 15.0);
+        const ball q = detail::squared_on_axis(r.denominator, detail::exactly(y));
+        const ball p = detail::squared_on_axis(r.numerator, detail::exactly(y));
+        if (certainly_negative(q - p)) return verdict::refuted("|R(iy)| > 1 at y = " + brief(y));
+        if (certainly_nonzero(q)) {
+            const ball gain = p / q - ball(1);
+            if (gain.middle() > 0) gap = std::max(gap, gain.magnitude());
+            radius = std::max(radius, gain.radius());
+        } else {
+            radius = std::numeric_limits<bound>::infinity();
+        }
+        const ball left = detail::at(r.numerator, detail::exactly(-y));
+        const ball right = detail::at(r.denominator, detail::exactly(-y));
+        if (certainly_negative(right * right - left * left))
+            return verdict::refuted("|R(x)| > 1 at x = " + brief(-y));
+    }
+    return verdict::consistent(brief(gap), brief(radius), data_reason);
+}
+
+/// A-stable with R(infinity) = 0, that is degree P < degree Q.
+inline verdict rounded_l_stable(const subject<ball>& s) {
+    const auto a = rounded_a_stable(s);
+    if (a.is_refuted()) return a;
+    const auto r = detail::stability_function_of(s.t);
+    const ball& p = r.numerator.back();
+    const ball& q = r.denominator.back();
+    if (certainly_nonzero(p))
+        return verdict::refuted("R(inf) is not 0: the leading coefficient of P is " + shown(p));
+    if (!certainly_nonzero(q)) return a;
+    return verdict::consistent(brief(p.magnitude()), brief(p.radius()), data_reason);
+}
+
+}  // namespace stagecraft::theory

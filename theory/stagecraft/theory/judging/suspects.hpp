@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
+#include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/rough_ball.hpp>
+#include <stagecraft/theory/judging/file_certificate.hpp>
+#include <stagecraft/theory/judging/judge_claims.hpp>
+#include <stagecraft/theory/judging/subject.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::theory {
+
+/// An entry and the value that would restore every claim.
+template <class K>
+struct repair {
+    theory::place place;
+    K value;
+};
+
+namespace detail {
+
+/// The elementary weight of one row of the table, minus 1/gamma.
+template <class K, class Weights>
+K residual_of_row(const subject<K>& s, const Weights& weights, const tree_view& trees, std::uint32_t row) {
+    const matrix_model<K> model(s.t, weights);
+    const auto vector = [&](const auto& self, std::uint32_t i) -> typename matrix_model<K>::element {
+        const tree_row& t = trees.rows[i];
+        if (t.order == 1) return model.one();
+        return model.multiply(self(self, t.left), model.apply(self(self, t.right)));
+    };
+    return (model.dot_b(vector(vector, row)) * K(trees.rows[row].density) - K(1)) /
+           K(trees.rows[row].density);
+}
+
+/// The first order condition up to `most` that, as a function of one entry, is affine and not constant:
+/// judged from its residuals with the entry set to 0, 1 and 2.
+template <class K, class Weights>
+std::optional<std::uint32_t> affine_condition(const std::array<subject<K>, 3>& probes, Weights weights,
+                                              const tree_view& trees, int most) {
+    const std::array<matrix_model<K>, 3> models{matrix_model<K>(probes[0].t, weights(probes[0])),
+                                                matrix_model<K>(probes[1].t, weights(probes[1])),
+                                                matrix_model<K>(probes[2].t, weights(probes[2]))};
+    std::array<tree_weights<matrix_model<K>>, 3> walks{tree_weights<matrix_model<K>>(models[0], trees, most),
+                                                       tree_weights<matrix_model<K>>(models[1], trees, most),
+                                                       tree_weights<matrix_model<K>>(models[2], trees, most)};
+    while (walks[0].advance() && walks[1].advance() && walks[2].advance())
+        for (std::size_t i = 0; i < walks[0].weights().size(); ++i) {
+            const K step = walks[1].weights()[i] - walks[0].weights()[i];
+            const K bend = walks[2].weights()[i] - walks[1].weights()[i] - step;
+            if (certainly_nonzero(step) && !certainly_nonzero(bend))
+                return walks[0].first_row() + static_cast<std::uint32_t>(i);
+        }
+    return std::nullopt;
+}
+
+/// What determines the value of an entry, given all others.
+struct determination {
+    enum class kind { row_sum, node_quadrature, order_condition, embedded_condition, stiff_accuracy } by;
+    std::uint32_t tree = 0;  ///< row of the table, for conditions
+};
+
+template <class K>
+const auto& weights_of(const subject<K>& s, determination::kind by) {
+    using vector = Eigen::Matrix<K, Eigen::Dynamic, 1>;
+    const vector& b = s.t.b;
+    const vector& b_embedded = s.t.b_embedded;
+    return by == determination::kind::embedded_condition ? b_embedded : b;
+}
+
+/// The statement that determines the entry: its row sum where the nodes are claimed to be row sums, else the
+/// first order condition of b, of b_embedded, else stiff accuracy. Each is affine in the entry, so at most
+/// one value satisfies it.
+template <class K>
+std::optional<determination> determined_by(const subject<K>& s, const place& p,
+                                           const tableaux::claims& claims, const tree_view& trees) {
+    using kind = determination::kind;
+    if (claims_row_sums(s, claims) && (p.part == part::A || p.part == part::c))
+        return determination{kind::row_sum};
+    if (p.part == part::c) {  // only non-autonomous problems see it, first by b^T c = 1/2
+        if (claims.order.value_or(0) < 2 || !certainly_nonzero(s.t.b(p.row))) return std::nullopt;
+        return determination{kind::node_quadrature};
+    }
+    std::array<subject<K>, 3> probes{s, s, s};
+    for (int x = 0; x < 3; ++x) put(probes[static_cast<std::size_t>(x)], p, K(x));
+    for (const auto& [by, claimed] : {std::pair(kind::order_condition, claims.order),
+                                      std::pair(kind::embedded_condition, claims.embedded_order)}) {
+        if (claimed.value_or(0) < 1 || (p.part == part::b && by == kind::embedded_condition) ||
+            (p.part == part::b_embedded && by == kind::order_condition))
+            continue;
+        const auto weights = [by = by](const subject<K>& x) -> const auto& { return weights_of(x, by); };
+        if (const auto row = affine_condition(probes, weights, trees, *claimed))
+            return determination{by, *row};
+    }
+    const bool last_row = p.part == part::A && p.row == s.stages() - 1;
+    if (claims.stiffly_accurate.value_or(false) && (last_row || p.part == part::b))
+        return determination{kind::stiff_accuracy};
+    return std::nullopt;
+}
+
+/// The value that the statement gives the entry; empty where an enclosure cannot divide.
+template <class K>
+std::optional<K> determined_value(const subject<K>& s, const place& p, const determination& d,
+                                  const tree_view& trees) {
+    using kind = determination::kind;
+    if (d.by == kind::stiff_accuracy)
+        return p.part == part::A ? s.t.b(p.column) : s.t.A(s.stages() - 1, p.row);
+    subject<K> changed = s;
+    put(changed, p, K(0));
+    if (d.by == kind::row_sum) {
+        const K defect = row_sum_defects(changed)[static_cast<std::size_t>(p.row)];
+        return p.part == part::c ? defect : -defect;
+    }
+    if (d.by == kind::node_quadrature) {
+        K twice = K(1);
+        for (int i = 0; i < s.stages(); ++i) twice = twice - K(2) * changed.t.b(i) * changed.t.c(i);
+        return twice / (K(2) * s.t.b(p.row));
+    }
+    const K at_zero = residual_of_row(changed, weights_of(changed, d.by), trees, d.tree);
+    put(changed, p, K(1));
+    const K slope = residual_of_row(changed, weights_of(changed, d.by), trees, d.tree) - at_zero;
+    if (!certainly_nonzero(slope)) return std::nullopt;
+    return -at_zero / slope;
+}
+
+}  // namespace detail
+
+/// Single entries, among `candidates`, whose change alone restores every claim, with their repaired values.
+/// For each entry the claims leave at most one value possible (row sums and the lower order conditions are
+/// affine in it); that value is put in and every claim is judged again. Over exact fields all of this is done
+/// modulo 2^61 - 1 first, which throws out wrong candidates in microseconds, and then exactly; enclosures of
+/// many digits come after those of a few.
+template <class K>
+std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims& claims,
+                                    const std::vector<place>& candidates) {
+    std::vector<repair<K>> repairs;
+    const tree_table table(std::max({claims.order.value_or(1), claims.embedded_order.value_or(1), 1}));
+    const tree_view& trees = table.view();
+    const auto try_in = [&](auto probe, const place& p, const detail::determination& d) {
+        const auto value = detail::determined_value(probe, p, d, trees);
+        if (!value) return false;
+        put(probe, p, *value);
+        return !refutes_a_condition(probe, claims);
+    };
+    const auto residues = exact_scalar<K> ? reduced_modulo_prime(s) : std::nullopt;
+    subject<tableaux::rough_ball> rough;
+    if constexpr (!exact_scalar<K>)
+        rough = mapped<tableaux::rough_ball>(s, [](const K& x) { return tableaux::rough_ball(x); });
+    for (const place& p : candidates) {
+        const auto d = residues ? detail::determined_by(*residues, p, claims, trees)
+                                : detail::determined_by(s, p, claims, trees);
+        if (!d || (residues && !try_in(*residues, p, *d))) continue;
+        auto value = detail::determined_value(s, p, *d, trees);
+        if (!value) continue;
+        if (!certainly_nonzero(*value - value_at(s, p))) continue;  // nothing to repair
+        if constexpr (!exact_scalar<K>) {
+            auto probe = rough;
+            put(probe, p, tableaux::rough_ball(*value));
+            if (refutes_a_condition(probe, claims)) continue;
+        }
+        subject<K> changed = s;
+        put(changed, p, *value);
+        if (!refutes_a_claim(changed, claims)) repairs.push_back({p, std::move(*value)});
+    }
+    return repairs;
+}
+
+/// The rational with the smallest denominator in the interval.
+inline tableaux::rational simplest_in(const tableaux::range& r) {
+    if (r.contains(0)) return 0;
+    return r.upper < 0 ? -tableaux::simplest_between(-r.upper, -r.lower)
+                       : tableaux::simplest_between(r.lower, r.upper);
+}
+
+namespace detail {
+
+/// x rounded to `digits` decimals.
+inline std::string decimal(const tableaux::rational& x, int digits) {
+    using tableaux::integer;
+    integer n = floor(abs(x) * tableaux::rational(pow(integer(10), static_cast<unsigned>(digits))) +
+                      tableaux::rational(1, 2));
+    std::string text = n.str();
+    if (static_cast<int>(text.size()) <= digits)
+        text.insert(0, static_cast<std::size_t>(digits) + 1 - text.size(), '0');
+    if (digits > 0) text.insert(text.size() - static_cast<std::size_t>(digits), ".");
+    return (x < 0 && n != 0 ? "-" : "") + text;
+}
+
+/// The repaired value as text: exactly; or, for an enclosure, with the digits that the entry had, or the
+/// simplest fraction inside where the entry was one and the enclosure leaves hardly another.
+inline std::string suggestion(const tableaux::rational& x, const tableaux::entry&) { return x.str(); }
+inline std::string suggestion(const tableaux::quadratic& x, const tableaux::entry&) { return x.str(); }
+inline std::string suggestion(const tableaux::ball& x, const tableaux::entry& old) {
+    const tableaux::range r = to_range(x);
+    if (!old.rounded) {
+        const auto simple = simplest_in(r);
+        const auto d = tableaux::rational(simple.denominator());
+        if (r.width() * d * d * tableaux::rational(1000) < 1) return simple.str();
+    }
+    const auto unit = old.rounded ? old.uncertainty() + old.uncertainty() : r.width();
+    int digits = 0;
+    for (tableaux::rational u = unit; u < 1 && digits < 60; u *= tableaux::rational(10)) ++digits;
+    return decimal(r.middle(), digits);
+}
+
+/// Edit distance with a swap of neighbours counting one: how a misprint differs from what it should be.
+inline int misprint_distance(const std::string& x, const std::string& y) {
+    const std::size_t n = std::min<std::size_t>(x.size(), 200), m = std::min<std::size_t>(y.size(), 200);
+    std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
+    for (std::size_t i = 0; i <= n; ++i)
+        for (std::size_t j = 0; j <= m; ++j) {
+            if (i == 0 || j == 0) {
+                d[i][j] = static_cast<int>(i + j);
+                continue;
+            }
+            d[i][j] = std::min(
+                {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (x[i - 1] == y[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && x[i - 1] == y[j - 2] && x[i - 2] == y[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[n][m];
+}
+
+/// Appends the repairs as suspects.
+template <class K>
+void append_suspects(const tableaux::tableau_file& file, const std::vector<repair<K>>& repairs,
+                     std::vector<suspect>& suspects) {
+    for (const auto& [p, value] : repairs) {
+        const auto& old = entry_at(file, p);
+        suspects.push_back({p.name(), old.text, suggestion(value, old)});
+    }
+}
+
+/// The likelier misprint first: not a lone zero, then the smaller difference in print.
+inline void rank(std::vector<suspect>& suspects) {
+    std::stable_sort(suspects.begin(), suspects.end(), [](const suspect& x, const suspect& y) {
+        const auto key = [](const suspect& s) {
+            return std::pair(s.written == "0" || s.suggest == "0", misprint_distance(s.written, s.suggest));
+        };
+        return key(x) < key(y);
+    });
+}
+
+}  // namespace detail
+
+}  // namespace stagecraft::theory

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stagecraft/theory/statements/verdict.hpp>
+
+namespace stagecraft::theory {
+
+/// {"verdict": "proved" | "refuted" | "consistent", "reason": ...}, with residual and bound where consistent.
+inline nlohmann::ordered_json to_json(const verdict& v) {
+    nlohmann::ordered_json j{{"verdict", name(v.standing())}};
+    if (v.is_consistent()) {
+        j["residual"] = v.residual();
+        j["bound"] = v.bound();
+    }
+    j["reason"] = v.reason();
+    return j;
+}
+
+}  // namespace stagecraft::theory

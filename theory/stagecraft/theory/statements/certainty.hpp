@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <stagecraft/tableaux/ball.hpp>
+#include <stagecraft/tableaux/quadratic.hpp>
+#include <stagecraft/tableaux/range.hpp>
+#include <stagecraft/tableaux/rational.hpp>
+#include <stagecraft/tableaux/residue.hpp>
+#include <stagecraft/theory/models/stage_algebra.hpp>
+#include <stagecraft/theory/statements/verdict.hpp>
+#include <string>
+#include <utility>
+
+namespace stagecraft::theory {
+
+/// What can be said for sure of a scalar: exact fields decide, enclosures (tableaux::ball brings its own
+/// overloads) where they keep away from zero, residues refute equality only.
+inline bool certainly_nonzero(const tableaux::rational& x) { return x != 0; }
+inline bool certainly_nonzero(const tableaux::quadratic& x) { return x != 0; }
+inline bool certainly_nonzero(const tableaux::residue& x) { return !(x == tableaux::residue(0)); }
+inline bool certainly_negative(const tableaux::rational& x) { return x < 0; }
+inline bool certainly_negative(const tableaux::quadratic& x) { return sign(x) < 0; }
+
+/// Bits of the enclosures used for data that no exact field holds: 77 decimal digits.
+inline constexpr int checker_bits = 256;
+
+/// A ball around the interval: its middle to checker_bits bits, its radius rounded up.
+inline tableaux::ball to_ball(const tableaux::range& r) {
+    using tableaux::ball;
+    const tableaux::rational middle = r.middle();
+    const tableaux::rational half = r.width() / tableaux::rational(2);
+    const auto up = [](const tableaux::rational& x) {
+        if (x == 0) return tableaux::bound(0);
+        const int k = 62 - tableaux::binary_exponent(x);  // 62 bits and one to be above x
+        return std::ldexp(static_cast<tableaux::bound>(static_cast<std::int64_t>(floor(scaled(x, k)))) + 1,
+                          -k);
+    };
+    if (middle == 0) return ball(ball::mantissa(0), 0, up(half), checker_bits);
+    const int k = checker_bits - tableaux::binary_exponent(middle);
+    const tableaux::integer m = floor(scaled(middle, k));
+    const bool whole = scaled(middle, k) == tableaux::rational(m);
+    const auto rounding = whole ? tableaux::bound(0) : std::ldexp(tableaux::bound(1), -k);
+    return ball(ball::mantissa(m), -k, tableaux::upward(up(half) + rounding), checker_bits);
+}
+
+/// The interval of a ball.
+inline tableaux::range to_range(const tableaux::ball& x) { return {x.lower(), x.upper()}; }
+
+/// A few digits for a message.
+inline std::string brief(tableaux::bound x) {
+    if (std::abs(x) < 1e-4900L) return "0";  // upper bounds of zero are the least positive number
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3Lg", x);
+    return text;
+}
+
+/// The number as a certificate prints it: exact, or "middle +- radius".
+inline std::string shown(const tableaux::rational& x) { return x.str(); }
+inline std::string shown(const tableaux::quadratic& x) { return x.str(); }
+inline std::string shown(const tableaux::ball& x) {
+    return brief(x.middle().to<tableaux::bound>()) + " +- " + brief(x.radius());
+}
+
+/// The same for a sentence: numbers too long to read are given to three digits.
+template <class K>
+std::string in_words(const K& x) {
+    std::string exact = shown(x);
+    if constexpr (exact_scalar<K>)
+        if (exact.size() > 40) return "about " + brief(x.template to<tableaux::bound>());
+    return exact;
+}
+
+/// Verdict on "defect = 0". Over an exact field it is decided; an enclosure refutes it or finds it consistent
+/// for `reason`. `name` says what the defect is.
+template <class K>
+verdict vanishes(const K& defect, const std::string& name, const std::string& reason) {
+    if (certainly_nonzero(defect)) return verdict::refuted(name + " leaves " + in_words(defect));
+    if constexpr (exact_scalar<K>)
+        return verdict::proved(name);
+    else
+        return verdict::consistent(brief(defect.magnitude()), brief(defect.radius()), reason);
+}
+
+/// The conjunction: refuted where one part is, proved where all are, otherwise the first open one.
+inline verdict both(const verdict& x, const verdict& y) {
+    if (x.is_refuted()) return x;
+    if (y.is_refuted()) return y;
+    return x.is_proved() ? y : x;
+}
+
+/// The opposite statement's verdict.
+inline verdict negation(const verdict& x) {
+    if (x.is_proved()) return verdict::refuted(x.reason());
+    if (x.is_refuted()) return verdict::proved(x.reason());
+    return x;
+}
+
+}  // namespace stagecraft::theory

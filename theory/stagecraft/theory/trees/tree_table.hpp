@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stagecraft/theory/trees/rooted_tree.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace stagecraft::theory {
+
+/// One tree of a table: t = left∘right, where `right` is the smallest child (by row number) of t's root and
+/// `left` is what remains without it. The first row of a table is tau, which has no factors.
+struct tree_row {
+    std::uint32_t left = 0;
+    std::uint32_t right = 0;
+    std::int16_t order = 1;
+    std::int16_t multiplicity = 0;  ///< how many of the root's children equal `right`
+    std::int64_t density = 1;       ///< gamma
+    std::int64_t symmetry = 1;      ///< sigma
+};
+
+/// All trees up to an order, by Butcher products: rows sorted by order, rows [first[n], first[n+1]) having
+/// order n. The planted tree [x] of a row x of order n is row first[n+1] + (x - first[n]). A view; it does
+/// not own its rows.
+struct tree_view {
+    std::span<const tree_row> rows;
+    std::array<std::uint32_t, rooted_tree::max_order + 2> first{};
+    int max_order = 0;
+
+    constexpr std::uint32_t planted(std::uint32_t x) const {
+        const int n = rows[x].order;
+        return first[n + 1] + (x - first[n]);
+    }
+    /// Row i as a value. Costs order(t)^2 at most.
+    constexpr rooted_tree tree(std::uint32_t i) const {
+        const tree_row& row = rows[i];
+        return row.order == 1 ? rooted_tree{} : butcher_product(tree(row.left), tree(row.right));
+    }
+};
+
+namespace detail {
+
+/// Fills rows for all orders; every tree arises once, because its smallest child is split off. The number of
+/// pairs looked at exceeds the number of trees by a small factor only.
+template <class Append>
+constexpr void generate_trees(tree_view& view, int max_order, const Append& append) {
+    append(tree_row{});
+    view.first[1] = 0;
+    view.first[2] = 1;
+    for (int n = 2; n <= max_order; ++n) {
+        std::uint32_t next = view.first[n];
+        for (int m = 1; m < n; ++m) {  // order of the left factor
+            for (std::uint32_t l = view.first[m]; l < view.first[m + 1]; ++l) {
+                const tree_row left = view.rows[l];
+                for (std::uint32_t r = view.first[n - m]; r < view.first[n - m + 1]; ++r) {
+                    if (m > 1 && r > left.right) break;
+                    const tree_row& right = view.rows[r];
+                    tree_row t;
+                    t.left = l;
+                    t.right = r;
+                    t.order = static_cast<std::int16_t>(n);
+                    t.multiplicity =
+                        static_cast<std::int16_t>(m > 1 && r == left.right ? left.multiplicity + 1 : 1);
+                    t.density = n * (left.density / m) * right.density;
+                    t.symmetry = left.symmetry * right.symmetry * t.multiplicity;
+                    append(t);
+                    ++next;
+                }
+            }
+        }
+        view.first[n + 1] = next;
+    }
+    view.max_order = max_order;
+}
+
+}  // namespace detail
+
+/// The trees of orders 1..max_order with their factors, densities and symmetries (run time; order 14 has
+/// 53,272 rows of 32 bytes). Immutable once made.
+class tree_table {
+  public:
+    /// Throws std::invalid_argument for an order outside 1..20 (order 20 already has 12.8 million trees).
+    explicit tree_table(int max_order) {
+        std::int64_t count = 0;
+        for (int n = 1; n <= max_order; ++n) count += number_of_trees(n);
+        if (count == 0) throw std::invalid_argument("max_order: trees have at least one vertex");
+        rows_.reserve(static_cast<std::size_t>(count));
+        detail::generate_trees(view_, max_order, [this](const tree_row& row) {
+            rows_.push_back(row);
+            view_.rows = rows_;
+        });
+    }
+    tree_table(const tree_table&) = delete;  // views point into it
+    tree_table& operator=(const tree_table&) = delete;
+
+    const tree_view& view() const { return view_; }
+    std::size_t size() const { return rows_.size(); }
+
+  private:
+    std::vector<tree_row> rows_;
+    tree_view view_;
+};
+
+/// The same table as a compile-time constant.
+template <int MaxOrder>
+class fixed_tree_table {
+    static constexpr std::size_t count = [] {
+        std::int64_t sum = 0;
+        for (int n = 1; n <= MaxOrder; ++n) sum += number_of_trees(n);
+        return static_cast<std::size_t>(sum);
+    }();
+
+  public:
+    constexpr fixed_tree_table() {
+        tree_view view;
+        std::size_t used = 0;
+        detail::generate_trees(view, MaxOrder, [&](const tree_row& row) {
+            rows_[used++] = row;
+            view.rows = {rows_.data(), used};
+        });
+        first_ = view.first;
+    }
+    constexpr tree_view view() const { return {rows_, first_, MaxOrder}; }
+    static constexpr std::size_t size() { return count; }
+
+  private:
+    std::array<tree_row, count> rows_{};
+    std::array<std::uint32_t, rooted_tree::max_order + 2> first_{};
+};
+
+}  // namespace stagecraft::theory
