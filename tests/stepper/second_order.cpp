@@ -83,3 +83,48 @@ BOOST_AUTO_TEST_CASE(a_structure_that_does_not_hold_is_refused) {
     BOOST_CHECK_THROW(sc::integrate(sc::radau_iia<3>(), not_so{}, y0, 0, 1), std::invalid_argument);
     BOOST_CHECK_THROW(sc::integrate(sc::radau_iia<3>(), heavy{}, y0, 0, 1), std::invalid_argument);
 }
+
+namespace {
+
+// Masses between two walls, springs of stiffness 1e4 and dampers.
+template <int N, bool WithStructure>
+struct chain {
+    static constexpr int size = N;
+    template <class S>
+    void operator()(const S&, const Eigen::Matrix<S, N, 1>& y, Eigen::Matrix<S, N, 1>& f) const {
+        const int m = static_cast<int>(y.size()) / 2;
+        for (int i = 0; i < m; ++i) {
+            const S l = i > 0 ? S(y[i - 1]) : S(0.0), r = i + 1 < m ? S(y[i + 1]) : S(0.0);
+            f[i] = y[m + i];
+            f[m + i] = 1e4 * (l - 2.0 * y[i] + r) - y[i] * y[i] * y[i] - 3.0 * y[m + i];
+        }
+    }
+};
+template <int N>
+struct chain<N, true> : chain<N, false> {
+    static constexpr int second_order_components = N < 0 ? Eigen::Dynamic : N / 2;
+};
+template <int N, class Method>
+void compare_chains(const Method& method, int n) {
+    Eigen::Matrix<double, N, 1> y0(n);
+    for (int i = 0; i < n; ++i) y0[i] = i < n / 2 ? std::sin(1.0 + i) : 0.0;
+    const sc::options<double> options{.rtol = 1e-5, .atol = 1e-5};
+    const auto a = sc::integrate(method, chain<N, false>{}, y0, 0, 0.3, options);
+    const auto b = sc::integrate(method, chain<N, true>{}, y0, 0, 0.3, options);
+    BOOST_REQUIRE(a.ok());
+    BOOST_REQUIRE(b.ok());
+    BOOST_TEST(a.report.steps == b.report.steps);
+    BOOST_TEST(a.report.solves == b.report.solves);
+    BOOST_TEST((a.y - b.y).norm() < 1e-9 * a.y.norm());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(large_and_run_time_sizes_are_reduced_as_well) {
+    compare_chains<22>(sc::radau_iia<3>(), 22);
+    compare_chains<Eigen::Dynamic>(sc::radau_iia<3>(), 22);
+    compare_chains<Eigen::Dynamic>(sc::radau_iia<3>(), 6);
+    const Eigen::VectorXd odd = Eigen::VectorXd::Zero(5);
+    BOOST_CHECK_THROW(sc::integrate(sc::radau_iia<3>(), chain<Eigen::Dynamic, true>{}, odd, 0, 1),
+                      std::invalid_argument);
+}

@@ -27,11 +27,7 @@ struct dense_blocks {
                                               dense_complex_lu<Scalar>>>;
 };
 
-/// The same for a system of second order with `Positions` position components.
-template <class Scalar, int N, int Positions>
-struct second_order_blocks : dense_blocks<Scalar, N> {
-    static constexpr int positions = Positions;
-};
+/// How many position components of a system of second order the lanes of such blocks eliminate.
 template <class Blocks>
 inline constexpr int positions_of = [] {
     if constexpr (requires { Blocks::positions; })
@@ -39,6 +35,17 @@ inline constexpr int positions_of = [] {
     else
         return 0;
 }();
+
+/// What solves with a matrix of the full size that has not the structure q' = v, such as M alone.
+template <class Blocks>
+struct unstructured {
+    using type = Blocks;
+};
+template <class Blocks>
+requires requires { typename Blocks::whole; }
+struct unstructured<Blocks> {
+    using type = typename Blocks::whole;
+};
 
 /// Factors shift M - J of a dense block; false if singular or not finite. The solvers of other structures
 /// (banded_blocks, sparse_blocks) have a member factor_shifted instead.

@@ -61,7 +61,7 @@ class mass_solver {
     }
 
     std::vector<Scalar> reciprocal_;
-    std::optional<typename Blocks::real> block_;
+    std::optional<typename unstructured<Blocks>::type::real> block_;
 };
 
 }  // namespace stagecraft

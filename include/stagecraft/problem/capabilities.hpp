@@ -76,11 +76,16 @@ concept has_constant_jacobian = requires(Problem& p) {
 
 /// Optional: `static constexpr int second_order_components = m`: the problem is a system of second order,
 /// the first m components are positions q, the next m their velocities v, with q' = v and mass one in these
-/// rows and columns. Fixed sizes to 16 then factor matrices of size n - m.
+/// rows and columns. Eigen::Dynamic stands for n/2. With a dense J matrices of size n - m are factored.
 template <class Problem>
 concept has_second_order_components = requires {
     { Problem::second_order_components } -> std::convertible_to<int>;
 };
+/// That m for a state of n components.
+template <has_second_order_components Problem>
+constexpr int position_components(int n) {
+    return Problem::second_order_components == Eigen::Dynamic ? n / 2 : Problem::second_order_components;
+}
 
 /// Optional: `problem.measure(work)` returns an object that lives as long as that work takes
 /// (problem/time_split.hpp).

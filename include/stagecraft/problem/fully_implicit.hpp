@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/problem/parts.hpp>
 
 namespace stagecraft {
@@ -26,16 +25,6 @@ concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix
     f.jacobian(t, y, v, block, block);
 };
 
-/// How the steppers are told of y' = v: small fixed sizes by the lanes, others by a solver of n x n systems.
-template <int N>
-struct implicit_structure {
-    using linear_solver = second_order_lu<double>;
-};
-template <int N>
-requires(N >= 0 && N <= 8) struct implicit_structure<N> {
-    static constexpr int second_order_components = N;
-};
-
 }  // namespace detail
 
 /// The fully implicit system F(t, y, y') = 0 of n equations as the system of first order
@@ -46,13 +35,14 @@ requires(N >= 0 && N <= 8) struct implicit_structure<N> {
 /// shift F_v + F_y, because y is eliminated by y' = v. Made by `fully_implicit`; N is n, or -1 where it is
 /// known at run time.
 template <int N, class F>
-class fully_implicit_problem : public detail::implicit_structure<N> {
+class fully_implicit_problem {
     static_assert(detail::implicit_equations<F, double, double, N>,
                   "fully_implicit: F must be callable as F(t, y, v, out) with v for y'");
     using sizes = part_sizes<N, N>;
 
   public:
     static constexpr int size = sizes::size;
+    static constexpr int second_order_components = N;
     template <class S>
     using state_vector = Eigen::Matrix<S, size, 1>;
     template <class S>

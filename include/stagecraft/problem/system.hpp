@@ -8,7 +8,7 @@
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/jacobian/coloured.hpp>
 #include <stagecraft/jacobian/finite_difference.hpp>
-#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/report.hpp>
@@ -100,10 +100,11 @@ class system {
                     throw std::invalid_argument(
                         "integrate: problem.mass() must lie within problem.bandwidth()");
         if constexpr (has_second_order_components<Problem>) {
-            constexpr int m = Problem::second_order_components;
-            if (m < 0 || 2 * m > n_)
+            const int m = position_components<Problem>(n_);
+            if (m < 0 || 2 * m > n_ || (Problem::second_order_components == Eigen::Dynamic && 2 * m != n_))
                 throw std::invalid_argument(
-                    "integrate: problem.second_order_components must be at most n / 2");
+                    "integrate: problem.second_order_components must be at most n / 2, and n even where it "
+                    "is Eigen::Dynamic");
             if constexpr (!mass_type::identity) {
                 int ones = 0;
                 for (const auto& e : mass_.entries())

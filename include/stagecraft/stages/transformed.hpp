@@ -105,7 +105,11 @@ class transformed_stages {
         if constexpr (in_lanes) {
             blocks = {m * m * m * 6 / 5, m * m * 4};
         } else {
-            const auto one = work_of<typename System::matrix>::template estimate<Scalar>(system.jacobian());
+            block_work<Scalar> one;
+            if constexpr (requires { Blocks::work(1); })
+                one = Blocks::work(size());
+            else
+                one = work_of<typename System::matrix>::template estimate<Scalar>(system.jacobian());
             blocks = {s * one.step, s * one.iteration};
         }
         return {20 + s * (10 + 2 * n) + blocks.step,

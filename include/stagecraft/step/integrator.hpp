@@ -161,7 +161,7 @@ class integrator {
             const scalar size = norm(f0_, scale_);
             if (!(size - size == scalar(0))) return end(status::non_finite) == attempt_end::accepted;
             if constexpr (has_second_order_components<Problem>)
-                for (int i = 0, m = Problem::second_order_components; i < m; ++i)
+                for (int i = 0, m = position_components<Problem>(n_); i < m; ++i)
                     if (!(f0_[i] == y_[m + i]))
                         throw bad_problem(
                             "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
