@@ -45,13 +45,13 @@ struct acceleration_jacobian {
     Eigen::Matrix<S, m, n> G;
     Eigen::Matrix<S, n, n> a_q, a_v;
     Eigen::Matrix<S, n, m> a_lambda;
-    Eigen::Matrix<S, m, n> Gv_q;  ///< d(G(q) v)/dq
+    Eigen::Matrix<S, m, n> Gv_q;  ///< d(G(q, t) v + b(q, t))/dq
     Eigen::Matrix<S, m, n> Ga_q;  ///< d(G(q) a)/dq with a held fixed
 
     acceleration_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
                           const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
                           const S& t)
-        : G(model.G(q)) {
+        : G(constraint_gradient<S>(model, q, t)) {
         const mass_inverse<S, Model> solve(model, q);
         a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
         const dual time = detail::constant<dual>(t);
@@ -60,7 +60,7 @@ struct acceleration_jacobian {
         const dual_vector F_q = force<dual>(model, q_moving, v_fixed, time);
         const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
         const Eigen::Matrix<dual, n, n> M = model.M(q_moving);
-        const Eigen::Matrix<dual, m, n> dG = model.G(q_moving);
+        const Eigen::Matrix<dual, m, n> dG = constraint_gradient<dual>(model, q_moving, time);
         for (int i = 0; i < n; ++i) {
             coordinate_vector<S, Model> row = F_q[i].derivatives();
             for (int j = 0; j < n; ++j) row -= a[j] * M(i, j).derivatives();
@@ -81,6 +81,10 @@ struct acceleration_jacobian {
                 Ga_q.row(k) += a[j] * dG(k, j).derivatives().transpose();
             }
         }
+        if constexpr (has_prescribed_velocity<Model>) {
+            const multiplier_vector<dual, Model> b = prescribed_velocity<dual>(model, q_moving, time);
+            for (int k = 0; k < m; ++k) Gv_q.row(k) += b[k].derivatives().transpose();
+        }
     }
 
   private:
@@ -88,7 +92,7 @@ struct acceleration_jacobian {
     using dual_vector = Eigen::Matrix<dual, n, 1>;
 };
 
-/// The once differentiated constraint Phi = d/dt (G v) = (dG/dt) v + G a, with its derivatives.
+/// The once differentiated constraint Phi = d/dt (G v + b) = (dG/dt) v + db/dt + G a, with its derivatives.
 template <class S, class Model>
 struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
     using acceleration_jacobian<S, Model>::n;
@@ -101,10 +105,11 @@ struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
                                const multiplier_vector<S, Model>& lambda, const S& t)
         : acceleration_jacobian<S, Model>(model, q, v, lambda, t) {
         using dual = dual_number<S, n>;
+        const dual time = detail::constant<dual>(t);
         const multiplier_vector<dual, Model> c_q =
-            constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v));
+            constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v), time);
         const multiplier_vector<dual, Model> c_v =
-            constraint_curvature<dual>(model, detail::constants<dual>(q), detail::variables<dual>(v));
+            constraint_curvature<dual>(model, detail::constants<dual>(q), detail::variables<dual>(v), time);
         phi_q = this->Ga_q + this->G * this->a_q;
         phi_v = this->G * this->a_v;
         phi_lambda = this->G * this->a_lambda;

@@ -7,12 +7,13 @@
 #include <utility>
 
 #include <stagecraft/mechanics/derivatives.hpp>
+#include <stagecraft/mechanics/start.hpp>
 
 namespace stagecraft {
 
 /// The index-2 system of a mechanical model in the state (q, v, lambda):
 ///
-///     q' = v,   v' = M(q)^-1 (F - G(q)^T lambda),   0 = G(q) v
+///     q' = v,   v' = M(q)^-1 (F - G(q)^T lambda),   0 = G(q) v + b
 ///
 /// (thesis (1.10), a Hessenberg form: q and v have index 1, lambda index 2, HLR89 section 1). M is factored
 /// once per evaluation, or never where the model brings `solve_mass`. Made by `index_2`.
@@ -26,9 +27,11 @@ class index_2_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const Eigen::Matrix<S, m, n> G = model_.G(coordinate_vector<S, Model>(y.template head<n>()));
+        const coordinate_vector<S, Model> q = y.template head<n>();
+        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
+        const multiplier_vector<S, Model> b = prescribed_velocity<S>(model_, q, t);
         detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
-        f.template tail<m>() = G * y.template segment<n>(n);
+        f.template tail<m>() = G * y.template segment<n>(n) + b;
     }
 
     template <class S>
@@ -44,18 +47,20 @@ class index_2_dae {
     Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
     std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
-    /// (q, v, lambda) with the multiplier consistent with q and v. Throws std::invalid_argument if G(q) v is
-    /// not zero to rounding (a bound of 64 eps max|G| max|v| is allowed), std::domain_error at a singular
+    /// (q, v, lambda) with the multiplier consistent with q and v at time t. Throws std::invalid_argument with
+    /// the size of each violation if the constraints do not hold to rounding, std::domain_error at a singular
     /// position.
     Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
                                                  const coordinate_vector<Scalar, Model>& v,
                                                  const Scalar& t = Scalar(0)) const {
-        const Scalar scale = model_.G(q).cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
-        if (!(constraint_violation(model_, q, v) <= Scalar(64) * Eigen::NumTraits<Scalar>::epsilon() * scale))
-            throw std::invalid_argument("mechanical: the initial v must satisfy G(q) v = 0");
+        detail::check_start(model_, q, v, t);
         Eigen::Matrix<Scalar, size, 1> y;
         y << q, v, consistent_multiplier(model_, q, v, t);
         return y;
+    }
+    /// The multiplier in a state.
+    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y) const {
+        return y.template tail<m>();
     }
 
     const Model& model() const { return model_; }
@@ -73,14 +78,17 @@ index_2_dae<Model, Scalar> index_2(Model model) {
 /// The ordinary differential equation left when the multiplier is eliminated by the once differentiated
 /// constraint (thesis (3.17), corrected): state (q, v), lambda = (G M^-1 G^T)^-1 (G M^-1 F + (dG/dt) v + r G
 /// v). With r = 0, G v is an invariant that no method keeps exactly: its drift is the price of index
-/// reduction. With r = c/d > 0 the violation obeys u' = -r u (thesis (3.45)). Made by `index_reduced`.
+/// reduction. With r = c/d > 0 the violation obeys u' = -r u (thesis (3.45)). For a holonomic model s g(q) may
+/// be added to r G v, and the violation obeys g'' + r g' + s g = 0 (Baumgarte 1972). Made by `index_reduced`
+/// and `baumgarte`.
 template <mechanical_model Model, class Scalar = double>
 class index_reduced_ode {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n;
     static constexpr int second_order_components = n;
 
-    index_reduced_ode(Model model, Scalar r) : model_(std::move(model)), r_(std::move(r)) {}
+    index_reduced_ode(Model model, Scalar r, Scalar s = Scalar(0))
+        : model_(std::move(model)), r_(std::move(r)), s_(std::move(s)) {}
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
@@ -98,7 +106,8 @@ class index_reduced_ode {
         J = Eigen::Matrix<S, size, size>::Constant(S(0));
         for (int j = 0; j < n; ++j) {
             J(j, n + j) = S(1);
-            const multiplier_vector<S, Model> by_q = d.phi_q.col(j) + S(r_) * d.Gv_q.col(j);
+            multiplier_vector<S, Model> by_q = d.phi_q.col(j) + S(r_) * d.Gv_q.col(j);
+            if constexpr (holonomic_model<Model>) by_q += S(s_) * d.G.col(j);
             const multiplier_vector<S, Model> by_v = d.phi_v.col(j) + S(r_) * d.G.col(j);
             J.template block<n, 1>(n, j) = d.a_q.col(j) + d.a_lambda * inertia.solve(by_q);
             J.template block<n, 1>(n, n + j) = d.a_v.col(j) + d.a_lambda * inertia.solve(by_v);
@@ -112,6 +121,15 @@ class index_reduced_ode {
         return constrained<S>(q, v, t).multiplier;
     }
 
+    /// (q, v); see index_2_dae::initial_state.
+    Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
+                                                 const coordinate_vector<Scalar, Model>& v,
+                                                 const Scalar& t = Scalar(0)) const {
+        detail::check_start(model_, q, v, t);
+        Eigen::Matrix<Scalar, size, 1> y;
+        y << q, v;
+        return y;
+    }
     const Model& model() const { return model_; }
 
   private:
@@ -125,7 +143,7 @@ class index_reduced_ode {
     motion<S> constrained(const coordinate_vector<S, Model>& q, const coordinate_vector<S, Model>& v,
                           const S& t) const {
         const mass_inverse<S, Model> solve(model_, q);
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
+        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
         const coordinate_vector<S, Model> free = solve(force<S>(model_, q, v, t));
         Eigen::Matrix<S, n, m> W;
         multiplier_matrix<S, Model> inertia;
@@ -134,14 +152,16 @@ class index_reduced_ode {
             W.col(k) = column;
             inertia.col(k) = G * column;
         }
-        const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model_, q, v),
-                                          rhs = G * free + curvature + S(r_) * (G * v),
-                                          lambda = small_ldlt<S, m>(inertia).solve(rhs);
+        const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model_, q, v, t),
+                                          b = prescribed_velocity<S>(model_, q, t);
+        multiplier_vector<S, Model> rhs = G * free + curvature + S(r_) * (G * v + b);
+        if constexpr (holonomic_model<Model>) rhs += S(s_) * position_constraint<S>(model_, q, t);
+        const multiplier_vector<S, Model> lambda = small_ldlt<S, m>(inertia).solve(rhs);
         return {free - W * lambda, lambda};
     }
 
     Model model_;
-    Scalar r_;
+    Scalar r_, s_;
 };
 
 /// The index-reduced differential equation of a model in (q, v); see `index_reduced_ode`. Throws
@@ -150,6 +170,18 @@ template <class Scalar = double, mechanical_model Model>
 index_reduced_ode<Model, Scalar> index_reduced(Model model, Scalar r = Scalar(0)) {
     if (!(r >= Scalar(0))) throw std::invalid_argument("index_reduced: r must not be negative");
     return index_reduced_ode<Model, Scalar>(std::move(model), std::move(r));
+}
+
+/// Baumgarte's stabilisation of a model with position constraints, an ordinary differential equation in
+/// (q, v): the constraint is replaced by g'' + 2 alpha g' + beta^2 g = 0 (J. Baumgarte 1972, Comput. Methods
+/// Appl. Mech. Eng. 1; alpha = beta damps critically). Large values damp the drift fast and make the equation
+/// stiff. For constraints of velocity see `index_reduced` with r. Throws std::invalid_argument if alpha or beta
+/// is negative.
+template <class Scalar = double, holonomic_model Model>
+index_reduced_ode<Model, Scalar> baumgarte(Model model, Scalar alpha, Scalar beta) {
+    if (!(alpha >= Scalar(0)) || !(beta >= Scalar(0)))
+        throw std::invalid_argument("baumgarte: alpha and beta must not be negative");
+    return index_reduced_ode<Model, Scalar>(std::move(model), Scalar(2) * alpha, beta * beta);
 }
 
 }  // namespace stagecraft

@@ -9,28 +9,22 @@
 
 namespace stagecraft {
 
-/// A mechanical model whose constraint is one of position: `g(q)` (a template on the scalar) with 0 = g(q)
-/// and G = dg/dq. Its velocity constraint G v = 0 alone makes it a mechanical_model already.
-template <class Model>
-concept holonomic_model = mechanical_model<Model> &&
-    requires(const Model& model, const coordinate_vector<double, Model>& q) {
-    { model.g(q) } -> std::convertible_to<multiplier_vector<double, Model>>;
-};
-
 /// The equations of motion of a holonomic model as they are, index 3: state (q, v, lambda), 0 = g(q); q has
 /// index 1, v 2, lambda 3. Made by `index_3`.
-template <holonomic_model Model>
+template <holonomic_model Model, class Scalar = double>
 class index_3_dae {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
+    using state = Eigen::Matrix<Scalar, size, 1>;
 
     explicit index_3_dae(Model model) : model_(std::move(model)) {}
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const coordinate_vector<S, Model> q = y.template head<n>();
-        detail::motion<S, Model>(model_, t, y, model_.G(q), y.template tail<m>(), f);
-        f.template tail<m>() = model_.g(q);
+        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
+        detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
+        f.template tail<m>() = position_constraint<S>(model_, q, t);
     }
 
     template <class S>
@@ -41,8 +35,18 @@ class index_3_dae {
         J.template block<m, n>(2 * n, 0) = d.G;
     }
 
-    Eigen::Matrix<double, size, size> mass() const { return detail::leading_identity<double, size>(2 * n); }
+    Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
     std::array<int, size> index() const { return detail::index_flags<size>(n, 2 * n); }
+
+    /// (q, v, lambda); see index_2_dae::initial_state.
+    state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
+                        const Scalar& t = Scalar(0)) const {
+        detail::check_start(model_, q, v, t);
+        return (state() << q, v, consistent_multiplier(model_, q, v, t)).finished();
+    }
+    /// The multiplier in a state.
+    multiplier_vector<Scalar, Model> multiplier(const state& y) const { return y.template tail<m>(); }
+    const Model& model() const { return model_; }
 
   private:
     Model model_;
@@ -51,25 +55,27 @@ class index_3_dae {
 /// The stabilised index-2 formulation of Gear, Gupta and Leimkuhler (Hairer-Wanner II, (VII.1.48)): state
 /// (q, v, lambda, mu) with
 ///
-///     q' = v - G^T mu,   v' = M^-1 (F - G^T lambda),   0 = G v,   0 = g(q);
+///     q' = v - G^T mu,   v' = M^-1 (F - G^T lambda),   0 = G v + b,   0 = g(q);
 ///
 /// mu vanishes on the exact solution, and both constraints are kept. lambda and mu have index 2.
 /// Made by `stabilised_index_2`.
-template <holonomic_model Model>
+template <holonomic_model Model, class Scalar = double>
 class stabilised_dae {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + 2 * m;
+    using state = Eigen::Matrix<Scalar, size, 1>;
 
     explicit stabilised_dae(Model model) : model_(std::move(model)) {}
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const coordinate_vector<S, Model> q = y.template head<n>();
-        const Eigen::Matrix<S, m, n> G = model_.G(q);
+        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
         detail::motion<S, Model>(model_, t, y, G, y.template segment<m>(2 * n), f);
         f.template head<n>() -= G.transpose() * y.template tail<m>();
-        f.template segment<m>(2 * n) = G * y.template segment<n>(n);
-        f.template tail<m>() = model_.g(q);
+        const multiplier_vector<S, Model> b = prescribed_velocity<S>(model_, q, t);
+        f.template segment<m>(2 * n) = G * y.template segment<n>(n) + b;
+        f.template tail<m>() = position_constraint<S>(model_, q, t);
     }
 
     template <class S>
@@ -78,7 +84,8 @@ class stabilised_dae {
         const acceleration_jacobian<S, Model> d(model_, q, y.template segment<n>(n),
                                                 y.template segment<m>(2 * n), t);
         using dual = dual_number<S, n>;
-        const Eigen::Matrix<dual, m, n> dG = model_.G(detail::variables<dual>(q));
+        const Eigen::Matrix<dual, m, n> dG =
+            constraint_gradient<dual>(model_, detail::variables<dual>(q), detail::constant<dual>(t));
         detail::motion_jacobian(d, 2 * n, J);
         for (int i = 0; i < n; ++i)
             for (int k = 0; k < m; ++k)
@@ -89,23 +96,35 @@ class stabilised_dae {
         J.template block<m, n>(2 * n + m, 0) = d.G;
     }
 
-    Eigen::Matrix<double, size, size> mass() const { return detail::leading_identity<double, size>(2 * n); }
+    Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
     std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
+
+    /// (q, v, lambda, 0); see index_2_dae::initial_state.
+    state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
+                        const Scalar& t = Scalar(0)) const {
+        detail::check_start(model_, q, v, t);
+        state y = state::Constant(Scalar(0));
+        y.template head<2 * n + m>() << q, v, consistent_multiplier(model_, q, v, t);
+        return y;
+    }
+    /// The multiplier in a state.
+    multiplier_vector<Scalar, Model> multiplier(const state& y) const { return y.template segment<m>(2 * n); }
+    const Model& model() const { return model_; }
 
   private:
     Model model_;
 };
 
 /// The index-3 system of a holonomic model, state (q, v, lambda).
-template <holonomic_model Model>
-index_3_dae<Model> index_3(Model model) {
-    return index_3_dae<Model>(std::move(model));
+template <class Scalar = double, holonomic_model Model>
+index_3_dae<Model, Scalar> index_3(Model model) {
+    return index_3_dae<Model, Scalar>(std::move(model));
 }
 
 /// Its stabilised index-2 formulation, state (q, v, lambda, mu), mu(0) = 0.
-template <holonomic_model Model>
-stabilised_dae<Model> stabilised_index_2(Model model) {
-    return stabilised_dae<Model>(std::move(model));
+template <class Scalar = double, holonomic_model Model>
+stabilised_dae<Model, Scalar> stabilised_index_2(Model model) {
+    return stabilised_dae<Model, Scalar>(std::move(model));
 }
 
 }  // namespace stagecraft

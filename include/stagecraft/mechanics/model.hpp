@@ -21,10 +21,11 @@ namespace stagecraft {
 ///     Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, const Eigen::Matrix<S, n, 1>& v) const;
 ///     template <class S> Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, n, 1>& q) const;
 ///
-/// F may take the time as a third argument. All three are templates on the scalar: derivatives are taken by
-/// automatic differentiation and the same model runs at any precision. M is symmetric positive definite and G
-/// has full rank wherever the motion goes. Optional members:
+/// F may take the time as a third argument, G as a second one. All three are templates on the scalar:
+/// derivatives are taken by automatic differentiation and the same model runs at any precision. M is
+/// symmetric positive definite and G has full rank wherever the motion goes. Optional members:
 ///
+///     b(q, t) or b(q)     // affine and moving constraints 0 = G(q, t) v + b(q, t): a turntable, a driven wheel
 ///     solve_mass(q, r)    // M(q)^-1 r in closed form, in place of a factorisation of M(q)
 ///     G_rate(q, v)        // dG/dt along q' = v, in place of automatic differentiation
 ///     potential(q)        // the potential energy
@@ -39,15 +40,23 @@ concept mechanical_model = Model::coordinates >
         Model::coordinates&& requires(const Model& model,
                                       const Eigen::Matrix<double, Model::coordinates, 1>& q) {
     { model.M(q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, Model::coordinates>>;
-    { model.G(q) } -> std::convertible_to<Eigen::Matrix<double, Model::constraints, Model::coordinates>>;
 }
 &&(
     requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
-        { model.F(q, q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
+        { model.G(q) } -> std::convertible_to<Eigen::Matrix<double, Model::constraints, Model::coordinates>>;
     } ||
     requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q, double t) {
-        { model.F(q, q, t) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
-    });
+        {
+            model.G(q, t)
+            } -> std::convertible_to<Eigen::Matrix<double, Model::constraints, Model::coordinates>>;
+    }) &&
+    (
+        requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
+            { model.F(q, q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
+        } ||
+        requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q, double t) {
+            { model.F(q, q, t) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
+        });
 
 /// q, q', q'' and forces of a model; its multipliers; its state (q, q') and (q, q', lambda).
 template <class S, class Model>
@@ -65,6 +74,12 @@ template <class Model>
 concept has_constraint_rate = requires(const Model& m, const coordinate_vector<double, Model>& q) {
     m.G_rate(q, q);
 };
+/// True if the velocity constraint is affine, 0 = G v + b.
+template <class Model>
+concept has_prescribed_velocity = requires(const Model& m, const coordinate_vector<double, Model>& q) {
+    m.b(q);
+}
+|| requires(const Model& m, const coordinate_vector<double, Model>& q, double t) { m.b(q, t); };
 template <class Model>
 concept has_potential = requires(const Model& m, const coordinate_vector<double, Model>& q) {
     m.potential(q);
@@ -83,6 +98,38 @@ coordinate_vector<S, Model> force(const Model& model, const coordinate_vector<S,
         return model.F(q, v, S(t));
     else
         return model.F(q, v);
+}
+
+/// G(q, t) or G(q), whichever the model has.
+template <class S, class Model, class Time>
+Eigen::Matrix<S, Model::constraints, Model::coordinates> constraint_gradient(
+    const Model& model, const coordinate_vector<S, Model>& q, const Time& t) {
+    if constexpr (requires { model.G(q, S(t)); })
+        return model.G(q, S(t));
+    else
+        return model.G(q);
+}
+
+/// The velocity that an affine constraint prescribes, b of 0 = G v + b; zero unless the model has a member b.
+template <class S, class Model, class Time>
+multiplier_vector<S, Model> prescribed_velocity([[maybe_unused]] const Model& model,
+                                                [[maybe_unused]] const coordinate_vector<S, Model>& q,
+                                                [[maybe_unused]] const Time& t) {
+    if constexpr (requires { model.b(q, S(t)); })
+        return model.b(q, S(t));
+    else if constexpr (requires { model.b(q); })
+        return model.b(q);
+    else
+        return multiplier_vector<S, Model>::Constant(S(0));
+}
+
+/// The velocity constraint G(q, t) v + b(q, t), which vanishes along the motion.
+template <class S, class Model>
+multiplier_vector<S, Model> velocity_constraint(const Model& model, const coordinate_vector<S, Model>& q,
+                                                const coordinate_vector<S, Model>& v,
+                                                const std::type_identity_t<S>& t = S(0)) {
+    const multiplier_vector<S, Model> b = prescribed_velocity<S>(model, q, t);
+    return constraint_gradient<S>(model, q, t) * v + b;
 }
 
 /// M(q)^-1 for one q: the model's closed form, or one factorisation at construction.
@@ -112,10 +159,11 @@ class mass_inverse {
     [[no_unique_address]] std::conditional_t<has_mass_solver<Model>, closed_form, factored> factors_;
 };
 
-/// (dG/dt) v along q' = v: the part of d/dt (G v) that does not come from v'.
+/// What d/dt (G(q, t) v + b(q, t)) has along q' = v beside G v': (dG/dt) v + db/dt.
 template <class S, class Model>
 multiplier_vector<S, Model> constraint_curvature(const Model& model, const coordinate_vector<S, Model>& q,
-                                                 const coordinate_vector<S, Model>& v) {
+                                                 const coordinate_vector<S, Model>& v,
+                                                 const std::type_identity_t<S>& t = S(0)) {
     if constexpr (has_constraint_rate<Model>) {
         return model.G_rate(q, v) * v;
     } else {
@@ -125,19 +173,26 @@ multiplier_vector<S, Model> constraint_curvature(const Model& model, const coord
             moving[i].value() = q[i];
             moving[i].derivatives()[0] = v[i];
         }
-        const Eigen::Matrix<dual, Model::constraints, Model::coordinates> G = model.G(moving);
-        multiplier_vector<S, Model> result = multiplier_vector<S, Model>::Constant(S(0));
-        for (int i = 0; i < Model::constraints; ++i)
+        dual time(t);
+        time.derivatives()[0] = S(1);
+        const Eigen::Matrix<dual, Model::constraints, Model::coordinates> G =
+            constraint_gradient<dual>(model, moving, time);
+        const multiplier_vector<dual, Model> b = prescribed_velocity<dual>(model, moving, time);
+        multiplier_vector<S, Model> result;
+        for (int i = 0; i < Model::constraints; ++i) {
+            result[i] = b[i].derivatives()[0];
             for (int j = 0; j < Model::coordinates; ++j) result[i] += G(i, j).derivatives()[0] * v[j];
+        }
         return result;
     }
 }
 
 /// G M^-1 G^T, which is -g_y f_lambda of the index-2 system and must be regular (thesis, model assumption 3).
 template <class S, class Model>
-multiplier_matrix<S, Model> constraint_inertia(const Model& model, const coordinate_vector<S, Model>& q) {
+multiplier_matrix<S, Model> constraint_inertia(const Model& model, const coordinate_vector<S, Model>& q,
+                                               const std::type_identity_t<S>& t = S(0)) {
     const mass_inverse<S, Model> solve(model, q);
-    const Eigen::Matrix<S, Model::constraints, Model::coordinates> G = model.G(q);
+    const Eigen::Matrix<S, Model::constraints, Model::coordinates> G = constraint_gradient<S>(model, q, t);
     multiplier_matrix<S, Model> result;
     for (int j = 0; j < Model::constraints; ++j)
         result.col(j) = G * solve(coordinate_vector<S, Model>(G.row(j).transpose()));
@@ -160,15 +215,17 @@ std::string singular_position(const Model& model, const coordinate_vector<double
 /// std::domain_error that names the position if M(q) is singular there.
 template <class S, class Model>
 multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coordinate_vector<S, Model>& q,
-                                                  const coordinate_vector<S, Model>& v, const S& t = S(0)) {
+                                                  const coordinate_vector<S, Model>& v,
+                                                  const std::type_identity_t<S>& t = S(0)) {
     if constexpr (names_singular_positions<Model> && std::is_same_v<S, double>) {
         if (const std::string where = singular_position(model, q); !where.empty())
             throw std::domain_error("mechanical: M(q) is singular: " + where);
     }
     const mass_inverse<S, Model> solve(model, q);
     const multiplier_vector<S, Model> rhs =
-        model.G(q) * solve(force<S>(model, q, v, t)) + constraint_curvature(model, q, v);
-    return small_ldlt<S, Model::constraints>(constraint_inertia(model, q)).solve(rhs);
+        constraint_gradient<S>(model, q, t) * solve(force<S>(model, q, v, t)) +
+        constraint_curvature<S>(model, q, v, t);
+    return small_ldlt<S, Model::constraints>(constraint_inertia<S>(model, q, t)).solve(rhs);
 }
 
 /// Kinetic energy v^T M(q) v / 2.
@@ -185,11 +242,11 @@ S total_energy(const Model& model, const coordinate_vector<S, Model>& q,
     return kinetic_energy(model, q, v) + model.potential(q);
 }
 
-/// max_i |(G(q) v)_i|.
+/// max_i |(G v + b)_i|.
 template <class S, class Model>
 S constraint_violation(const Model& model, const coordinate_vector<S, Model>& q,
-                       const coordinate_vector<S, Model>& v) {
-    return (model.G(q) * v).cwiseAbs().maxCoeff();
+                       const coordinate_vector<S, Model>& v, const std::type_identity_t<S>& t = S(0)) {
+    return velocity_constraint<S>(model, q, v, t).cwiseAbs().maxCoeff();
 }
 
 }  // namespace stagecraft

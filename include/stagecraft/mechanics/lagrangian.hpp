@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/mechanics/derivatives.hpp>
+#include <stagecraft/mechanics/model.hpp>
+
+namespace stagecraft {
+
+/// No generalised forces: those of the potential alone act.
+struct no_forces {};
+
+namespace detail {
+
+template <class F, class Vector, bool Moves>
+struct returned_by {
+    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&>>;
+};
+template <class F, class Vector>
+struct returned_by<F, Vector, true> {
+    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&, const double&>>;
+};
+
+}  // namespace detail
+
+/// A mechanical model from its energies: the equations of Lagrange,
+///
+///     d/dt dT/dv - dT/dq = -dV/dq + Q - G^T lambda,
+///
+/// as M(q) a = F(q, v) - G^T lambda. Made by `lagrangian`. T is a quadratic polynomial in v (any mechanical
+/// system at rest or in moving frames), so that its second derivative M, and dT/dv, are differences of values
+/// of T without any error but rounding (polarisation); what remains, the derivatives by q, are taken by
+/// automatic differentiation. One F costs 2 n + 2 evaluations of T in dual numbers.
+template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint, class Forces>
+class lagrangian_model {
+    template <class S>
+    using vector = Eigen::Matrix<S, Coordinates, 1>;
+    template <class S>
+    using multipliers = Eigen::Matrix<S, Constraints, 1>;
+
+    /// True if the constraint depends on t as well; true if it is one of position: a number or a column.
+    static constexpr bool moves =
+        std::is_invocable_v<const Constraint&, const vector<double>&, const double&>;
+    static constexpr bool of_position = [] {
+        using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
+        if constexpr (std::is_arithmetic_v<returned>)
+            return true;
+        else
+            return returned::ColsAtCompileTime == 1;
+    }();
+
+  public:
+    static constexpr int coordinates = Coordinates, constraints = Constraints;
+
+    lagrangian_model(Kinetic T, Potential V, Constraint g, Forces Q)
+        : T_(std::move(T)), V_(std::move(V)), constraint_(std::move(g)), Q_(std::move(Q)) {}
+
+    template <class S>
+    Eigen::Matrix<S, Coordinates, Coordinates> M(const vector<S>& q) const {
+        Eigen::Matrix<S, Coordinates, Coordinates> M;
+        const vector<S> rest = vector<S>::Constant(S(0));
+        const S least = T_(q, rest);
+        vector<S> single;
+        for (int i = 0; i < Coordinates; ++i) single[i] = T_(q, unit<S>(i));
+        for (int i = 0; i < Coordinates; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                vector<S> both = unit<S>(i);
+                both[j] += S(1);
+                M(i, j) = M(j, i) = T_(q, both) - single[i] - single[j] + least;
+            }
+        }
+        return M;
+    }
+
+    template <class S>
+    vector<S> F(const vector<S>& q, const vector<S>& v, const S& t) const {
+        using dual = dual_number<S, Coordinates>;
+        using rate = dual_number<S, 1>;
+        const Eigen::Matrix<dual, Coordinates, 1> moving = detail::variables<dual>(q);
+        const dual lagrange = T_(moving, detail::constants<dual>(v)) - V_(moving);
+        vector<S> F = lagrange.derivatives();
+        // d/dt of dT/dv along q' = v: dT/dv_i = (T(v + e_i) - T(v - e_i)) / 2.
+        Eigen::Matrix<rate, Coordinates, 1> along, w = detail::constants<rate>(v);
+        for (int i = 0; i < Coordinates; ++i) {
+            along[i].value() = q[i];
+            along[i].derivatives()[0] = v[i];
+        }
+        for (int i = 0; i < Coordinates; ++i) {
+            const rate speed = w[i];
+            w[i] = detail::constant<rate>(S(v[i] + S(1)));
+            const rate up = T_(along, w);
+            w[i] = detail::constant<rate>(S(v[i] - S(1)));
+            const rate down = T_(along, w);
+            w[i] = speed;
+            F[i] -= (up.derivatives()[0] - down.derivatives()[0]) / S(2);
+        }
+        if constexpr (!std::is_same_v<Forces, no_forces>) {
+            const vector<S> force = Q_(q, v, t);
+            F += force;
+        }
+        return F;
+    }
+
+    /// The gradient of the position constraints, or the matrix that was given.
+    template <class S>
+    Eigen::Matrix<S, Constraints, Coordinates> G(const vector<S>& q, const S& t) const {
+        if constexpr (of_position) {
+            using dual = dual_number<S, Coordinates>;
+            const auto g = constraint(detail::variables<dual>(q), detail::constant<dual>(t));
+            Eigen::Matrix<S, Constraints, Coordinates> G;
+            for (int k = 0; k < Constraints; ++k) G.row(k) = g[k].derivatives().transpose();
+            return G;
+        } else {
+            return constraint(q, t);
+        }
+    }
+
+    /// The position constraints.
+    template <class S>
+    multipliers<S> g(const vector<S>& q, const S& t) const requires(of_position) {
+        return constraint(q, t);
+    }
+    /// Their derivative by t.
+    template <class S>
+    multipliers<S> b(const vector<S>& q, const S& t) const requires(of_position&& moves) {
+        using rate = dual_number<S, 1>;
+        rate time = detail::constant<rate>(t);
+        time.derivatives()[0] = S(1);
+        const auto g = constraint(detail::constants<rate>(q), time);
+        multipliers<S> b;
+        for (int k = 0; k < Constraints; ++k) b[k] = g[k].derivatives()[0];
+        return b;
+    }
+
+    template <class S>
+    S potential(const vector<S>& q) const {
+        return V_(q);
+    }
+
+  private:
+    template <class S>
+    static vector<S> unit(int i) {
+        vector<S> e = vector<S>::Constant(S(0));
+        e[i] = S(1);
+        return e;
+    }
+    template <class S>
+    Eigen::Matrix<S, Constraints, of_position ? 1 : Coordinates> constraint(
+        const vector<S>& q, [[maybe_unused]] const S& t) const {
+        const auto value = [&] {
+            if constexpr (moves)
+                return constraint_(q, t);
+            else
+                return constraint_(q);
+        }();
+        if constexpr (std::is_convertible_v<decltype(value), S>)
+            return Eigen::Matrix<S, 1, 1>(S(value));
+        else
+            return value;
+    }
+
+    Kinetic T_;
+    Potential V_;
+    Constraint constraint_;
+    Forces Q_;
+};
+
+/// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
+/// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm(); }`).
+/// The constraint returns either a number or column of m position constraints, 0 = g, whose gradient is taken
+/// automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v. Q(q, v,
+/// t), if given, returns the generalised forces beside the potential: damping, drives, friction. The types of T
+/// and V are the model: no derivative is written by hand, so that none can be wrong.
+template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
+          class Forces = no_forces>
+auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
+    return lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>(
+        std::move(T), std::move(V), std::move(constraint), std::move(Q));
+}
+
+}  // namespace stagecraft

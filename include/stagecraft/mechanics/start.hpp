@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <stagecraft/mechanics/model.hpp>
+
+// What the formulations ask of initial values.
+
+namespace stagecraft {
+
+/// A mechanical model whose constraint is one of position: `g(q)` or `g(q, t)` (a template on the scalar) with
+/// 0 = g and G = dg/dq (and, where g depends on t, b = dg/dt). Its velocity constraint G v + b = 0 alone makes
+/// it a mechanical_model already.
+template <class Model>
+concept holonomic_model = mechanical_model<Model> &&(
+    requires(const Model& model, const coordinate_vector<double, Model>& q) {
+        { model.g(q) } -> std::convertible_to<multiplier_vector<double, Model>>;
+    } ||
+    requires(const Model& model, const coordinate_vector<double, Model>& q, double t) {
+        { model.g(q, t) } -> std::convertible_to<multiplier_vector<double, Model>>;
+    });
+
+/// g(q, t) or g(q), whichever the model has.
+template <class S, holonomic_model Model, class Time>
+multiplier_vector<S, Model> position_constraint(const Model& model, const coordinate_vector<S, Model>& q,
+                                                const Time& t) {
+    if constexpr (requires { model.g(q, S(t)); })
+        return model.g(q, S(t));
+    else
+        return model.g(q);
+}
+
+namespace detail {
+
+template <class Vector, class Scalar>
+void list_violations(std::ostringstream& text, const char* what, const Vector& r, const Scalar& allowed) {
+    using std::abs;
+    for (int i = 0; i < r.size(); ++i)
+        if (!(abs(r[i]) <= allowed)) text << "; " << what << " " << i << " is " << r[i];
+}
+
+/// Throws std::invalid_argument, with the size of each violation, unless q and v satisfy the constraints to
+/// rounding: 64 eps max|G| max(|v|, 1) for those of velocity, 64 eps max(|q|, 1) for those of position.
+template <class Model, class Scalar>
+void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
+                 const coordinate_vector<Scalar, Model>& v, const Scalar& t) {
+    const Scalar eps = Scalar(64) * Eigen::NumTraits<Scalar>::epsilon();
+    const auto at_least = [](const Scalar& size, double least) {
+        return size < Scalar(least) ? Scalar(least) : size;
+    };
+    std::ostringstream violated;
+    if constexpr (holonomic_model<Model>)
+        list_violations(violated, "position constraint", position_constraint<Scalar>(model, q, t),
+                        Scalar(eps * at_least(q.cwiseAbs().maxCoeff(), 1)));
+    const Scalar G = constraint_gradient<Scalar>(model, q, t).cwiseAbs().maxCoeff();
+    list_violations(violated, "velocity constraint", velocity_constraint<Scalar>(model, q, v, t),
+                    Scalar(eps * G * at_least(v.cwiseAbs().maxCoeff(), 1)));
+    if (const std::string text = violated.str(); !text.empty())
+        throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" + text);
+}
+
+}  // namespace detail
+
+}  // namespace stagecraft

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE lagrangian
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/mechanics/holonomic.hpp>
+#include <stagecraft/mechanics/lagrangian.hpp>
+
+#include "../../examples/rolling_disc/disc.hpp"
+#include "../../examples/thesis/any_problem.hpp"
+
+using namespace stagecraft;
+using wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
+                                           boost::multiprecision::et_off>;
+
+namespace {
+
+// The thin disc from its energies alone: the centre is at (x, y - R sin beta, R cos beta) in the frame turned
+// by alpha, the inertia about it m R^2 diag(1/4, 1/2, 1/4).
+template <class Real>
+auto disc_from_energies() {
+    const rolling_disc::disc<Real> body;
+    const auto T = [R = body.R, m = body.m](const auto& q, const auto& v) {
+        using std::cos;
+        using std::sin;
+        const auto s = sin(q[3]), c = cos(q[3]);
+        const auto vx = v[0] + v[2] * (R * s - q[1]), vy = v[1] - v[3] * R * c + v[2] * q[0],
+                   vz = v[3] * R * s;
+        const auto lean = v[3], turn = v[2] * c, spin = v[4] + v[2] * s;
+        return m * (vx * vx + vy * vy + vz * vz + R * R * (lean * lean + turn * turn + 2 * spin * spin) / 4) /
+               2;
+    };
+    const auto V = [body](const auto& q) {
+        using std::cos;
+        return body.m * body.g * body.R * cos(q[3]);
+    };
+    const auto rolling = [body](const auto& q) { return body.G(q.eval()); };
+    return lagrangian<5, 2>(T, V, rolling);
+}
+
+// One instantiation of the integrator for every formulation.
+template <class Problem>
+auto run(const Problem& problem, const Eigen::VectorXd& y0, double end, double tolerance = 1e-10) {
+    return integrate(radau_iia<3>(), thesis::erased(problem), y0, 0.0, end,
+                     {.rtol = tolerance, .atol = tolerance});
+}
+
+const auto free_particle = [](const auto&, const auto& v) { return 0.5 * v.squaredNorm(); };
+const auto weight = [](const auto& q) { return 9.81 * q[1]; };
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_rolling_disc_from_T_and_V_has_the_corrected_forces) {
+    const rolling_disc::disc<wide> body;
+    rolling_disc::disc<wide> printed;
+    printed.printed_force = true;
+    const auto model = disc_from_energies<wide>();
+    using vector = Eigen::Matrix<wide, 5, 1>;
+    for (int k = 1; k <= 5; ++k) {
+        vector q, v;
+        for (int i = 0; i < 5; ++i) {
+            q[i] = wide((7 * i + 3 * k) % 11 - 5) / 7;
+            v[i] = wide((5 * i + 2 * k) % 13 - 6) / 5;
+        }
+        BOOST_TEST((model.M(q) - body.M(q)).cwiseAbs().maxCoeff() < 1e-45);
+        BOOST_TEST((model.F(q, v, wide(0)) - body.F(q, v)).cwiseAbs().maxCoeff() < 1e-45);
+        BOOST_TEST((model.F(q, v, wide(0)) - printed.F(q, v)).cwiseAbs().maxCoeff() > 1e-3);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_from_T_and_V_is_the_run_of_the_written_model) {
+    const auto written = index_2(rolling_disc::disc<>());
+    const auto derived = index_2(disc_from_energies<double>());
+    Eigen::Matrix<double, 5, 1> q, v;
+    q << 0, 0, 0, 0.3, 0;
+    v << 0.2, 0, 0.5, 0.1, 2;
+    const auto y0 = derived.initial_state(q, v);
+    BOOST_TEST((y0 - written.initial_state(q, v)).cwiseAbs().maxCoeff() < 1e-13);
+    const auto a = run(written, y0, 0.5, 1e-9), b = run(derived, y0, 0.5, 1e-9);
+    BOOST_TEST(b.ok());
+    BOOST_TEST(a.report.steps == b.report.steps);
+    BOOST_TEST((a.y - b.y).head(10).cwiseAbs().maxCoeff() < 1e-9);        // the tolerance
+    BOOST_TEST((a.y - b.y).tail(2).cwiseAbs().maxCoeff() < 1e-9 / 1e-3);  // over the step size
+}
+
+// A pendulum in Cartesian coordinates against the same in its angle, in every formulation.
+BOOST_AUTO_TEST_CASE(position_constraints_give_every_formulation_of_the_pendulum) {
+    const auto pendulum =
+        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() - 1) / 2; });
+    const auto angle = [](double, const Eigen::VectorXd& y, Eigen::VectorXd& f) {
+        f << y[1], -9.81 * std::sin(y[0]);
+    };
+    const Eigen::VectorXd reference = [&] {
+        Eigen::VectorXd start(2);
+        start << 1.2, 0;
+        return integrate(radau_iia<3>(), angle, start, 0.0, 2.0, {.rtol = 1e-12, .atol = 1e-12}).y;
+    }();
+    const Eigen::Vector2d q0(std::sin(1.2), -std::cos(1.2)), v0(0, 0),
+        end(std::sin(reference[0]), -std::cos(reference[0]));
+    const double tension = reference[1] * reference[1] + 9.81 * std::cos(reference[0]);  // lambda
+    const auto check = [&]<class Problem>(const Problem& problem, double allowed) {
+        const auto r = run(problem, problem.initial_state(q0, v0), 2.0);
+        BOOST_TEST(r.ok());
+        BOOST_TEST((r.y.head(2) - end).norm() < allowed);
+        if constexpr (requires { problem.multiplier(Eigen::Matrix<double, Problem::size, 1>()); })
+            BOOST_TEST(std::abs(problem.multiplier(Eigen::Matrix<double, Problem::size, 1>(r.y))[0] -
+                                tension) < 1e4 * allowed);
+    };
+    check(index_2(pendulum), 1e-7);
+    check(index_3(pendulum), 1e-7);
+    check(stabilised_index_2(pendulum), 1e-7);
+    check(index_reduced(pendulum), 1e-7);
+    check(baumgarte(pendulum, 5.0, 5.0), 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(baumgarte_damps_a_violation_by_its_own_equation) {
+    const auto pendulum =
+        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() - 1) / 2; });
+    const double alpha = 3, beta = 3, t = 1;
+    Eigen::Vector4d y0(0.9, -0.5, 0.3, 0.2);  // g and g' are not zero: g'' + 6 g' + 9 g = 0 from there
+    const double g0 = (y0.head<2>().squaredNorm() - 1) / 2, rate = y0.head<2>().dot(y0.tail<2>());
+    const auto r = run(baumgarte(pendulum, alpha, beta), y0, t);
+    const double expected = std::exp(-alpha * t) * (g0 + (rate + alpha * g0) * t);
+    BOOST_TEST(std::abs((r.y.head(2).squaredNorm() - 1) / 2 - expected) < 1e-8);
+    BOOST_TEST(std::abs(expected) > 1e-3);
+    BOOST_CHECK_THROW(baumgarte(pendulum, -1.0, 1.0), std::invalid_argument);
+}
+
+// A bead on a straight wire that turns with speed w: r'' = w^2 r, and the wire pushes with 2 w r'.
+BOOST_AUTO_TEST_CASE(moving_constraints_do_work) {
+    const double w = 1.5;
+    const auto bead = lagrangian<2, 1>(
+        free_particle, [](const auto& q) { return 0 * q[0]; },
+        [w](const auto& q, const auto& t) {
+            using std::cos;
+            using std::sin;
+            return q[1] * cos(w * t) - q[0] * sin(w * t);
+        });
+    const Eigen::Vector2d q0(1, 0), v0(0, w);
+    const double t = 1, r1 = std::cosh(w * t), speed = w * std::sinh(w * t);
+    const Eigen::Vector2d end(r1 * std::cos(w * t), r1 * std::sin(w * t));
+    const auto check = [&]<class Problem>(const Problem& problem) {
+        const auto r = run(problem, problem.initial_state(q0, v0), t);
+        BOOST_TEST(r.ok());
+        BOOST_TEST((r.y.head(2) - end).norm() < 1e-8);
+        if constexpr (requires { problem.multiplier(Eigen::Matrix<double, Problem::size, 1>()); })
+            BOOST_TEST(std::abs(problem.multiplier(Eigen::Matrix<double, Problem::size, 1>(r.y))[0] +
+                                2 * w * speed) < 1e-4);
+    };
+    check(index_2(bead));
+    check(index_3(bead));
+    check(stabilised_index_2(bead));
+    check(index_reduced(bead));
+    check(baumgarte(bead, 5.0, 5.0));
+}
+
+namespace {
+
+// A ball on a turntable (affine constraint): its centre moves on a circle with 2/7 of the table's speed
+// (Earnshaw 1844; Bloch, Nonholonomic Mechanics and Control).
+struct ball {
+    static constexpr int coordinates = 5, constraints = 2;
+    double R = 1, speed = 7;
+    template <class S>
+    Eigen::Matrix<S, 5, 5> M(const Eigen::Matrix<S, 5, 1>&) const {
+        Eigen::Matrix<S, 5, 1> d;
+        d << 1, 1, 0.4 * R * R, 0.4 * R * R, 0.4 * R * R;
+        return d.asDiagonal();
+    }
+    template <class S>
+    Eigen::Matrix<S, 5, 1> F(const Eigen::Matrix<S, 5, 1>&, const Eigen::Matrix<S, 5, 1>&) const {
+        return Eigen::Matrix<S, 5, 1>::Constant(S(0));
+    }
+    template <class S>
+    Eigen::Matrix<S, 2, 5> G(const Eigen::Matrix<S, 5, 1>&) const {
+        Eigen::Matrix<S, 2, 5> G;
+        G << 1, 0, 0, -R, 0, 0, 1, R, 0, 0;
+        return G;
+    }
+    template <class S>
+    Eigen::Matrix<S, 2, 1> b(const Eigen::Matrix<S, 5, 1>& q) const {
+        return Eigen::Matrix<S, 2, 1>(speed * q[1], -speed * q[0]);
+    }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_ball_on_a_turntable_circles_with_two_sevenths_of_its_speed) {
+    Eigen::Matrix<double, 5, 1> q, v;
+    q << 1, 0, 0, 0, 0;
+    v << 0, 2, (7.0 - 2), 0, 0;  // contact at rest on the table: v_y + R w_x = speed x
+    const auto dae = index_2(ball());
+    const auto r = run(dae, dae.initial_state(q, v), 1);
+    BOOST_TEST(r.ok());  // centre: v = (2/7) speed rot (x - c), c = 0 here
+    BOOST_TEST((r.y.head(2) - Eigen::Vector2d(std::cos(2.0), std::sin(2.0))).norm() < 1e-8);
+    Eigen::Matrix<double, 5, 1> slipping = v;
+    slipping[1] = 2.5;
+    BOOST_CHECK_EXCEPTION(dae.initial_state(q, slipping), std::invalid_argument, [](const auto& e) {
+        return std::string(e.what()).find("velocity constraint 1 is 0.5") != std::string::npos;
+    });
+}
