@@ -3,7 +3,18 @@
 
 namespace stagecraft {
 
-/// What a run cost: plain counts, filled by every integrator.
+/// Where a run had its Jacobian from; none where no stage is implicit.
+enum class jacobian_source { none, member, automatic_differentiation, differences };
+
+/// The optional members that a run found in its problem (problem/capabilities.hpp); one that is misspelt is
+/// false here.
+struct found_capabilities {
+    jacobian_source jacobian = jacobian_source::none;
+    bool mass = false, index = false, constant_jacobian = false, second_order_components = false,
+         bandwidth = false, sparsity = false, linear_solver = false, measure = false;
+};
+
+/// What a run cost, and what it was told: plain counts, filled by every integrator.
 /// `steps` counts accepted steps; an attempt that is repeated counts once in `rejected_error` (error test, or
 /// growth that the step would pass over, stages/growth.hpp) or
 /// `rejected_newton` (stage equations not solved, singular matrix or non-finite values).
@@ -26,9 +37,19 @@ struct report {
     Scalar largest_step = Scalar(0);
     int largest_stages = 0;  ///< largest and smallest number of stages used by an accepted step
     int smallest_stages = 0;
+    found_capabilities found{};
+    Scalar rtol = Scalar(0), atol = Scalar(0);  ///< of the options; atol is 0 where it was given by component
+    bool default_atol = false;                  ///< atol is that of options nobody has set
 
     long rejected() const { return rejected_error + rejected_newton; }
 
+    /// Takes in the tolerances of the options.
+    template <class Options>
+    void set_tolerances(const Options& o) {
+        rtol = o.rtol;
+        atol = o.atol_components.size() > 0 ? Scalar(0) : o.atol;
+        default_atol = atol == Options{}.atol;
+    }
     /// Takes in an accepted step of magnitude h by a method of so many stages.
     void count_step(const Scalar& h, int stages) {
         if (steps == 0 || h < smallest_step) smallest_step = h;

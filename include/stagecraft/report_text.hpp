@@ -3,6 +3,7 @@
 
 #include <iomanip>
 #include <ostream>
+#include <utility>
 
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/problem/time_split.hpp>
@@ -53,7 +54,29 @@ class stream_format {
 
 }  // namespace detail
 
-/// Prints what a run cost, one line per kind of work.
+/// The optional members found, in a line: a misspelt one is missing there.
+inline void print(std::ostream& out, const found_capabilities& found) {
+    const char* separator = "";
+    const auto name = [&](bool there, const char* what) {
+        if (there) out << std::exchange(separator, ", ") << what;
+    };
+    name(true, "f");
+    name(found.jacobian == jacobian_source::member, "jacobian");
+    name(found.mass, "mass");
+    name(found.index, "index");
+    name(found.constant_jacobian, "constant_jacobian");
+    name(found.second_order_components, "second_order_components");
+    name(found.bandwidth, "bandwidth");
+    name(found.sparsity, "sparsity");
+    name(found.linear_solver, "linear_solver");
+    name(found.measure, "measure");
+    if (found.jacobian == jacobian_source::automatic_differentiation)
+        out << "; Jacobian by automatic differentiation";
+    if (found.jacobian == jacobian_source::differences) out << "; Jacobian by finite differences";
+    out << '\n';
+}
+
+/// Prints what a run was told and what it cost, one line per kind of work.
 template <class Scalar>
 std::ostream& print(std::ostream& out, const report<Scalar>& r) {
     const detail::stream_format kept(out);
@@ -61,6 +84,17 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
         return out << std::left << std::setw(16) << what << std::right << std::setw(10);
     };
     out << std::defaultfloat << std::setprecision(3);
+    if (r.rtol > Scalar(0)) {  // a report that a run has filled
+        out << std::left << std::setw(16) << "problem";
+        print(out, r.found);
+        out << std::setw(16) << "tolerances"
+            << "rtol " << r.rtol;
+        if (r.atol > Scalar(0)) out << ", atol " << r.atol;
+        if (r.atol == Scalar(0)) out << ", atol by component";
+        if (r.default_atol && r.rtol < r.atol)
+            out << " (the default: it rules where |y| < " << r.atol / r.rtol << ')';
+        out << '\n';
+    }
     line("steps") << r.steps << "  from " << r.smallest_step << " to " << r.largest_step << ", "
                   << r.smallest_stages;
     if (r.largest_stages != r.smallest_stages) out << " to " << r.largest_stages;

@@ -15,15 +15,19 @@ struct rotation {
     }
 };
 template <derivatives Known>
-struct invariants {
+struct invariants_alone {
     template <class S>
     requires(Known == derivatives::automatic || std::is_same_v<S, double>) void operator()(
         double, const Eigen::Matrix<S, Eigen::Dynamic, 1>& y, Eigen::Matrix<S, 2, 1>& g) const {
         g[0] = y[0] * y[0] + y[1] * y[1] - 1.0;
         g[1] = y[2] + y[3] - 1.0;
     }
-    void jacobian(double, const Eigen::VectorXd& y, Eigen::Matrix<double, 2, Eigen::Dynamic>& G) const
-        requires(Known == derivatives::own) {
+};
+template <derivatives Known>
+struct invariants : invariants_alone<Known> {};
+template <>
+struct invariants<derivatives::own> : invariants_alone<derivatives::own> {
+    void jacobian(double, const Eigen::VectorXd& y, Eigen::Matrix<double, 2, Eigen::Dynamic>& G) const {
         G << 2 * y[0], 2 * y[1], 0, 0, 0, 0, 1, 1;
     }
 };

@@ -13,7 +13,7 @@ namespace {
 // The index-2 problem of HLR89 (or, with five components of them, Jay's of index 3) followed by components
 // that decay.
 template <derivatives Known, int Index>
-struct padded {
+struct padded_alone {
     static constexpr int core = Index == 2 ? 3 : 5;
     int size;
 
@@ -30,14 +30,6 @@ struct padded {
         for (int i = 0; i < core; ++i) f[i] = out[i];
         for (int i = core; i < size; ++i) f[i] = -x[i];
     }
-    void jacobian(double, const Eigen::VectorXd& x, Eigen::MatrixXd& J) const
-        requires(Known == derivatives::own) {
-        J.setZero();
-        J.diagonal().setConstant(-1);
-        J.topLeftCorner<3, 3>() << x[1] * x[1] * x[2] * x[2], 2 * x[0] * x[1] * x[2] * x[2],
-            2 * x[0] * x[1] * x[1] * x[2], 2 * x[0] * x[1] * x[1], 2 * x[0] * x[0] * x[1] - 6 * x[1] * x[2],
-            -3 * x[1] * x[1], 2 * x[0] * x[1], x[0] * x[0], 0;
-    }
     Eigen::DiagonalMatrix<double, Eigen::Dynamic> mass() const {
         Eigen::DiagonalMatrix<double, Eigen::Dynamic> m(size);
         for (int i = 0; i < size; ++i) m.diagonal()[i] = i == core - 1 ? 0 : 1;
@@ -48,6 +40,18 @@ struct padded {
         if (Index == 3) flags[2] = flags[3] = 2;
         flags[core - 1] = Index;
         return flags;
+    }
+};
+template <derivatives Known, int Index>
+struct padded : padded_alone<Known, Index> {};
+template <int Index>
+struct padded<derivatives::own, Index> : padded_alone<derivatives::own, Index> {
+    void jacobian(double, const Eigen::VectorXd& x, Eigen::MatrixXd& J) const {
+        J.setZero();
+        J.diagonal().setConstant(-1);
+        J.topLeftCorner<3, 3>() << x[1] * x[1] * x[2] * x[2], 2 * x[0] * x[1] * x[2] * x[2],
+            2 * x[0] * x[1] * x[1] * x[2], 2 * x[0] * x[1] * x[1], 2 * x[0] * x[0] * x[1] - 6 * x[1] * x[2],
+            -3 * x[1] * x[1], 2 * x[0] * x[1], x[0] * x[0], 0;
     }
 };
 

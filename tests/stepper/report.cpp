@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE report
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <sstream>
@@ -134,6 +135,27 @@ BOOST_AUTO_TEST_CASE(a_report_is_printed_with_the_reason) {
                "solves            6.25e-02 s    6.2 %\n"
                "rest              6.25e-02 s    6.2 %\n"
                "total             1.00e+00 s  100.0 %\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_report_names_the_members_that_were_found_and_the_tolerances) {
+    struct problem : by_differences {
+        std::array<int, 2> index() const { return {1, 1}; }
+        Eigen::Matrix2d mas() const { return Eigen::Matrix2d::Identity(); }  // misspelt
+    };
+    const auto lines = [](const auto& p, const auto& method, const sc::options<double>& o) {
+        std::ostringstream text;
+        sc::print(text, sc::integrate(method, p, Vector2d(2, -0.66), 0, 1e-5, o).report);
+        return text.str().substr(0, text.str().find("\nsteps") + 1);
+    };
+    BOOST_TEST(lines(problem{}, sc::radau_iia<3>(), {.rtol = 1e-9}) ==
+               "problem         f, index; Jacobian by finite differences\n"
+               "tolerances      rtol 1e-09, atol 1e-06 (the default: it rules where |y| < 1e+03)\n");
+    BOOST_TEST(lines(van_der_pol{}, sc::radau_iia<3>(), {.rtol = 1e-7, .atol = 1e-7}) ==
+               "problem         f; Jacobian by automatic differentiation\n"
+               "tolerances      rtol 1e-07, atol 1e-07\n");
+    BOOST_TEST(lines(van_der_pol{}, methods::sdirk_4_3(), {.atol_components = Vector2d(1e-3, 1e-6)}) ==
+               "problem         f; Jacobian by automatic differentiation\n"
+               "tolerances      rtol 1e-06, atol by component\n");
 }
 
 BOOST_AUTO_TEST_CASE(every_status_has_a_name_and_a_reason) {

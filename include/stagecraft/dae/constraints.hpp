@@ -13,6 +13,7 @@
 #include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/make_mass.hpp>
+#include <stagecraft/problem/unwritten.hpp>
 
 namespace stagecraft {
 
@@ -254,7 +255,10 @@ class constraint_system {
         return sqrt(root());
     }
 
-    void evaluate(const scalar& t, const Vector& x, Vector& f) { problem_(t, x, f); }
+    void evaluate(const scalar& t, const Vector& x, Vector& f) {
+        expect_written(f);
+        problem_(t, x, f);
+    }
 
     /// J = f_x at (t, x), where f is known.
     void differentiate(const scalar& t, const Vector& x, const Vector& f, kept_matrix& J) {
@@ -262,9 +266,10 @@ class constraint_system {
         if constexpr (generic) {
             engine_(problem_, t, x, f, J);
         } else if constexpr (has_jacobian<Problem, Vector, square> && std::is_same_v<square, kept_matrix>) {
+            J.setZero(n_, n_);
             problem_.jacobian(t, x, J);
         } else if constexpr (has_jacobian<Problem, Vector, square>) {
-            square own;
+            square own = square::Zero(n_, n_);
             problem_.jacobian(t, x, own);
             J = own;
         } else {

@@ -12,6 +12,7 @@
 #include <stagecraft/dae/constraint_newton.hpp>
 #include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
+#include <stagecraft/problem/checked_capabilities.hpp>
 
 namespace stagecraft {
 
@@ -126,7 +127,12 @@ class projection_onto_equations {
         using number = dual<Scalar, N>;
         using values = Eigen::Matrix<number, M, 1>;
         const int n = static_cast<int>(y.size());
-        if constexpr (requires { g_.jacobian(t, y, G); }) {
+        constexpr bool analytic = requires { g_.jacobian(t, y, G); };
+        static_assert(
+            analytic || !detail::has_member_named<Constraint, detail::jacobian_member>,
+            "projection_onto: g.jacobian must be callable as g.jacobian(t, y, G), G of M rows and as "
+            "many columns as y");
+        if constexpr (analytic) {
             g_.jacobian(t, y, G);
         } else if constexpr (
             requires(const dual_vector<Scalar, N>& x, values& r) { g_(t, x, r); } ||

@@ -9,6 +9,7 @@
 
 #include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
+#include <stagecraft/named_member.hpp>
 
 namespace stagecraft {
 
@@ -90,6 +91,64 @@ concept names_singular_positions = requires(const Model& m, const coordinate_vec
     { Model::singular_position } -> std::convertible_to<std::string>;
 };
 
+namespace detail {
+
+struct solve_mass_member {
+    int solve_mass;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::solve_mass;
+    };
+};
+struct constraint_rate_member {
+    int G_rate;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::G_rate;
+    };
+};
+struct potential_member {
+    int potential;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::potential;
+    };
+};
+struct singularity_member {
+    int singularity;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::singularity;
+    };
+};
+struct singular_position_member {
+    int singular_position;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::singular_position;
+    };
+};
+
+}  // namespace detail
+
+/// Refuses a Model with an optional member that is there by its name but cannot be used.
+template <class Model>
+struct checked_model {
+    template <class Name>
+    static constexpr bool absent = !detail::has_member_named<Model, Name>;
+
+    static_assert(absent<detail::solve_mass_member> || has_mass_solver<Model>,
+                  "model.solve_mass must be callable as solve_mass(q, r) on a const model, in any scalar");
+    static_assert(absent<detail::constraint_rate_member> || has_constraint_rate<Model>,
+                  "model.G_rate must be callable as G_rate(q, v) on a const model, in any scalar");
+    static_assert(absent<detail::potential_member> || has_potential<Model>,
+                  "model.potential must be callable as potential(q) on a const model, in any scalar");
+    static_assert((absent<detail::singularity_member> && absent<detail::singular_position_member>) ||
+                      names_singular_positions<Model>,
+                  "model.singularity must be callable as singularity(q) on a const model, and "
+                  "model.singular_position be a static string: give both or neither");
+};
+
 /// F(q, v) or F(q, v, t), whichever the model has.
 template <class S, class Model, class Time>
 coordinate_vector<S, Model> force(const Model& model, const coordinate_vector<S, Model>& q,
@@ -134,7 +193,7 @@ multiplier_vector<S, Model> velocity_constraint(const Model& model, const coordi
 
 /// M(q)^-1 for one q: the model's closed form, or one factorisation at construction.
 template <class S, class Model>
-class mass_inverse {
+class mass_inverse : checked_model<Model> {
   public:
     mass_inverse(const Model& model, const coordinate_vector<S, Model>& q)
         : model_(model), q_(q), factors_(model, q) {}

@@ -4,11 +4,14 @@
 #include <concepts>
 #include <type_traits>
 
+#include <stagecraft/named_member.hpp>
+
 namespace stagecraft {
 
 /// The default observer: watches nothing and costs nothing.
 ///
-/// What an observer may have, each used only where it is there:
+/// What an observer may have, each used where it is there (and refused by the compiler where a member of the
+/// name cannot be called like this):
 ///   observer(t, y, h, output), (t, y, h) or (t, y), called after every accepted step; false ends the run,
 ///   observer.start(t0, y0, t1), called before the first step; what it throws leaves integrate(),
 ///   observer.correct(t, y), called before it after every accepted step: may change y and then returns true,
@@ -19,6 +22,28 @@ struct no_observer {};
 
 namespace detail {
 
+struct start_member {
+    int start;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::start;
+    };
+};
+struct correct_member {
+    int correct;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::correct;
+    };
+};
+struct conclude_member {
+    int conclude;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::conclude;
+    };
+};
+
 /// True if the observer is called with the continuous solution.
 template <class Observer, class Vector, class Output>
 inline constexpr bool asks_for_output =
@@ -28,7 +53,12 @@ inline constexpr bool asks_for_output =
 template <class Observer, class Scalar, class Vector>
 void announce([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t0,
               [[maybe_unused]] const Vector& y0, [[maybe_unused]] const Scalar& t1) {
-    if constexpr (requires { observer.start(t0, y0, t1); }) observer.start(t0, y0, t1);
+    constexpr bool callable = requires { observer.start(t0, y0, t1); };
+    static_assert(
+        callable || !has_member_named<Observer, start_member>,
+        "observer.start must be callable as start(t0, y0, t1), the scalars and the state by value or "
+        "const reference, and on a const observer where it is given as const");
+    if constexpr (callable) observer.start(t0, y0, t1);
 }
 
 /// Calls observer(t, y, h, output), observer(t, y, h) or observer(t, y), whichever exists; true means go on.
@@ -58,18 +88,37 @@ concept correcting_observer = requires(Observer& observer, const Scalar& t, Vect
     { observer.correct(t, y) } -> std::convertible_to<bool>;
 };
 
+/// Lets the observer correct y; true if it did.
+template <class Observer, class Scalar, class Vector>
+bool correct_state([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t,
+                   [[maybe_unused]] Vector& y) {
+    constexpr bool callable = correcting_observer<Observer, Scalar, Vector>;
+    static_assert(
+        callable || !has_member_named<Observer, correct_member>,
+        "observer.correct must be callable as correct(t, y), y a reference to the state, and return "
+        "true where it has changed y, else false");
+    if constexpr (callable)
+        return observer.correct(t, y);
+    else
+        return false;
+}
+
 /// Lets the observer correct the state of the run, in y.
 template <class Observer, class Run, class Vector>
 void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[maybe_unused]] Vector& y) {
-    if constexpr (correcting_observer<Observer, typename Vector::Scalar, Vector>) {
+    if constexpr (has_member_named<Observer, correct_member> ||
+                  correcting_observer<Observer, typename Vector::Scalar, Vector>) {
         y = run.y();
-        if (observer.correct(run.t(), y)) run.replace_state(y);
+        if (correct_state(observer, run.t(), y)) run.replace_state(y);
     }
 }
 
 template <class Observer, class Result>
 void conclude([[maybe_unused]] Observer& observer, [[maybe_unused]] Result& result) {
-    if constexpr (requires { observer.conclude(result); }) observer.conclude(result);
+    constexpr bool callable = requires { observer.conclude(result); };
+    static_assert(callable || !has_member_named<Observer, conclude_member>,
+                  "observer.conclude must be callable as conclude(result) with the result of the run");
+    if constexpr (callable) observer.conclude(result);
 }
 
 }  // namespace detail

@@ -2,15 +2,36 @@
 #pragma once
 
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <stagecraft/observe/observer.hpp>
 
 namespace stagecraft {
 
+namespace detail {
+
+/// A member correct(t, y) for a List of observers of which one has that.
+template <class List, bool Exists>
+struct optional_correction {};
+template <class List>
+struct optional_correction<List, true> {
+    template <class Scalar, class Vector>
+    bool correct(const Scalar& t, Vector& y) {
+        return static_cast<List&>(*this).correct_all(t, y);
+    }
+};
+
+}  // namespace detail
+
 /// Several observers as one; made by observers().
 template <class... Observers>
-class observer_list {
+class observer_list
+    : public detail::optional_correction<
+          observer_list<Observers...>,
+          ((detail::has_member_named<std::remove_reference_t<Observers>, detail::correct_member> ||
+            std::is_final_v<std::remove_reference_t<Observers>>) ||
+           ...)> {
   public:
     explicit observer_list(Observers&&... o) : list_(std::forward<Observers>(o)...) {}
 
@@ -24,15 +45,11 @@ class observer_list {
         each([&](auto& o) { go_on = detail::observe(o, t, y, h, output) && go_on; });
         return go_on;
     }
-    /// One correction after the other, where an observer makes any.
+    /// One correction after the other, as correct(t, y) where an observer makes any.
     template <class Scalar, class Vector>
-    requires(detail::correcting_observer<Observers, Scalar, Vector> || ...) bool correct(const Scalar& t,
-                                                                                         Vector& y) {
+    bool correct_all(const Scalar& t, Vector& y) {
         bool changed = false;
-        each([&](auto& o) {
-            if constexpr (detail::correcting_observer<decltype(o), Scalar, Vector>)
-                changed = o.correct(t, y) || changed;
-        });
+        each([&](auto& o) { changed = detail::correct_state(o, t, y) || changed; });
         return changed;
     }
     /// Asked again as long as one of them shortens the run, so that all end at the same t in whatever order.

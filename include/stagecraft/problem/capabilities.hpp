@@ -12,14 +12,21 @@
 namespace stagecraft {
 
 /// The one thing a problem must bring: `problem(t, y, f)` writes f(t, y) into f, which arrives with the size
-/// of y. M y' = f(t, y), M the identity unless the problem has a member `mass()`.
+/// of y and must be written in every component: nothing is promised of what it holds before (NaN in builds with
+/// assertions, problem/unwritten.hpp). M y' = f(t, y), M the identity unless the problem has a member `mass()`.
+///
+/// All else is optional, found by its name. A member of that name that cannot be used as said here does not
+/// compile (problem/checked_capabilities.hpp), nor does one with an unmet requires-clause: a member that is to
+/// be there on a condition belongs into a base class that is chosen. One whose name is misspelt is not found, and missing among what
+/// print(out, result) says was found (report_text.hpp).
 template <class Problem, class Vector>
 concept right_hand_side = Eigen::MatrixBase<Vector>::ColsAtCompileTime == 1 &&
                           requires(Problem& p, const typename Vector::Scalar& t, const Vector& y, Vector& f) {
     p(t, y, f);
 };
 
-/// Optional: `problem.jacobian(t, y, J)` writes df/dy into J.
+/// Optional: `problem.jacobian(t, y, J)` writes df/dy into J, which is zero the first time and then what was
+/// last written: entries that are always zero need not be written.
 template <class Problem, class Vector, class Matrix>
 concept has_jacobian = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y, Matrix& J) {
     p.jacobian(t, y, J);
@@ -54,7 +61,8 @@ concept has_linear_solver = requires {
 /// banded_matrix), singular allowed. With bandwidth() it must lie within that band.
 template <class Problem>
 concept has_mass = requires(Problem& p) {
-    p.mass();
+    p.mass().rows();
+    p.mass().cols();
 };
 
 /// Optional: `problem.index()` returns something indexable with size(): the differentiation index 1, 2 or 3
@@ -79,7 +87,7 @@ concept has_constant_jacobian = requires(Problem& p) {
 /// rows and columns. Eigen::Dynamic stands for n/2. With a dense J matrices of size n - m are factored.
 template <class Problem>
 concept has_second_order_components = requires {
-    { Problem::second_order_components } -> std::convertible_to<int>;
+    typename std::integral_constant<int, Problem::second_order_components>;
 };
 /// That m for a state of n components.
 template <has_second_order_components Problem>

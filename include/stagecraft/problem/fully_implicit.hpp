@@ -35,9 +35,13 @@ concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix
 /// shift F_v + F_y, because y is eliminated by y' = v. Made by `fully_implicit`; N is n, or -1 where it is
 /// known at run time.
 template <int N, class F>
-class fully_implicit_problem {
+class fully_implicit_problem : public detail::optional_jacobian<fully_implicit_problem<N, F>,
+                                                                detail::implicit_jacobian<F, double, N>> {
     static_assert(detail::implicit_equations<F, double, double, N>,
                   "fully_implicit: F must be callable as F(t, y, v, out) with v for y'");
+    static_assert(
+        !detail::has_member_named<F, detail::jacobian_member> || detail::implicit_jacobian<F, double, N>,
+        "fully_implicit: F.jacobian must be callable as F.jacobian(t, y, v, F_y, F_v) on a const F");
     using sizes = part_sizes<N, N>;
 
   public:
@@ -69,10 +73,10 @@ class fully_implicit_problem {
         evaluate(t, x, parts, out);
     }
 
-    /// Exists where F brings its derivatives, F.jacobian(t, y, v, F_y, F_v), into blocks that arrive zero.
+    /// The derivative of (v; F), as jacobian(t, x, J) where F brings its own: F.jacobian(t, y, v, F_y, F_v),
+    /// into blocks that arrive zero.
     template <class S, class Matrix>
-    requires detail::implicit_jacobian<F, S, N>
-    void jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
+    void write_jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
         const int n = parts_.first();
         const part_vector<S> y = x.head(n), v = x.tail(n);
         Eigen::Matrix<S, N, N> F_y(n, n), F_v(n, n);
@@ -121,6 +125,7 @@ class fully_implicit_problem {
             throw std::invalid_argument("fully_implicit: the state must have 2 n components");
         parts.a = x.head(n);
         parts.b = x.tail(n);
+        expect_written(parts.g);
         f_(t, parts.a, parts.b, parts.g);
         if (parts.g.size() != n)
             throw std::invalid_argument("fully_implicit: F must keep the size n of its output");

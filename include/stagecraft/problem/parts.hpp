@@ -8,6 +8,8 @@
 #include <type_traits>
 
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/problem/unwritten.hpp>
 
 namespace stagecraft {
 
@@ -72,6 +74,18 @@ class part_storage {
     }
     int first_, second_;
     [[no_unique_address]] kept kept_;
+};
+
+/// A member jacobian(t, x, J) for a Problem that can write one (then write_jacobian(t, x, J) does), and none for
+/// others, so that a jacobian is found by its name only where there is one.
+template <class Problem, bool Exists>
+struct optional_jacobian {};
+template <class Problem>
+struct optional_jacobian<Problem, true> {
+    template <class S, class State, class Matrix>
+    void jacobian(const S& t, const State& x, Matrix& J) const {
+        static_cast<const Problem&>(*this).write_jacobian(t, x, J);
+    }
 };
 
 template <class Dual, class S>

@@ -72,7 +72,10 @@ concept constraint_jacobian =
 /// in the state (y; z), M = diag(I, 0), ready for `integrate`. The form of g decides the index, and with it
 /// the flags of z. Made by `semi_explicit`; Sizes is a part_sizes<n, m>.
 template <class Sizes, class F, class G>
-class semi_explicit_problem {
+class semi_explicit_problem
+    : public detail::optional_jacobian<semi_explicit_problem<Sizes, F, G>,
+                                       detail::differential_jacobian<F, double, Sizes> ||
+                                           detail::constraint_jacobian<G, double, Sizes>> {
     static constexpr bool sees_z = detail::constraint_with_z<G, double, double, Sizes>;
     static_assert(detail::differential_equations<F, double, double, Sizes>,
                   "semi_explicit: f must be callable as f(t, y, z, out)");
@@ -80,6 +83,14 @@ class semi_explicit_problem {
                   "semi_explicit: g must be callable as g(t, y, out) or g(t, y, z, out)");
     static_assert(!(sees_z && detail::constraint_without_z<G, double, double, Sizes>),
                   "semi_explicit: g must be callable in one of its two forms, not in both");
+
+    static_assert(!detail::has_member_named<F, detail::jacobian_member> ||
+                      detail::differential_jacobian<F, double, Sizes>,
+                  "semi_explicit: f.jacobian must be callable as f.jacobian(t, y, z, f_y, f_z) on a const f");
+    static_assert(!detail::has_member_named<G, detail::jacobian_member> ||
+                      detail::constraint_jacobian<G, double, Sizes>,
+                  "semi_explicit: g.jacobian must be callable as g.jacobian(t, y, g_y), or "
+                  "g.jacobian(t, y, z, g_y, g_z) where g sees z, on a const g");
 
     template <class T, class S>
     static constexpr bool callable =
@@ -110,11 +121,11 @@ class semi_explicit_problem {
         evaluate(t, x, parts, out);
     }
 
-    /// Exists where f or g brings its derivatives: f.jacobian(t, y, z, f_y, f_z), g.jacobian(t, y, g_y) or
-    /// g.jacobian(t, y, z, g_y, g_z), into blocks that arrive zero. The other one is differentiated
-    /// automatically and must be generic.
+    /// The derivative of (f; g), as jacobian(t, x, J) where f or g brings its own: f.jacobian(t, y, z, f_y, f_z),
+    /// g.jacobian(t, y, g_y) or g.jacobian(t, y, z, g_y, g_z), into blocks that arrive zero. The other one is
+    /// differentiated automatically and must be generic.
     template <class S, class Matrix>
-    requires(analytic_f || analytic_g) void jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
+    void write_jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
         const int n = parts_.first(), m = parts_.second();
         using number = dual<S, size>;
         const Eigen::Matrix<S, Sizes::first, 1> y = x.head(n);
@@ -218,6 +229,8 @@ class semi_explicit_problem {
             throw std::invalid_argument("semi_explicit: the state must have n + m components");
         parts.a = x.head(n);
         parts.b = x.tail(m);
+        expect_written(parts.f);
+        expect_written(parts.g);
         f_(t, parts.a, parts.b, parts.f);
         constraint(t, parts.a, parts.b, parts.g);
         if (parts.f.size() != n || parts.g.size() != m)

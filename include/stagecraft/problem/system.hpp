@@ -10,7 +10,9 @@
 #include <stagecraft/jacobian/finite_difference.hpp>
 #include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/problem/capabilities.hpp>
+#include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/make_mass.hpp>
+#include <stagecraft/problem/unwritten.hpp>
 #include <stagecraft/report.hpp>
 
 namespace stagecraft {
@@ -73,7 +75,9 @@ struct blocks_for<Problem, Matrix> {
 /// A problem as the steppers see it: counted evaluations, the best Jacobian it can give (its own member, else
 /// automatic differentiation, else finite differences), the mass matrix, the index flags.
 template <class Problem, class Vector>
-class system {
+class system
+    : checked_capabilities<Problem, Vector,
+                           decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0))> {
   public:
     using scalar = typename Vector::Scalar;
     static constexpr int size_at_compile_time = Vector::RowsAtCompileTime;
@@ -94,6 +98,14 @@ class system {
           mass_(make_mass<scalar>(problem, n_)),
           engine_(size_at_compile_time == Eigen::Dynamic ? 0 : n_),
           J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
+        report_.found = {.mass = has_mass<Problem>,
+                         .index = has_index<Problem>,
+                         .constant_jacobian = has_constant_jacobian<Problem>,
+                         .second_order_components = has_second_order_components<Problem>,
+                         .bandwidth = has_bandwidth<Problem>,
+                         .sparsity = has_sparsity<Problem>,
+                         .linear_solver = has_linear_solver<Problem>,
+                         .measure = has_stopwatch<Problem>};
         if constexpr (has_bandwidth<Problem> && !mass_type::identity)
             for (const auto& e : mass_.entries())
                 if (!J_.in_band(e.row, e.column))
@@ -146,6 +158,9 @@ class system {
     /// Takes all storage that evaluate_jacobian() needs, n x n numbers where J is dense; to be called once
     /// before it. Without implicit stages nobody asks for it.
     void take_jacobian() {
+        report_.found.jacobian = analytic    ? jacobian_source::member
+                                 : automatic ? jacobian_source::automatic_differentiation
+                                             : jacobian_source::differences;
         if constexpr (size_at_compile_time == Eigen::Dynamic) engine_ = engine(n_);
         if constexpr (!structured) J_.setZero(n_, n_);
         if constexpr (structured && finite_difference) engine_.group(J_);
@@ -165,6 +180,7 @@ class system {
     /// f(t, y), counted.
     void operator()(const scalar& t, const Vector& y, Vector& f) {
         ++report_.f;
+        expect_written(f);
         measure(work::f, [&] { problem_(t, y, f); });
         if constexpr (size_at_compile_time == Eigen::Dynamic)
             if (f.size() != n_) throw size_change{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -22,9 +23,8 @@ struct rhs_with_jacobian : Rhs {
     rhs_with_jacobian(Rhs r, Jacobian jacobian) : Rhs(std::move(r)), j(std::move(jacobian)) {}
     using Rhs::operator();
     template <class T, class Y, class J>
-    void jacobian(const T& t, const Y& y, J& out) const {
-        j(t, y, out);
-    }
+    requires std::invocable<const Jacobian&, const T&, const Y&, J&>
+    void jacobian(const T& t, const Y& y, J& out) const { j(t, y, out); }
 };
 
 template <class Rhs, class Index>

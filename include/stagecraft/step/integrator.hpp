@@ -59,6 +59,7 @@ class integrator {
           keeps_output_(keeps_output) {
         validate(o, n_);
         validate_interval(y0, t0, t1);
+        report_.set_tolerances(o);
         f0_.setZero();
         set_weights(options_, y_, scale_);
         if (o.fixed_step > scalar(0)) {

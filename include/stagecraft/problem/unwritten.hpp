@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <limits>
+
+namespace stagecraft {
+
+/// To be called with the vector that a right-hand side is about to write. In builds with assertions (without
+/// NDEBUG) it fills the vector with NaN, so that a component which is never written ends the run with
+/// status::non_finite rather than with whatever was there before; in others it does nothing.
+template <class Vector>
+void expect_written([[maybe_unused]] Vector& f) {
+#ifndef NDEBUG
+    for (auto i = f.size(); i-- > 0;) f[i] = std::numeric_limits<typename Vector::Scalar>::quiet_NaN();
+#endif
+}
+
+}  // namespace stagecraft
