@@ -34,6 +34,15 @@ nodal_polynomial equidistant(int first, int last, int over) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(a_certificate_of_nothing_claims_nothing) {
+    const certificate nothing;
+    for (const claim& c : nothing.claims()) {
+        BOOST_TEST(!c.verdict.is_refuted());
+        BOOST_TEST(!c.verdict.is_proved());
+        BOOST_TEST(c.verdict.text() == "not examined");
+    }
+}
+
 BOOST_AUTO_TEST_CASE(gauss_has_order_2s) {
     for_all_members({family::gauss}, [](const certificate& c, int s) {
         BOOST_TEST(c.order == 2 * s);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <limits>
-
 namespace stagecraft {
 
 /// To be called with the vector that a right-hand side is about to write. In builds with assertions (without
@@ -11,7 +9,8 @@ namespace stagecraft {
 template <class Vector>
 void expect_written([[maybe_unused]] Vector& f) {
 #ifndef NDEBUG
-    for (auto i = f.size(); i-- > 0;) f[i] = std::numeric_limits<typename Vector::Scalar>::quiet_NaN();
+    const typename Vector::Scalar zero(0);  // of any kind of number, dual ones too
+    for (auto i = f.size(); i-- > 0;) f[i] = zero / zero;
 #endif
 }
 

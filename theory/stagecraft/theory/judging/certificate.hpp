@@ -38,14 +38,14 @@ struct certificate {
     tableaux::inertia weights;                     ///< signs of the weights b
     tableaux::inertia M;                           ///< inertia of the algebraic stability matrix
 
-    verdict order_verdict = verdict::refuted("not examined");
-    verdict a_stable = verdict::refuted("not examined");
-    verdict l_stable = verdict::refuted("not examined");
-    verdict algebraically_stable = verdict::refuted("not examined");
-    verdict b_stable = verdict::refuted("not examined");
-    verdict symplectic = verdict::refuted("not examined");
-    verdict symmetric = verdict::refuted("not examined");
-    verdict stiffly_accurate = verdict::refuted("not examined");
+    verdict order_verdict = verdict::unexamined();
+    verdict a_stable = verdict::unexamined();
+    verdict l_stable = verdict::unexamined();
+    verdict algebraically_stable = verdict::unexamined();
+    verdict b_stable = verdict::unexamined();
+    verdict symplectic = verdict::unexamined();
+    verdict symmetric = verdict::unexamined();
+    verdict stiffly_accurate = verdict::unexamined();
     std::vector<claim> others;  ///< nodes, B, C, D, R, error constant, inertias
 
     /// The proved properties as the plain data that a tableau carries.

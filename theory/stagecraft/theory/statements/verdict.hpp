@@ -8,14 +8,26 @@
 namespace stagecraft::theory {
 
 /// What is known of a statement. Only exact arithmetic proves or refutes an equality; an enclosure refutes
-/// equalities and decides inequalities; whatever is left is consistent, never "true up to a tolerance".
-enum class standing { proved, refuted, consistent };
+/// equalities and decides inequalities; whatever is left is consistent, never "true up to a tolerance". A
+/// statement that nobody has looked at is unexamined: it claims nothing.
+enum class standing { proved, refuted, consistent, unexamined };
 
 constexpr std::string_view name(standing s) {
-    return s == standing::proved ? "proved" : s == standing::refuted ? "refuted" : "consistent";
+    switch (s) {
+        case standing::proved:
+            return "proved";
+        case standing::refuted:
+            return "refuted";
+        case standing::consistent:
+            return "consistent";
+        case standing::unexamined:
+            break;
+    }
+    return "not examined";
 }
 
-/// The outcome for one statement: proved | refuted with a witness | consistent with residual, bound, reason.
+/// The outcome for one statement: proved | refuted with a witness | consistent with residual, bound, reason;
+/// unexamined before.
 class verdict {
   public:
     /// Decided true. `argument` names the theorem or computation that decides it.
@@ -35,6 +47,9 @@ class verdict {
         v.bound_ = std::move(bound);
         return v;
     }
+
+    /// Not looked at.
+    static verdict unexamined() { return {theory::standing::unexamined, {}}; }
 
     theory::standing standing() const { return standing_; }
     bool is_proved() const { return standing_ == theory::standing::proved; }
