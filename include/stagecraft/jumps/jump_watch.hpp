@@ -16,6 +16,13 @@ namespace stagecraft {
 template <class Scalar>
 class jump_watch {
   public:
+    /// In units of the tolerance: below it a jump is not worth a second look, as the control keeps errors
+    /// within one tolerance of what it cannot see of them, some steps long.
+    static Scalar notable() { return Scalar(10); }
+    /// Times what the step before let expect: a quantity of order h^3 or more changes by up to eight where a
+    /// step is twice as long, within what smooth solutions do in the length of a step.
+    static Scalar least_threshold() { return Scalar(10); }
+
     /// A suspicion is to be tried again with half of the step, a jump with what its size asks for.
     enum class verdict { smooth, suspicion, jump };
 
@@ -24,7 +31,7 @@ class jump_watch {
         using std::abs;
         using std::pow;
         now_ = {abs(h), size};
-        if (size <= Scalar(suspicious_ ? 1 : 10)) return verdict::smooth;
+        if (size <= (suspicious_ ? Scalar(1) : notable())) return verdict::smooth;
         // In the first step nothing was expected: one repetition shows what it is.
         const Scalar ratio = before_.h > Scalar(0) ? Scalar(now_.h / before_.h) : Scalar(0);
         const Scalar smooth = before_.size * (suspicious_ ? Scalar(pow(ratio, Scalar(power + 1) / 2))
@@ -40,12 +47,12 @@ class jump_watch {
     void accepted() {
         suspicious_ = false;
         before_ = now_;
-        if (threshold_ > Scalar(10)) threshold_ *= Scalar(9) / 10;
+        if (threshold_ > least_threshold()) threshold_ *= Scalar(9) / 10;  // forgotten in some twenty steps
         if (!(suspect_length_ > Scalar(0))) return;
         suspect_length_ -= now_.h;
-        if (!(suspect_length_ <= now_.h / 1000)) return;
+        if (!(suspect_length_ <= now_.h / 1000)) return;  // but for rounding the end is reached
         suspect_length_ = Scalar(0);
-        if (!confirmed_) threshold_ *= 10;
+        if (!confirmed_) threshold_ *= least_threshold();
     }
 
   private:
@@ -53,8 +60,8 @@ class jump_watch {
         Scalar h{0}, size{0};
     };
     measured before_, now_;
-    Scalar threshold_{10};      // times what was expected raises suspicion
-    Scalar suspect_length_{0};  // to the end of the step that raised it
+    Scalar threshold_ = least_threshold();  // times what was expected raises suspicion
+    Scalar suspect_length_{0};              // to the end of the step that raised it
     bool suspicious_ = false, confirmed_ = false;
 };
 

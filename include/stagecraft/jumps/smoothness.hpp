@@ -22,10 +22,10 @@ class smoothness {
             if (!(estimate < Scalar(1))) steps_ = memory;
             return false;
         }
-        if (!(estimate > Scalar(10)) && !(again && !(estimate < Scalar(1)))) return false;
+        if (!(estimate > notable()) && !(again && !(estimate < Scalar(1)))) return false;
         if (!again) {
             const Scalar before = expected();
-            if (!(before > Scalar(0)) || estimate <= Scalar(1000) * before) return false;
+            if (!(before > Scalar(0)) || estimate <= surprise() * before) return false;
         }
         steps_ = memory;
         return true;
@@ -35,7 +35,12 @@ class smoothness {
     bool accepted() { return steps_ > 0 && --steps_ == 0; }
 
   private:
-    static constexpr int memory = 10;
+    static constexpr int memory =
+        10;  // steps: two or three of growth by the largest factor, and as many more
+    /// The step control itself misses by ten often enough; a thousand times what was expected is three steps
+    /// of an order of magnitude each, which a smooth solution does not take at once.
+    static Scalar notable() { return Scalar(10); }
+    static Scalar surprise() { return Scalar(1000); }
     int steps_ = 0;
 };
 

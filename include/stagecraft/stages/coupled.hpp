@@ -18,11 +18,13 @@ namespace stagecraft {
 /// by simplified Newton with the factors of I (x) M - h A (x) J, made once per (J, h). A may be singular; a
 /// first stage that is the left end of the step is left out of the system. All storage is taken in the
 /// constructor.
-template <class Scalar, int N, int Stages, class Blocks>
+template <class Vector, int Stages, class Blocks>
 class coupled_stages {
+    using Scalar = typename Vector::Scalar;
+
   public:
-    using slopes = stage_slopes<Scalar, N, Stages, Blocks>;
-    using vector = typename slopes::vector;
+    using slopes = stage_slopes<Vector, Stages, Blocks>;
+    using vector = Vector;
 
     /// For a lower triangular A no storage is taken, and no other member may be called.
     coupled_stages(const tableau<Scalar, Stages>& m, int n, const tableau_structure& is)

@@ -16,11 +16,13 @@ namespace stagecraft {
 /// one evaluation of f (and a solve with M), an implicit one a simplified Newton iteration on z_i = Y_i - y
 /// with the matrix M/(h a_ii) - J, which is factored once per distinct diagonal entry and (J, h): once for
 /// SDIRK and ESDIRK methods. All storage is taken in the constructor.
-template <class Scalar, int N, int Stages, class Blocks>
+template <class Vector, int Stages, class Blocks>
 class sequential_stages {
+    using Scalar = typename Vector::Scalar;
+
   public:
-    using slopes = stage_slopes<Scalar, N, Stages, Blocks>;
-    using vector = typename slopes::vector;
+    using slopes = stage_slopes<Vector, Stages, Blocks>;
+    using vector = Vector;
 
     /// With `unused` true no block is made and no other member may be called.
     sequential_stages(const tableau<Scalar, Stages>& m, int n, bool unused)

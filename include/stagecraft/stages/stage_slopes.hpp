@@ -16,9 +16,11 @@ namespace stagecraft {
 /// is not determined by f, but M k_1 = f(t, y) is all that the other stages ask for. `by_value` then is true,
 /// `left` holds M k_1, the slopes are those that k_1 = 0 would give, and the true ones obey
 /// M k_i = M k.col(i) + carry[i] left.
-template <class Scalar, int N, int Stages, class Blocks>
+template <class Vector, int Stages, class Blocks>
 struct stage_slopes {
-    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using vector = Vector;
+    using Scalar = typename Vector::Scalar;
+    static constexpr int N = Vector::RowsAtCompileTime;
 
     stage_slopes(const tableau<Scalar, Stages>& m, int n) : method(m), k(n, m.stages()), left(n) {
         k.setZero();

@@ -23,8 +23,10 @@ namespace stagecraft {
 /// simplified Newton in the variables W = (T^-1 (x) I) Z, where they fall into one real system per real
 /// eigenvalue of A^-1 and one complex system per pair (Hairer-Wanner II.IV.8). Each block is factored once
 /// per (J, h). All storage is taken in the constructor.
-template <class Scalar, int N, int Stages, class Blocks>
+template <class Vector, int Stages, class Blocks>
 class transformed_stages {
+    using Scalar = typename Vector::Scalar;
+    static constexpr int N = Vector::RowsAtCompileTime;
     static constexpr int positions = positions_of<Blocks>;
     // Dense problems of small fixed size, unless the problem brings a solver of its own.
     static constexpr bool dense = std::is_base_of_v<dense_blocks<Scalar, N>, Blocks>;
@@ -35,7 +37,7 @@ class transformed_stages {
         separate_blocks<Scalar, Blocks>>;
 
   public:
-    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using vector = Vector;
     using tableau_type = transformed_tableau<Scalar, Stages>;
 
     transformed_stages(const tableau_type& method, int n)

@@ -3,12 +3,12 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <vector>
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/stages/transformed.hpp>
+#include <stagecraft/step/one_step_method.hpp>
+#include <stagecraft/tableau/collocation_functionals.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft {
@@ -24,20 +24,20 @@ namespace stagecraft {
 /// eigenvalue of A^-1; where there is none (even s) the modulus of the complex block of smallest beta takes
 /// its place, which costs no factorisation and vanishes for no J. For c_1 = 0 (Lobatto IIIC, Radau IA) it is
 /// the jump z_1 = Y_1 - y of the stage polynomial, O(h^s), damped at infinity by the method itself.
-template <class Scalar, int N, int Stages, int MaxStages, class Blocks>
-class collocation_step {
+template <int Stages, class Space>
+class collocation_step : public step_defaults<Space> {
+    using Scalar = typename Space::scalar;
+    using weights = Eigen::Matrix<Scalar, Stages, 1>;
+
   public:
-    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using vector = typename Space::vector;
+    using output = typename Space::output;
     using method_type = transformed_tableau<Scalar, Stages>;
-    using output = dense_output<vector, MaxStages>;
 
     collocation_step(const method_type& method, int n)
         : stages_(method, n),
           nodes_(method.stages()),
           update_(method.stages()),
-          defect_(method.stages()),
-          right_(method.stages()),
-          ends_(method.stages()),
           scratch_(n),
           second_(n),
           rest_(n) {
@@ -60,18 +60,12 @@ class collocation_step {
         for (int j = 0; j < nodes_.size; ++j) nodes_.c[j] = method.c[j + nodes_.first_column];
         if (jump_ && nodes_.first_column == 0) nodes_.c[0] = Scalar(1);
         nodes_.finish();
-        if (!jump_) {  // u'(0) = sum_j l_j'(0) z_j / h, and l_j'(0) = omega_j prod_{m != j} (-c_m)
-            for (int j = 0; j < s; ++j) {
-                defect_[j] = nodes_.omega[j];
-                for (int m = 0; m < s; ++m)
-                    if (m != j) defect_[j] *= -nodes_.c[m];
-            }
-        }
-        prepare_ends(method);
-        if (!stiffly_accurate_) prepare_right(method);
+        if (!jump_) left_ = slope_at_left_end(method);
+        ends_ = change_without_left_node(method);
+        if (!stiffly_accurate_) right_ = slope_at_right_end(method);
     }
 
-    transformed_stages<Scalar, N, Stages, Blocks>& stages() { return stages_; }
+    transformed_stages<vector, Stages, typename Space::blocks>& stages() { return stages_; }
     int count() const { return stages_.stages(); }
     int order() const { return order_; }
     /// The estimate is O(h^q) with this q.
@@ -89,18 +83,14 @@ class collocation_step {
     /// True if the step uses f at its left end: for the estimate.
     bool needs_left_value(bool fixed) const { return !fixed && !jump_; }
 
-    // What other steps may do without, or need besides.
     static constexpr bool implicit() { return true; }
     int coupled_stages_count() const { return count(); }
     int columns() const { return count(); }
+    /// Serves every run.
     template <class System>
-    void prepare(const System&, bool, bool) {}
-    void begin(const vector&) {}
-    static constexpr bool ends_with_value() { return false; }
-    void end(const vector&) {}
-    void end_without_value(const Scalar&, const vector&, const vector&) {}
-    void accepted() {}
-    void replaced() {}
+    void prepare(const System&, const run_demands& demands) {
+        if (demands.between) top_ = highest_legendre_coefficients<Scalar>(nodes_.c, nodes_.size);
+    }
 
     /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
     /// in that step this one starts: at its end (1), or together with it (0).
@@ -114,7 +104,7 @@ class collocation_step {
         }
         const Scalar ratio = h / before->step();
         const auto& old = before->nodes();
-        basis_values<Scalar, MaxStages> l(old.size);
+        basis_values<Scalar, Space::columns> l(old.size);
         for (int i = 0; i < s; ++i) {
             old.basis(from + stages_.method().c[i] * ratio, l.data());
             Z.col(i) = before->y0() - y;
@@ -147,7 +137,7 @@ class collocation_step {
             error = now.increments().col(0);
             return 0;
         }
-        defect(system, h, defect_, f0, now, error);
+        defect(system, h, left_, f0, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
         return 1;
     }
@@ -168,13 +158,6 @@ class collocation_step {
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
         return 1;
     }
-    static Scalar right_ratio(const Scalar& ratio) { return ratio; }
-    /// The estimates see every jump of f.
-    template <class System, class Size>
-    static Scalar judge_jump(const System&, const Scalar&, const Scalar& err, vector&, long&, Size&&) {
-        return err;
-    }
-
     /// The same once more filtered: f(t, y + error) in place of f(t, y), which damps what stiff components
     /// that have not decayed yet leave in the estimate (Hairer-Wanner II.IV.8, (8.20)). Returns the number of
     /// solves.
@@ -184,7 +167,7 @@ class collocation_step {
         if (jump_) return 0;
         error += y;
         system(t, error, f);
-        defect(system, h, defect_, f, now, error);
+        defect(system, h, left_, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
         return 1;
     }
@@ -221,33 +204,8 @@ class collocation_step {
         return left <= promised ? promised : left;
     }
 
-    /// The functionals z -> a_s and z -> a_{s-2}: rows of the inverse of P_k at the nodes {0, c}, where z_0 =
-    /// 0. Once, before decay() and output_error().
-    void prepare_decay() {
-        const int m = nodes_.size + 1;
-        split_lu<Scalar, -1> lu(m);
-        top_.resize(nodes_.size, 2);
-        std::vector<Scalar> row(m);
-        for (int r = 0; r < 2; ++r) {
-            for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
-                const Scalar x = 2 * (j == 0 ? Scalar(0) : nodes_.c[j - 1]) - 1;
-                Scalar before = Scalar(0), p = Scalar(1);
-                for (int k = 0; k < m; ++k) {
-                    lu.entries()[k + j * m] = p;
-                    const Scalar next = ((2 * k + 1) * x * p - k * before) / Scalar(k + 1);
-                    before = p;
-                    p = next;
-                }
-            }
-            lu.factor();
-            for (int k = 0; k < m; ++k) row[k] = Scalar(k == m - 1 - 2 * r ? 1 : 0);
-            lu.solve(row.data());
-            for (int j = 1; j < m; ++j) top_(j - 1, r) = row[j];
-        }
-    }
-
     /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
-    /// weighted norm; 0 < decay <= 1.
+    /// weighted norm; 0 < decay <= 1. Where the run demands it (between).
     Scalar decay(const output& now, const vector& weights) {
         using std::sqrt;
         Scalar size[2];
@@ -282,50 +240,20 @@ class collocation_step {
     }
 
   private:
-    /// The functional z -> change at the end of the step of the stage polynomial if the node 0 is left out,
-    /// for which the polynomial through the others is extrapolated to 0.
-    void prepare_ends(const method_type& method) {
-        const int s = method.stages(), first = jump_ ? 1 : 0;
-        Scalar ratio = Scalar(1);  // of prod (x - c_m) at 1 and at 0
-        for (int m = first; m < s; ++m) ratio *= (Scalar(1) - method.c[m]) / -method.c[m];
-        if (jump_) ends_[0] = ratio;
-        for (int j = first; j < s; ++j) {
-            ends_[j] = -ratio;
-            for (int m = first; m < s; ++m)
-                if (m != j) ends_[j] *= -method.c[m] / (method.c[j] - method.c[m]);
-        }
-    }
-
-    /// The functional z -> h u'(1) of the polynomial through the stages, and through y where 0 is no node.
-    void prepare_right(const method_type& method) {
-        const int s = method.stages();
-        for (int j = 0; j < s; ++j) {
-            Scalar value = Scalar(1), slope = Scalar(0);  // of the Lagrange function at 1, factor by factor
-            const auto factor = [&](const Scalar& node) {
-                const Scalar width = method.c[j] - node;
-                slope = (slope * (Scalar(1) - node) + value) / width;
-                value *= (Scalar(1) - node) / width;
-            };
-            if (!jump_) factor(Scalar(0));
-            for (int m = 0; m < s; ++m)
-                if (m != j) factor(method.c[m]);
-            right_[j] = slope;
-        }
-    }
-
     template <class System>
-    void defect(const System& system, const Scalar& h, const Eigen::Matrix<Scalar, Stages, 1>& slope,
-                const vector& f, const output& now, vector& error) {
+    void defect(const System& system, const Scalar& h, const weights& slope, const vector& f,
+                const output& now, vector& error) {
         scratch_ = (slope[0] / h) * now.increments().col(0);
         for (int j = 1; j < count(); ++j) scratch_ += (slope[j] / h) * now.increments().col(j);
         error = f;
         add_mass_times(system.mass(), Scalar(-1), scratch_.data(), error.data(), system.size());
     }
 
-    transformed_stages<Scalar, N, Stages, Blocks> stages_;
-    interpolation_nodes<Scalar, MaxStages> nodes_;
-    Eigen::Matrix<Scalar, Stages, 1> update_, defect_, right_, ends_;  // defect_, right_: z -> h u' at 0, 1
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // filled when the order is chosen step by step
+    transformed_stages<vector, Stages, typename Space::blocks> stages_;
+    interpolation_nodes<Scalar, Space::columns> nodes_;
+    weights update_;                                // z -> y1 - y
+    weights left_, right_, ends_;                   // z -> h u'(0), h u'(1), change at 1 without the node 0
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2} where the run demands it
     vector scratch_, second_, rest_;
     bool stiffly_accurate_ = false, jump_ = false;
     int order_ = 0;

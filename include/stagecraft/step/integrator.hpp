@@ -8,18 +8,17 @@
 #include <stdexcept>
 #include <string>
 
-#include <stagecraft/control/equal_steps.hpp>
 #include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
-#include <stagecraft/control/order.hpp>
-#include <stagecraft/control/step_size.hpp>
-#include <stagecraft/jumps/smoothness.hpp>
+#include <stagecraft/control/step_plan.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
-#include <stagecraft/stages/growth.hpp>
 #include <stagecraft/status.hpp>
+#include <stagecraft/step/acceptance.hpp>
 #include <stagecraft/step/continuation.hpp>
+#include <stagecraft/step/end_slope.hpp>
+#include <stagecraft/step/linearisation.hpp>
 #include <stagecraft/step/method_set.hpp>
 
 namespace stagecraft {
@@ -34,7 +33,7 @@ class integrator {
   public:
     using scalar = typename Vector::Scalar;
     using steps = detail::steps_of<std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>,
-                                   Vector::RowsAtCompileTime, typename system<Problem, Vector>::blocks>;
+                                   Vector, typename system<Problem, Vector>::blocks>;
     using output_type = dense_output<Vector, steps::max_stages>;
     static_assert(std::is_same_v<scalar, typename steps::scalar>,
                   "method and state must have the same scalar type");
@@ -45,27 +44,20 @@ class integrator {
           n_(static_cast<int>(y0.size())),
           system_(problem, y0, report_),
           steps_(steps::make(detail::as_tuple(method), n_)),
+          plan_(checked_plan(y0, t0, t1, o)),
+          linear_(n_),
+          acceptance_(o, n_),
           t_(t0),
-          t1_(t1),
-          direction_(t1 < t0 ? -1 : 1),
           y_(y0),
           y1_(n_),
-          f0_(n_),
-          error_(n_),
           scale_(n_),
           weights_(n_),
-          negligible_(n_),
+          f_(n_),
           outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())},
           keeps_output_(keeps_output) {
-        validate(o, n_);
-        validate_interval(y0, t0, t1);
         report_.set_tolerances(o);
-        f0_.setZero();
         set_weights(options_, y_, scale_);
-        if (o.fixed_step > scalar(0)) {
-            plan_ = plan_equal_steps(t0, t1, o.fixed_step);
-            h_ = plan_.h;
-        }
+        h_ = plan_.equal().h;
         if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
         for (int k = 0; k < method_count<Method>; ++k) prepare_method(k);
     }
@@ -81,7 +73,7 @@ class integrator {
     const report<scalar>& counts() const { return report_; }
     /// success as long as nothing has ended the run.
     stagecraft::status status() const { return status_; }
-    bool finished() const { return t_ == t1_ || status_ != status::success; }
+    bool finished() const { return t_ == plan_.end() || status_ != status::success; }
     /// Ends the run here: status::stopped.
     void stop() { status_ = status::stopped; }
     /// Goes on from `y` in place of y() (a projection, say), both of about the accuracy asked for. The
@@ -93,7 +85,7 @@ class integrator {
         if (has_output_) outputs_[current_].move_end(y - y_);
         y_ = y;
         set_weights(options_, y_, scale_);
-        left_value_known_ = false;
+        f_.forget();
         visit_current([](auto& m) { m.replaced(); });
     }
 
@@ -102,188 +94,251 @@ class integrator {
     bool step() {
         if (finished()) return false;
         if (!started_ && !start()) return false;
-        failures_ = 0;
+        refused_ = {};
         obstacle_ = status::step_underflow;
-        for (;;) {
-            const attempt_end ended = visit_current([this](auto& method) { return this->attempt(method); });
-            if (ended != attempt_end::change_method) return ended == attempt_end::accepted;
-        }
+        progress now = progress::again;
+        while (now == progress::again)
+            now = visit_current([this](auto& method) { return this->attempt(method); });
+        return now == progress::accepted;
     }
 
   private:
-    enum class attempt_end { accepted, given_up, change_method };
+    using system_type = stagecraft::system<Problem, Vector>;
+    enum class progress { again, accepted, given_up };
     static constexpr bool variable = method_count<Method> > 1;
 
     template <class F>
     decltype(auto) visit_current(F&& f) {
-        return detail::visit_at(steps_, order_.current(), std::forward<F>(f));
+        return detail::visit_at(steps_, acceptance_.method(), std::forward<F>(f));
     }
     int largest_columns() {
         int most = 0;
         std::apply([&](auto&... m) { ((most = m.columns() > most ? m.columns() : most), ...); }, steps_);
         return most;
     }
-    bool fixed() const { return plan_.count > 0; }
-    attempt_end end(stagecraft::status s) {
+    static step_plan<scalar> checked_plan(const Vector& y0, const scalar& t0, const scalar& t1,
+                                          const options<scalar>& o) {
+        validate(o, y0.size());
+        validate_interval(y0, t0, t1);
+        return {t0, t1, o};
+    }
+    progress give_up(stagecraft::status s) {
         status_ = s;
-        return attempt_end::given_up;
+        return progress::given_up;
     }
 
     void prepare_method(int k) {
         detail::visit_at(steps_, k, [&](auto& m) {
-            m.prepare(system_, fixed(), keeps_output_);
-            if (!fixed() && system_.largest_index() > 2 && !m.stiffly_accurate())
+            using step_type = std::decay_t<decltype(m)>;
+            static_assert(one_step_method<step_type, system_type>);
+            const bool fixed = plan_.fixed();
+            m.prepare(system_, {fixed, keeps_output_, options_.jumps, variable || options_.continuous});
+            if (!fixed && system_.largest_index() > 2 && !m.stiffly_accurate())
                 throw std::invalid_argument(
                     "integrate: method must be stiffly accurate for problem.index() 3, where the errors of "
                     "others have no bound; use options.fixed_step");
-            if (options_.continuous && !fixed() && !m.knows_output_error())
+            if (options_.continuous && !fixed && !m.knows_output_error())
                 throw std::invalid_argument(
                     "integrate: continuous needs a transformed_tableau of two stages at least, other than "
                     "Radau IA");
-            ratio_[k] = m.estimate_ratio(options_.rtol);
-            if (variable || options_.continuous) m.prepare_decay();
-            if constexpr (variable)
-                order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system_)},
-                               options_.rtol);
+            acceptance_.prepare(k, m, system_);
         });
     }
-
-    scalar norm(const Vector& x, const Vector& w) const { return weighted_norm(x, w, n_); }
 
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
     bool start() {
         using std::abs;
         bool left = false;
         visit_current([&](auto& m) { left = this->needs_left_value(m); });
-        if (left || (!fixed() && options_.initial_step == scalar(0)) ||
-            has_second_order_components<Problem>) {
-            system_(t_, y_, f0_);
-            left_value_known_ = true;
-            const scalar size = norm(f0_, scale_);
-            if (!(size - size == scalar(0))) return end(status::non_finite) == attempt_end::accepted;
+        const bool choose = !plan_.fixed() && options_.initial_step == scalar(0);
+        if (left || choose || has_second_order_components<Problem>) {
+            const Vector& f0 = f_.left(system_, t_, y_);
+            const scalar size = weighted_norm(f0, scale_, n_);
+            if (!(size - size == scalar(0))) return give_up(status::non_finite) == progress::accepted;
             if constexpr (has_second_order_components<Problem>)
                 for (int i = 0, m = position_components<Problem>(n_); i < m; ++i)
-                    if (!(f0_[i] == y_[m + i]))
+                    if (!(f0[i] == y_[m + i]))
                         throw bad_problem(
                             "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
         }
         started_ = true;
-        if (fixed()) return true;
-        const scalar span = abs(t1_ - t_);
-        h_ = options_.initial_step > scalar(0) ? options_.initial_step
-                                               : first_step(system_.mass(), y_, f0_, scale_, span);
-        if (h_ > span) h_ = span;
-        if (options_.max_step > scalar(0) && h_ > options_.max_step) h_ = options_.max_step;
-        if (h_ < options_.min_step) h_ = options_.min_step;
-        h_ *= scalar(direction_);
+        if (plan_.fixed()) return true;
+        h_ = plan_.first(
+            choose ? first_step(system_.mass(), y_, f_.value(), scale_, scalar(abs(plan_.end() - t_)))
+                   : options_.initial_step,
+            t_);
         return true;
     }
 
+    /// One attempt at the next step: plan, linearise, solve, judge, and then accept or propose another.
     template <class Step>
-    attempt_end attempt(Step& method);
-    template <class Step>
-    attempt_end accept(Step& method, const scalar& h, const scalar& t_next, output_type& now);
-    template <class Step>
-    scalar error_of(Step& method, const scalar& h, const scalar& t_next, output_type& now);
-    template <class Step>
-    void propose(Step& method, const scalar& h, scalar err);
+    progress attempt(Step& method) {
+        const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps, refused_.all);
+        if (plan.obstacle != status::success)
+            return give_up(plan.obstacle == status::step_underflow ? obstacle_ : plan.obstacle);
+        output_type& now = outputs_[1 - current_];
 
-    /// f at the end of the attempt takes the place of that at its beginning.
-    void evaluate_right(const scalar& t_next) {
-        left_value_known_ = false;
-        system_(t_next, y1_, f0_);
-        right_value_known_ = true;
+        const linear_state linear = linearise(method, plan.h);
+        if (linear == linear_state::growing) return refuse_growth(plan.h);
+        const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
+        if (newton.end != newton_end::converged) return refuse_unsolved(method, plan.h, linear, newton.end);
+        method.advance(y_, now, y1_);
+        if (plan_.fixed()) return accept(method, plan, now);
+
+        const trial_step<Vector, output_type> trial{plan, t_, y_, weights_, f_, y1_, now};
+        const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
+        if (!(error < scalar(1))) return refuse_error(method, plan.h, error);
+        h_ = plan_.bounded(acceptance_.after_accepted(method, trial, error, newton, linear_.theta(),
+                                                      method.implicit() && linear_.serves_well(), refused_));
+        return accept(method, plan, now);
+    }
+
+    /// Evaluates what the stages need at the left end, the Jacobian if it is wanted, and factors.
+    template <class Step>
+    linear_state linearise(Step& method, const scalar& h) {
+        if (needs_left_value(method)) f_.left(system_, t_, y_);
+        weights_ = scale_;
+        system_.weigh_by_index(weights_, h, options_.rtol);
+        method.begin(f_.value());
+        if (!method.implicit()) return linear_state::factored;
+        if (linear_.wanted()) {
+            const bool ahead = extrapolates() && refused_.all == 0 && !plan_.fixed();
+            linear_.evaluate(system_, t_, y_, f_.value(), h, ahead ? &outputs_[current_] : nullptr, options_,
+                             y1_);
+        }
+        return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(),
+                              report_.factorisations);
+    }
+
+    /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
+    /// step, which cannot be repeated with a smaller one, by continuation where that fails.
+    template <class Step>
+    newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear, output_type& now) {
+        newton_outcome<scalar> newton;
+        const newton_limits<scalar> limits = newton_limits_for(method.coupled_stages_count());
+        if (linear == linear_state::factored) {
+            method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
+            newton =
+                method.stages().solve(system_, t_, y_, h, weights_, limits, now.increments(), report_.solves);
+        }
+        if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
+            if (solve_by_continuation(method, system_, t_, y_, h, weights_, limits, now, report_, newton))
+                linear_.factored_for(h, acceptance_.method());
+        if (newton.end == newton_end::converged) linear_.solved(newton.theta, report_.steps == 0);
+        return newton;
+    }
+
+    /// The step would pass over a growing mode.
+    progress refuse_growth(const scalar& h) {
+        obstacle_ = status::step_underflow;
+        ++report_.rejected_error;
+        ++refused_.all;
+        if (!linear_.stay_behind()) h_ = h / 4;
+        return progress::again;
+    }
+
+    /// The stage equations could not be solved.
+    template <class Step>
+    progress refuse_unsolved(Step& method, const scalar& h, linear_state linear, newton_end how) {
+        obstacle_ = status::newton_failed;
+        if (how == newton_end::non_finite) obstacle_ = status::non_finite;
+        if (linear == linear_state::singular)
+            obstacle_ = all_finite(f_.value(), n_) ? status::singular_matrix : status::non_finite;
+        ++report_.rejected_newton;
+        ++refused_.all;
+        if (method.implicit() && linear_.renew(system_)) return progress::again;
+        if (plan_.fixed()) return give_up(obstacle_);
+        linear_.stay_behind();
+        if (system_.largest_index() > 1 && extrapolates()) {
+            extrapolation_.failed();
+            return progress::again;
+        }
+        h_ = h / 2;
+        if (refused_.all > 1) acceptance_.newton_failed();
+        return progress::again;
+    }
+
+    /// The error is too large, or not finite.
+    template <class Step>
+    progress refuse_error(Step& method, const scalar& h, const scalar& error) {
+        const bool finite = error - error == scalar(0);
+        obstacle_ = finite ? status::step_underflow : status::non_finite;
+        ++(finite ? report_.rejected_error : report_.rejected_newton);
+        ++refused_.all;
+        if (finite) ++refused_.for_error;
+        f_.retry();
+        h_ = acceptance_.after_rejected(h, error, method.estimate_power(), report_.steps == 0);
+        linear_.rejected(system_);
+        return progress::again;
+    }
+
+    /// Moves to the end of the step.
+    template <class Step>
+    progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
+        using std::abs;
+        if (!all_finite(y1_, n_)) return give_up(status::non_finite);
+        if (method.ends_with_value()) {
+            const Vector& f1 = f_.right(system_, plan.t_next, y1_);
+            if (all_finite(f1, n_))
+                method.end(f1);
+            else
+                method.end_without_value(plan.h, y_, y1_);
+        }
+        has_output_ = keeps_output_ || method.implicit();
+        if (has_output_) {
+            method.finish(t_, y_, plan.h, y1_, now);
+        } else {
+            now.cover(t_, plan.h);
+        }
+        method.accepted();
+        f_.stepped();
+        extrapolation_.stepped();
+        linear_.stepped(system_);
+        report_.count_step(abs(plan.h), method.count());
+        current_ = 1 - current_;
+        t_ = plan.t_next;
+        y_ = y1_;
+        set_weights(options_, y_, scale_);
+        return progress::accepted;
     }
 
     template <class Step>
     bool needs_left_value(const Step& method) const {
-        return method.needs_left_value(fixed()) ||
-               (system_type::finite_difference && method.implicit() && want_jacobian_);
+        return method.needs_left_value(plan_.fixed()) || (method.implicit() && linear_.needs_left_value());
     }
 
     /// True if the polynomial of the last step is to start the iteration.
     bool extrapolates() const {
-        return has_output_ && (system_.largest_index() > 1 ? extrapolation_.trusted() : failures_ < 2);
+        return has_output_ && (system_.largest_index() > 1 ? extrapolation_.trusted() : refused_.all < 2);
     }
 
     /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
     newton_limits<scalar> newton_limits_for(int s) {
         const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
         const int most = options_.newton_iterations > 0 ? options_.newton_iterations
-                         : fixed()                      ? 50
+                         : plan_.fixed()                ? 50
                                                         : usual_iterations(s);
         return {options_.newton_factor > scalar(0) ? options_.newton_factor : scalar(1) / 50, 4 * rounding,
-                100 * rounding, most, report_.steps > 0 && constant_jacobian()};
+                100 * rounding, most, report_.steps > 0 && linear_.constant(system_)};
     }
-
-    /// The problem says so, and the first step did not show otherwise.
-    bool constant_jacobian() { return !contradicted_ && system_.constant_jacobian(); }
-    /// With a constant Jacobian Newton's second increment is what rounding, or differences, leave of the
-    /// first. Where it is not, the claim is not believed: one iteration a step would leave errors that
-    /// nothing sees.
-    void judge_constant_jacobian(const scalar& theta) {
-        using std::sqrt;
-        const scalar exact = system_type::finite_difference
-                                 ? scalar(1) / 1000000
-                                 : scalar(sqrt(std::numeric_limits<scalar>::epsilon()));
-        contradicted_ = contradicted_ || theta > exact;
-    }
-
-    void refresh_jacobian(const scalar& h) {
-        using std::abs;
-        if constexpr (system_type::finite_difference) {
-            for (int i = 0; i < n_; ++i) {
-                const scalar moved = abs(h * f0_[i]),
-                             small = absolute_tolerance(options_, i) / options_.rtol / 1000;
-                negligible_[i] = moved > small ? moved : small;
-            }
-        }
-        ahead_ = !system_type::finite_difference && extrapolates() && failures_ == 0 && !fixed();
-        if (ahead_) {
-            // Two fifths into the step the Jacobian serves all stages best; not further than the last step
-            // was long, as that is where the state comes from. (Differences need f there as well: they stay
-            // at the left end, where it is known.)
-            const scalar last = outputs_[current_].step();
-            const scalar ahead = (abs(h) < abs(last) ? h : last) * 2 / 5;
-            outputs_[current_].evaluate(t_ + ahead, y1_);
-            system_.evaluate_jacobian(t_ + ahead, y1_, f0_, negligible_);
-        } else {
-            system_.evaluate_jacobian(t_, y_, f0_, negligible_);
-        }
-        fresh_jacobian_ = true;
-        want_jacobian_ = false;
-        factored_ = false;
-    }
-
-    using system_type = stagecraft::system<Problem, Vector>;
 
     options<scalar> options_;
     int n_;
     report<scalar> report_{};
     system_type system_;
     typename steps::type steps_;
-    equal_steps<scalar> plan_;
-    scalar t_, t1_;
-    int direction_;
-    Vector y_, y1_, f0_, error_, scale_, weights_, negligible_;
-    std::array<output_type, 2> outputs_;
-    int current_ = 0;
-    std::array<scalar, static_cast<std::size_t>(method_count<Method>)> ratio_{};
-    step_size_controller<scalar> controller_{options_.control};
-    order_controller<scalar, method_count<Method>> order_{};
+    step_plan<scalar> plan_;
+    linearisation<system_type, Vector> linear_;
+    acceptance<Vector, method_count<Method>> acceptance_;
     extrapolation_trust extrapolation_;
-    smoothness<scalar> smooth_;
-    growth_watch<scalar> growth_;
-    scalar h_{0}, factored_h_{0}, theta_{0};
-    int factored_order_ = 0, iterations_ = 0, failures_ = 0;
-    long attempts_ = 0;
-    bool keeps_output_, started_ = false, has_output_ = false, factored_ = false, want_jacobian_ = true,
-                        fresh_jacobian_ = false, ahead_ = false, last_was_rejected_ = false,
-                        rejected_by_estimate_ = false, left_value_known_ = false, right_value_known_ = false,
-                        contradicted_ = false;
+    scalar t_, h_{0};
+    Vector y_, y1_, scale_, weights_;  // scale_: weights without those of the index
+    end_slope<Vector> f_;
+    std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
+    int current_ = 0;
+    refusals refused_;
+    bool keeps_output_, started_ = false, has_output_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };
 
 }  // namespace stagecraft
-
-#include <stagecraft/step/attempt.hpp>

@@ -40,27 +40,28 @@ struct step_for;
 template <class Scalar, int Stages>
 struct step_for<transformed_tableau<Scalar, Stages>> {
     static constexpr int columns = Stages;
-    template <int N, int Max, class Blocks>
-    using type = collocation_step<Scalar, N, Stages, Max, Blocks>;
+    template <class Space>
+    using type = collocation_step<Stages, Space>;
 };
 template <class Scalar, int Stages>
 struct step_for<tableau<Scalar, Stages>> {
     static constexpr int columns = Stages < 0 || Stages > 3 ? Stages : 3;
-    template <int N, int Max, class Blocks>
-    using type = tableau_step<Scalar, N, Stages, Max, Blocks>;
+    template <class Space>
+    using type = tableau_step<Stages, Space>;
 };
 
-template <class Tuple, int N, class Blocks>
+template <class Tuple, class Vector, class Blocks>
 struct steps_of;
-template <class First, class... Rest, int N, class Blocks>
-struct steps_of<std::tuple<First, Rest...>, N, Blocks> {
+template <class First, class... Rest, class Vector, class Blocks>
+struct steps_of<std::tuple<First, Rest...>, Vector, Blocks> {
     using scalar = typename First::scalar;
     static constexpr bool any_dynamic =
         step_for<First>::columns < 0 || ((step_for<Rest>::columns < 0) || ...);
     static constexpr int max_stages =
         any_dynamic ? dynamic : std::max({step_for<First>::columns, step_for<Rest>::columns...});
-    using type = std::tuple<typename step_for<First>::template type<N, max_stages, Blocks>,
-                            typename step_for<Rest>::template type<N, max_stages, Blocks>...>;
+    using space = step_space<Vector, max_stages, Blocks>;
+    using type = std::tuple<typename step_for<First>::template type<space>,
+                            typename step_for<Rest>::template type<space>...>;
     static type make(const std::tuple<First, Rest...>& methods, int n) {
         return std::apply([n](const auto&... m) { return type(make_one(m, n)...); }, methods);
     }
@@ -68,7 +69,7 @@ struct steps_of<std::tuple<First, Rest...>, N, Blocks> {
   private:
     template <class Method>
     static auto make_one(const Method& m, int n) {
-        return typename step_for<Method>::template type<N, max_stages, Blocks>(m, n);
+        return typename step_for<Method>::template type<space>(m, n);
     }
 };
 

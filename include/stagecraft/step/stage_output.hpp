@@ -28,11 +28,14 @@ namespace stagecraft {
 /// have a continuous solution of order 2 (three stages without C(3), such as Lobatto IIIB) or 1 (one stage).
 /// An accepted step costs s n multiplications for each of the degree - 2 places between the ends, one place
 /// less with both slopes.
-template <class Scalar, int N, int Stages, int MaxStages>
+template <int Stages, class Space>
 class stage_output {
+    using Scalar = typename Space::scalar;
+    static constexpr int MaxStages = Space::columns;
+
   public:
-    using vector = Eigen::Matrix<Scalar, N, 1>;
-    using output = dense_output<vector, MaxStages>;
+    using vector = typename Space::vector;
+    using output = typename Space::output;
 
     /// Columns of z that are needed for s stages: the quadrature conditions of order q alone ask for q nodes.
     static constexpr int columns(int s) { return s > 3 ? s : 3; }

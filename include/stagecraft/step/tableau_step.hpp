@@ -7,10 +7,10 @@
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/jumps/blind_spots.hpp>
-#include <stagecraft/jumps/jump_watch.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
+#include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_output.hpp>
 #include <stagecraft/tableau/embedded_estimate.hpp>
 #include <stagecraft/tableau/structure.hpp>
@@ -31,12 +31,15 @@ namespace stagecraft {
 ///
 /// A singular M is served where A is regular, and where it is so without a first stage at the left end if the
 /// method is stiffly accurate.
-template <class Scalar, int N, int Stages, int MaxStages, class Blocks>
-class tableau_step {
+template <int Stages, class Space>
+class tableau_step : public step_defaults<Space> {
+    using Scalar = typename Space::scalar;
+    using blocks = typename Space::blocks;
+
   public:
-    using vector = Eigen::Matrix<Scalar, N, 1>;
+    using vector = typename Space::vector;
+    using output = typename Space::output;
     using method_type = tableau<Scalar, Stages>;
-    using output = dense_output<vector, MaxStages>;
 
     tableau_step(const method_type& method, int n)
         : v_(checked(method), n),
@@ -61,11 +64,12 @@ class tableau_step {
         left_slope_.setZero();
     }
 
-    /// Looks at what the run asks of the method (`output`: the continuous solution): std::invalid_argument
+    /// Looks at what the run asks of the method: std::invalid_argument
     /// where it has no embedded weights for adaptive steps, or cannot serve a singular mass matrix, or not
     /// with adaptive steps.
     template <class System>
-    void prepare(const System& system, bool fixed, bool output) {
+    void prepare(const System& system, const run_demands& demands) {
+        const bool fixed = demands.fixed, output = demands.output;
         if (!fixed && power_ == 0)
             throw std::invalid_argument(
                 "integrate: method has no embedded weights to estimate errors with; use options.fixed_step");
@@ -92,7 +96,7 @@ class tableau_step {
         if (output || implicit()) output_.prepare(v_.method, order_, is_, v_.by_value, ends_with_value_);
         if (fixed) return;
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
-        blind_ = find_blind_spots(v_.method, is_, difference_, order_);
+        if (demands.jumps) blind_ = find_blind_spots(v_.method, is_, difference_, order_);
         slope_from_f_ = !v_.by_value && (is_.left_stage || (blind_.count() > 0 && v_.mass.prepare(system)));
         const bool slopes_known =
             slope_from_f_ || ends_between_nodes() || (is_.stiffly_accurate && !v_.by_value);
@@ -126,7 +130,7 @@ class tableau_step {
         return is_.lower ? sequential_.factor(system, h) : coupled_.factor(system, h);
     }
 
-    static constexpr bool knows_determinant = sequential_stages<Scalar, N, Stages, Blocks>::knows_determinant;
+    static constexpr bool knows_determinant = sequential_stages<vector, Stages, blocks>::knows_determinant;
     /// As in transformed_stages; a full A is not looked at (shift 0).
     int determinant_sign() requires knows_determinant { return sequential_.determinant_sign(); }
     Scalar growth_shift() const { return is_.lower ? sequential_.growth_shift() : Scalar(0); }
@@ -178,7 +182,7 @@ class tableau_step {
         v_.guessed = before != nullptr && implicit();
         if (!v_.guessed) return;
         const auto& old = before->nodes();
-        basis_values<Scalar, MaxStages> l(old.size);
+        basis_values<Scalar, Space::columns> l(old.size);
         const bool share = v_.by_value && !is_.lower;  // of k_1, which the slopes are kept without
         for (int i = is_.left_stage && !share ? 1 : 0; i < count(); ++i) {
             const Scalar x = from + v_.method.c[i] * h / before->step();
@@ -223,7 +227,6 @@ class tableau_step {
             left_slope_ = v_.k.col(count() - 1);
         else if (left_known_)
             left_slope_ = right_slope_;
-        watch_.accepted();
     }
 
     /// The state at the end of the step has been replaced: its slope is not that of the last stage.
@@ -262,7 +265,7 @@ class tableau_step {
         error = f1;
         add_mass_times(system.mass(), Scalar(-1), next_value_.data(), error.data(), system.size());
         sequential_.solve_first(system, error);
-        // The slope at the end that judge_jump looks at: that of f, but for stiff components, where f
+        // The slope at the end that weigh_slopes() looks at: that of f, but for stiff components, where f
         // magnifies what y1 is off by.
         right_slope_ = next_value_ + sequential_.growth_shift() * error;
         sequential_.stiff_part(system, error);
@@ -295,58 +298,35 @@ class tableau_step {
         const Scalar whole = ratio * size(scratch_, false);
         return whole <= plain ? plain : whole;
     }
-    /// The error `err` of the attempt, or what is to stand for it where the slopes show a jump of f at a
-    /// blind spot of the pair; x is scratch.
-    template <class System, class Size>
-    Scalar judge_jump(const System& system, const Scalar& h, const Scalar& err, vector& x, long& solves,
-                      Size&& size) {
-        using std::pow;
-        if (blind_.count() == 0) return err;
-        if (blind_.need_left_slope && !left_known_ && !slope_from_f_) return err;
-        if (!(err < Scalar(1))) {
-            watch_.refused();
-            return err;
-        }
-        Scalar largest(0);
-        for (int g = 0; g < blind_.count(); ++g) {
-            const auto weights = blind_.weights.col(g);
-            v_.combine([&](int j) { return weights[j + 1]; }, count(), h, x);
-            if (blind_.need_left_slope) x += (h * weights[0]) * left_slope_;
-            if (blind_.need_right_slope) x += (h * weights[count() + 1]) * right_slope_;
-            Scalar next = size(x, false);
-            // What stiff components carry of it is no jump, or damped as time goes on.
-            for (int k = 0; k < 2 && implicit() && is_.lower && next > Scalar(10); ++k) {
-                sequential_.filter(system, x);
-                ++solves;
-                next = size(x, false);
-            }
-            if (!(next <= largest)) largest = next;
-        }
-        if (!(largest - largest == Scalar(0))) return err;  // f(t1, y1) need not be finite
-        switch (watch_.judge(h, largest, blind_.power)) {
-            case jump_watch<Scalar>::verdict::suspicion:
-                return pow(Scalar(9) / 5, power_);  // with its safety factor the control takes half of h
-            case jump_watch<Scalar>::verdict::jump:
-                return largest;
-            default:
-                return err;
-        }
+    // Jumps of f (jumps/jump_guard.hpp).
+
+    const blind_spots<Scalar>& blind() const { return blind_; }
+    /// True if the slopes are known that the combinations at blind spots ask for.
+    bool knows_slopes() const { return !blind_.need_left_slope || left_known_ || slope_from_f_; }
+    /// x := h times combination number g of the slopes.
+    void weigh_slopes(int g, const Scalar& h, vector& x) const {
+        const auto weights = blind_.weights.col(g);
+        v_.combine([&](int j) { return weights[j + 1]; }, count(), h, x);
+        if (blind_.need_left_slope) x += (h * weights[0]) * left_slope_;
+        if (blind_.need_right_slope) x += (h * weights[count() + 1]) * right_slope_;
     }
-    /// The error of the continuous solution is not estimated.
-    static constexpr bool knows_output_error() { return false; }
-    static void prepare_decay() {}
-    Scalar output_error(const output&, const vector&) const { return Scalar(0); }
+    /// Damps stiff components of x by (M - h a J)^-1 M; false where there is no such filter.
+    template <class System>
+    bool damp(const System& system, vector& x) {
+        if (!implicit() || !is_.lower) return false;
+        sequential_.filter(system, x);
+        return true;
+    }
 
   private:
     bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
 
-    stage_slopes<Scalar, N, Stages, Blocks> v_;
+    stage_slopes<vector, Stages, blocks> v_;
     tableau_structure is_;
-    sequential_stages<Scalar, N, Stages, Blocks> sequential_;
-    coupled_stages<Scalar, N, Stages, Blocks> coupled_;
-    stage_output<Scalar, N, Stages, MaxStages> output_;
+    sequential_stages<vector, Stages, blocks> sequential_;
+    coupled_stages<vector, Stages, blocks> coupled_;
+    stage_output<Stages, Space> output_;
     blind_spots<Scalar> blind_;
-    jump_watch<Scalar> watch_;
     Eigen::Matrix<Scalar, Stages, 1> difference_, end_slope_;  // b - b_embedded; k -> u'(1)
     vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
     vector next_value_;                // M k_1 of the next step where that is kept

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <stagecraft/control/equal_steps.hpp>
+#include <stagecraft/control/options.hpp>
+#include <stagecraft/status.hpp>
+
+namespace stagecraft {
+
+/// The step to be tried next, from t to t_next, unless there is none: then `obstacle` says why.
+template <class Scalar>
+struct planned_step {
+    Scalar h{0}, t_next{0};
+    status obstacle = status::success;
+};
+
+/// Fits the steps into a run from t0 to t1: equal ones by their number, others so that the last one ends at
+/// t1 and none before it is tiny. Throws what plan_equal_steps() does.
+template <class Scalar>
+class step_plan {
+  public:
+    step_plan(const Scalar& t0, const Scalar& t1, const options<Scalar>& o)
+        : t1_(t1),
+          direction_(t1 < t0 ? -1 : 1),
+          least_(o.min_step),
+          most_(o.max_step),
+          attempts_left_(o.max_steps) {
+        if (o.fixed_step > Scalar(0)) equal_ = plan_equal_steps(t0, t1, o.fixed_step);
+    }
+
+    bool fixed() const { return equal_.count > 0; }
+    const Scalar& end() const { return t1_; }
+    const equal_steps<Scalar>& equal() const { return equal_; }
+
+    /// The first step, of about `size` > 0, within the bounds and with its sign.
+    Scalar first(Scalar size, const Scalar& t0) const {
+        using std::abs;
+        const Scalar span = abs(t1_ - t0);
+        if (size > span) size = span;
+        if (most_ > Scalar(0) && size > most_) size = most_;
+        if (size < least_) size = least_;
+        return size * Scalar(direction_);
+    }
+    /// h, or the largest step allowed.
+    Scalar bounded(const Scalar& h) const {
+        using std::abs;
+        return most_ > Scalar(0) && abs(h) > most_ ? Scalar(most_ * Scalar(direction_)) : h;
+    }
+
+    /// The step to try from t where `h` is wanted, `done` steps have been accepted and the present one has
+    /// been tried `failures` times. Too small is what t does not resolve well, what is below
+    /// options.min_step, or the step that is wanted after more than 60 failures.
+    planned_step<Scalar> next(const Scalar& t, const Scalar& h, long done, int failures) {
+        if (attempts_left_-- <= 0) return {h, t, status::too_many_steps};
+        return fixed() ? next_equal(t, h, done) : next_free(t, h, failures);
+    }
+
+  private:
+    planned_step<Scalar> next_equal(const Scalar& t, const Scalar& h, long done) const {
+        const Scalar to = equal_.end(done + 1);
+        return {to == t1_ ? not_beyond(t, h, t1_) : h, to};
+    }
+    planned_step<Scalar> next_free(const Scalar& t, const Scalar& wanted, int failures) const {
+        using std::abs;
+        const Scalar rest = t1_ - t;
+        planned_step<Scalar> step{wanted, t1_};
+        if (abs(wanted) * stretch() >= abs(rest)) {
+            step.h = not_beyond(t, rest, t1_);
+        } else {
+            if (abs(wanted) * 2 > abs(rest)) step.h = rest / 2;
+            step.t_next = t + step.h;
+        }
+        const Scalar resolved = Scalar(10) * std::numeric_limits<Scalar>::epsilon() * abs(t);
+        if (failures > most_failures || abs(step.h) <= resolved || step.t_next == t || abs(wanted) < least_)
+            step.obstacle = status::step_underflow;
+        return step;
+    }
+    /// A step may be longer than wanted by so much if it ends at t1 then.
+    static Scalar stretch() { return Scalar(1) + Scalar(1) / 100000; }
+    static constexpr int most_failures = 60;  // halvings from any step to below the resolution of t
+
+    equal_steps<Scalar> equal_;
+    Scalar t1_;
+    int direction_;
+    Scalar least_, most_;
+    long attempts_left_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <stagecraft/control/options.hpp>
+#include <stagecraft/jumps/blind_spots.hpp>
+#include <stagecraft/jumps/jump_watch.hpp>
+#include <stagecraft/jumps/smoothness.hpp>
+
+namespace stagecraft {
+
+/// All that a run does about jumps of f (and of its derivatives), which no estimate of the error is made for.
+/// Owned by the acceptance of steps, one per run; options.jumps switches it off. Two things, each only where
+/// there is something to gain:
+///   - Where the estimate is taken to stand for less than itself (collocation_step::estimate_ratio), or shows
+///     a part of a jump only (an embedded pair), `smoothness` says when that is not to be relied on.
+///   - Where the estimate of a pair is blind, combinations of the slopes at its blind spots
+///   (find_blind_spots)
+///     are watched by a jump_watch. That costs one combination of the slopes per spot and step, and at a
+///     suspicion one step taken in two halves.
+/// Methods that show every jump, fixed steps, and steps near the smallest possible have none of it.
+template <class Scalar>
+class jump_guard {
+  public:
+    explicit jump_guard(const options<Scalar>& o)
+        : on_(o.jumps), least_step_(worthwhile_steps * o.min_step) {}
+
+    /// How the estimate of an attempt is to be read.
+    struct reading {
+        Scalar ratio;   ///< what an estimate of 1 stands for
+        Scalar smooth;  ///< the same if f is smooth
+        Scalar across;  ///< and across a jump of f
+        bool worthwhile;
+    };
+
+    /// Of a step h from t by `method`; an estimate of 1 stands for `smooth` where f is smooth.
+    template <class Step>
+    reading read(const Step& method, const Scalar& smooth, const Scalar& t, const Scalar& h) const {
+        using std::abs;
+        const bool worthwhile = on_ && abs(h) > least_step_ &&
+                                abs(h) > std::numeric_limits<Scalar>::epsilon() * resolved_steps() * abs(t);
+        const Scalar across = worthwhile ? method.jump_ratio(smooth) : Scalar(1);
+        return {smooth_.doubted() ? across : smooth, smooth, across, worthwhile};
+    }
+
+    /// True if an attempt with error `err` begins the doubt in smoothness; `expected` and `again` as in
+    /// smoothness::surprised().
+    template <class Expected>
+    bool surprised(const reading& r, const Scalar& err, Expected&& expected, bool again) {
+        return on_ && r.smooth < r.across && smooth_.surprised(err, expected, again);
+    }
+    bool doubted() const { return smooth_.doubted(); }
+
+    /// The error `err` of an attempt, or what is to stand for it where the slopes show a jump of f at a blind
+    /// spot of the method; x is scratch, size(x, false) measures it.
+    template <class Step, class System, class Size>
+    Scalar judge(Step& method, const System& system, const reading& r, const Scalar& h, const Scalar& err,
+                 typename Step::vector& x, long& solves, Size&& size) {
+        if constexpr (requires { method.blind(); }) {
+            if (!r.worthwhile || method.blind().count() == 0 || !method.knows_slopes()) return err;
+            if (!(err < Scalar(1))) {
+                watch_.refused();
+                return err;
+            }
+            const Scalar largest = largest_sign(method, system, h, x, solves, size);
+            if (!(largest - largest == Scalar(0))) return err;  // f(t1, y1) need not be finite
+            using std::pow;
+            switch (watch_.judge(h, largest, method.blind().power)) {
+                case jump_watch<Scalar>::verdict::suspicion:
+                    return pow(halving_error(), method.estimate_power());
+                case jump_watch<Scalar>::verdict::jump:
+                    return largest;
+                case jump_watch<Scalar>::verdict::smooth:
+                    break;
+            }
+        }
+        return err;
+    }
+
+    /// A step has been accepted: true if the doubt in smoothness ends with it.
+    template <class Step>
+    bool accepted(const Step& method) {
+        if constexpr (requires { method.blind(); })
+            if (method.blind().count() > 0) watch_.accepted();
+        return smooth_.accepted();
+    }
+
+  private:
+    /// The largest of what the combinations at the blind spots show. What stiff components carry of it is no
+    /// jump, or damped as time goes on: it is taken away by the method's own filter, twice, where it matters.
+    template <class Step, class System, class Size>
+    static Scalar largest_sign(Step& method, const System& system, const Scalar& h, typename Step::vector& x,
+                               long& solves, Size&& size) {
+        Scalar largest(0);
+        for (int g = 0; g < method.blind().count(); ++g) {
+            method.weigh_slopes(g, h, x);
+            Scalar next = size(x, false);
+            for (int k = 0; k < 2 && next > jump_watch<Scalar>::notable() && method.damp(system, x); ++k) {
+                ++solves;
+                next = size(x, false);
+            }
+            if (!(next <= largest)) largest = next;
+        }
+        return largest;
+    }
+
+    /// An error of this to the power of the estimate makes the step control, with its safety factor of 9/10,
+    /// take half of the step.
+    static Scalar halving_error() { return Scalar(9) / 5; }
+    /// A jump is found by making steps smaller: a factor of four over the smallest step allowed leaves two
+    /// halvings, and a million times the resolution of t the twenty that tell a jump from a steep slope.
+    static constexpr int worthwhile_steps = 4;
+    static Scalar resolved_steps() { return Scalar(1000000); }
+
+    smoothness<Scalar> smooth_;
+    jump_watch<Scalar> watch_;
+    bool on_;
+    Scalar least_step_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+#include <stagecraft/control/options.hpp>
+#include <stagecraft/control/order.hpp>
+#include <stagecraft/control/step_plan.hpp>
+#include <stagecraft/control/step_size.hpp>
+#include <stagecraft/jumps/jump_guard.hpp>
+#include <stagecraft/linear/norms.hpp>
+#include <stagecraft/report.hpp>
+#include <stagecraft/stages/newton.hpp>
+#include <stagecraft/step/end_slope.hpp>
+
+namespace stagecraft {
+
+/// An attempt at a step from (t, y) whose stage equations are solved.
+template <class Vector, class Output>
+struct trial_step {
+    using scalar = typename Vector::Scalar;
+    const planned_step<scalar>& plan;
+    const scalar& t;
+    const Vector& y;
+    const Vector& weights;  ///< of the norm in which the tolerance is 1
+    end_slope<Vector>& f;   ///< f at one of the ends
+    Vector& y1;             ///< the state at t_next
+    Output& now;            ///< the stages, then the continuous solution
+};
+
+/// How often the present step has been refused: at all, and for the size of its error.
+struct refusals {
+    int all = 0, for_error = 0;
+};
+
+/// Judges attempts whose stage equations are solved, and says what follows: the error of the step, the size
+/// of the next one, with several methods the next method. Holds what it has to remember for it.
+template <class Vector, int Methods>
+class acceptance {
+    using scalar = typename Vector::Scalar;
+
+  public:
+    acceptance(const options<scalar>& o, int n)
+        : rtol_(o.rtol), continuous_(o.continuous), controller_(o.control), jumps_(o), error_(n) {}
+
+    /// Number of the method in use.
+    int method() const { return order_.current(); }
+    /// Makes method number k known.
+    template <class Step, class System>
+    void prepare(int k, Step& m, const System& system) {
+        ratio_[k] = m.estimate_ratio(rtol_);
+        if constexpr (Methods > 1)
+            order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system)}, rtol_);
+    }
+    /// Newton's iteration failed more than once: true if another method is to try.
+    bool newton_failed() {
+        if constexpr (Methods > 1)
+            return order_.newton_failed();
+        else
+            return false;
+    }
+
+    /// The error of an attempt, of tolerance 1; `first` in the run.
+    template <class Step, class System>
+    scalar error(Step& method, System& system, const trial_step<Vector, typename Step::output>& trial,
+                 const refusals& refused, bool first, report<scalar>& counts) {
+        const auto size = [&](const Vector& x, bool reduced) {
+            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : trial.weights,
+                                 system.size());
+        };
+        auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
+        const auto estimate_size = [&] {
+            return method.error_size(system, trial.now, reading.ratio, error_, counts.error_solves, size);
+        };
+        counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
+        scalar err = estimate_size();
+        if (err >= scalar(1) && (first || refused.all > 0)) {
+            counts.error_solves +=
+                method.estimate_again(system, trial.t, trial.y, trial.plan.h, trial.now, trial.y1, error_);
+            method.advance(trial.y, trial.now, trial.y1);
+            err = estimate_size();
+        }
+        if (err < scalar(1) && method.needs_right_value()) {
+            const Vector& f1 = trial.f.right(system, trial.plan.t_next, trial.y1);
+            if (const int solves = method.estimate_right(system, trial.plan.h, f1, trial.now, error_)) {
+                counts.error_solves += solves;
+                raise(err, weighted_norm(error_, trial.weights, system.size()) *
+                               method.right_ratio(reading.ratio));
+            }
+        }
+        const auto expected = [&] { return controller_.expected(trial.plan.h, method.estimate_power()); };
+        if (!first && jumps_.surprised(reading, err, expected, refused.for_error > 0)) {
+            controller_.forget();
+            reading.ratio = reading.across;
+            raise(err, estimate_size());
+        }
+        err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
+        if (continuous_) {
+            const scalar between = method.output_error(trial.now, trial.weights);
+            if (err < between) err = between;
+        }
+        return err;
+    }
+
+    /// The next step after an accepted one of error err < 1, and the method that makes it. `newton` is what
+    /// the iteration told, theta its last known contraction; `kept` is true if the factors of the step would
+    /// serve another one of its size.
+    template <class Step>
+    scalar after_accepted(Step& method, const trial_step<Vector, typename Step::output>& trial, scalar err,
+                          const newton_outcome<scalar>& newton, const scalar& theta, bool kept,
+                          const refusals& refused) {
+        if (jumps_.accepted(method)) {
+            controller_.forget();
+            if (ratio_[order_.current()] < scalar(1)) err *= ratio_[order_.current()];
+        }
+        const int most = usual_iterations(method.coupled_stages_count());
+        const scalar safety = usual_safety() * scalar(2 * most + 1) / scalar(2 * most + newton.iterations);
+        scalar factor = controller_.after_accepted(trial.plan.h, err, method.estimate_power(), safety);
+        if (refused.all > 0 && factor > scalar(1)) factor = scalar(1);
+        if constexpr (Methods > 1) {
+            if (order_.wants_evidence() && refused.all == 0 && !jumps_.doubted()) {
+                const scalar decay = method.decay(trial.now, trial.weights);
+                const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations});
+                if (change > scalar(0)) {
+                    factor = change;
+                    controller_.forget();
+                }
+            }
+        }
+        // Keep the factors while the gain from a new step size is small.
+        if (kept && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
+        return trial.plan.h * factor;
+    }
+
+    /// The step to try after one whose error was too large, or not finite; `first` in the run.
+    scalar after_rejected(const scalar& h, const scalar& err, int power, bool first) const {
+        if (!(err - err == scalar(0))) return h / 8;
+        if (first) return h / 10;
+        return h * controller_.after_rejected(err, power, usual_safety());
+    }
+
+  private:
+    /// err := the larger one; NaN is.
+    static void raise(scalar& err, const scalar& other) {
+        if (!(other <= err)) err = other;
+    }
+    static scalar usual_safety() { return scalar(9) / scalar(10); }
+
+    scalar rtol_;
+    bool continuous_;
+    std::array<scalar, static_cast<std::size_t>(Methods)> ratio_{};
+    step_size_controller<scalar> controller_;
+    order_controller<scalar, Methods> order_{};
+    jump_guard<scalar> jumps_;
+    Vector error_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+
+#include <stagecraft/control/options.hpp>
+#include <stagecraft/stages/growth.hpp>
+#include <stagecraft/stages/newton.hpp>
+
+namespace stagecraft {
+
+/// What the linear systems of an attempt are like: factored, singular (or not finite), or such that the step
+/// would pass over a growing mode (stages/growth.hpp).
+enum class linear_state { factored, singular, growing };
+
+/// The linearisation of the stage equations that Newton's iteration uses: the Jacobian, which the system
+/// holds, and how old it is; for which step size and method its matrices are factored; how well it serves
+/// (theta, the contraction seen last). A Jacobian is kept while theta <= 1/1000 (Hairer-Wanner II.IV.8), and
+/// for ever where it is constant.
+template <class System, class Vector>
+class linearisation {
+  public:
+    using scalar = typename Vector::Scalar;
+
+    explicit linearisation(int n) : negligible_(n) {}
+
+    bool wanted() const { return jacobian_ == age::wanted; }
+    /// Evaluated in this step.
+    bool fresh() const { return jacobian_ == age::fresh; }
+    /// True if the next evaluation needs f at the left end of the step.
+    bool needs_left_value() const { return System::finite_difference && wanted(); }
+    const scalar& theta() const { return theta_; }
+    /// Newton's iteration contracts so well that another Jacobian, or other factors, gain nothing.
+    bool serves_well() const { return theta_ <= scalar(1) / 1000; }
+    /// The problem says so, and the first step did not show otherwise.
+    bool constant(System& system) const { return !contradicted_ && system.constant_jacobian(); }
+
+    /// Evaluates the Jacobian for a step h from (t, y), with f0 = f(t, y) where differences need it. `before`
+    /// is the step before where its solution may be extrapolated, else null; point is scratch. Two fifths
+    /// into the step the Jacobian serves all stages best; not further than the last step was long, as that is
+    /// where the state comes from. (Differences need f there as well: they stay at the left end, where it is
+    /// known.)
+    template <class Output>
+    void evaluate(System& system, const scalar& t, const Vector& y, const Vector& f0, const scalar& h,
+                  const Output* before, const options<scalar>& o, Vector& point) {
+        using std::abs;
+        if constexpr (System::finite_difference) {
+            for (int i = 0; i < system.size(); ++i) {
+                const scalar moved = abs(h * f0[i]), small = absolute_tolerance(o, i) / o.rtol / 1000;
+                negligible_[i] = moved > small ? moved : small;
+            }
+        }
+        ahead_ = !System::finite_difference && before != nullptr;
+        if (ahead_) {
+            const scalar last = before->step(), ahead = (abs(h) < abs(last) ? h : last) * 2 / 5;
+            before->evaluate(t + ahead, point);
+            system.evaluate_jacobian(t + ahead, point, f0, negligible_);
+        } else {
+            system.evaluate_jacobian(t, y, f0, negligible_);
+        }
+        jacobian_ = age::fresh;
+        factored_for(scalar(0), 0);
+    }
+
+    /// Factors the systems of a step h with method number k, unless they are already. `watch` looks for
+    /// growth.
+    template <class Stages>
+    linear_state factor(const System& system, Stages& stages, const scalar& h, int k, bool watch,
+                        long& factorisations) {
+        if (factored_h_ == h && factored_method_ == k) return linear_state::factored;
+        ++factorisations;
+        factored_for(scalar(0), 0);
+        if (!stages.factor(system, h)) return linear_state::singular;
+        if (watch && growth_.sees(system, stages)) return linear_state::growing;
+        factored_for(h, k);
+        return linear_state::factored;
+    }
+    /// The systems have been factored elsewhere.
+    void factored_for(const scalar& h, int k) {
+        factored_h_ = h;
+        factored_method_ = k;
+    }
+
+    /// Newton's iteration has converged; `first` in the run. With a constant Jacobian its second increment is
+    /// what rounding, or differences, leave of the first. Where it is not, the claim is not believed: one
+    /// iteration a step would leave errors that nothing sees.
+    void solved(const scalar& theta, bool first) {
+        using std::sqrt;
+        const scalar exact = System::finite_difference ? scalar(1) / 1000000
+                                                       : scalar(sqrt(std::numeric_limits<scalar>::epsilon()));
+        if (first) contradicted_ = contradicted_ || theta > exact;
+        if (theta > scalar(0)) theta_ = theta;
+    }
+    /// It has not: true if a new Jacobian may help, which is wanted then.
+    bool renew(System& system) {
+        if (fresh() || constant(system)) return false;
+        jacobian_ = age::wanted;
+        return true;
+    }
+    /// The error of the step is too large: with the next, smaller one the Jacobian is replaced as well if it
+    /// served badly.
+    void rejected(System& system) {
+        if (!fresh() && !serves_well()) renew(system);
+    }
+    /// Where the extrapolation went astray the Jacobian did: true if it is wanted at the left end now.
+    bool stay_behind() {
+        if (ahead_) jacobian_ = age::wanted;
+        return ahead_;
+    }
+    /// The step has been accepted.
+    void stepped(System& system) {
+        jacobian_ = age::kept;
+        if (!serves_well()) renew(system);
+    }
+
+  private:
+    enum class age { wanted, kept, fresh };
+
+    Vector negligible_;  // sizes below which differences need not tell components apart
+    growth_watch<scalar> growth_;
+    scalar factored_h_{0}, theta_{0};
+    int factored_method_ = 0;
+    age jacobian_ = age::wanted;
+    bool ahead_ = false, contradicted_ = false;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+
+#include <stagecraft/dense_output.hpp>
+#include <stagecraft/stages/newton.hpp>
+
+// What the integrator asks of a method: the concept, and defaults for what a method need not say.
+
+namespace stagecraft {
+
+/// Where the steps of a run live: states of type Vector, the columns that a continuous solution may need
+/// (`dynamic`: known at run time), and the solvers of the linear systems (problem/capabilities.hpp).
+template <class Vector, int Columns, class Blocks>
+struct step_space {
+    using vector = Vector;
+    using scalar = typename Vector::Scalar;
+    using blocks = Blocks;
+    using output = dense_output<Vector, Columns>;
+    static constexpr int columns = Columns;
+};
+
+/// What a run asks of its method beforehand.
+struct run_demands {
+    bool fixed = false;    ///< equal steps: errors are not estimated
+    bool output = true;    ///< somebody will look at the continuous solution
+    bool jumps = true;     ///< jumps of f are looked for that the error estimate does not see
+    bool between = false;  ///< the error of the continuous solution is to be estimated, or its decay
+};
+
+/// A method as the integrator sees it: an object that makes one step at a time and keeps nothing from step to
+/// step but slopes that the next one begins with. Models: collocation_step, tableau_step.
+///
+/// Notation: m the method, t, y, h the step, y1 the state at its end, w the weights of the norm, `now` an
+/// output (its increments are z_i = Y_i - y), s the stages. Vectors have size n. Nothing allocates.
+///
+/// Expression, meaning, and cost of those that are made in every step:
+///   - m.prepare(system, demands): once, before all others; std::invalid_argument where it cannot serve them.
+///   - m.stages(): the solver of the stage equations, with factor(system, h) -> bool and
+///     solve(system, t, y, h, w, limits, Z, solves) -> newton_outcome.
+///   - m.count(): s. m.coupled_stages_count(): how many of them one Newton iteration solves for.
+///   - m.columns(): columns of increments that an output needs.
+///   - m.implicit(): false if no stage needs a Jacobian. m.stiffly_accurate(): y1 is the last stage.
+///   - m.estimate_power(): q, the estimate is O(h^q).
+///   - m.estimate_ratio(rtol): the estimate times this has tolerance 1 where the solution is smooth.
+///   - m.guess(before, y, h, now, from): first guess of the stages by the step before (or null); s^2 n.
+///   - m.advance(y, now, y1): y1 := the new state; s n.
+///   - m.estimate(system, h, f0, now, e): e := the estimate, f0 = f(t, y); returns the solves made, 0 or 1.
+///   - m.error_size(system, now, r, e, solves, size): the size of e times r, or more where the order is
+///     reduced; size(x, reduced) measures a vector; up to four solves, which it counts.
+///   - m.finish(t, y, h, y1, now): the step is accepted, now := its continuous solution; s^2 n.
+///
+/// Everything else may be left to step_defaults, from which a model derives. A method for variable_order has
+/// decay(now, w) and, in its stages, work(system) besides.
+template <class Step, class System>
+concept one_step_method = requires(
+    Step& m, const Step& c, System& system, const run_demands& demands, const typename Step::vector& x,
+    typename Step::vector& out, const typename Step::vector::Scalar& h, const typename Step::output* before,
+    typename Step::output& now, const newton_limits<typename Step::vector::Scalar>& limits, long& solves,
+    typename Step::vector::Scalar (*size)(const typename Step::vector&, bool reduced)) {
+    m.prepare(system, demands);
+    { m.stages().factor(system, h) } -> std::same_as<bool>;
+    {
+        m.stages().solve(system, h, x, h, x, limits, now.increments(), solves)
+        } -> std::same_as<newton_outcome<typename Step::vector::Scalar>>;
+    { c.count() } -> std::same_as<int>;
+    { c.coupled_stages_count() } -> std::same_as<int>;
+    { c.columns() } -> std::same_as<int>;
+    { c.implicit() } -> std::same_as<bool>;
+    { c.stiffly_accurate() } -> std::same_as<bool>;
+    { c.estimate_power() } -> std::same_as<int>;
+    { c.estimate_ratio(h) } -> std::convertible_to<typename Step::vector::Scalar>;
+    m.guess(before, x, h, now, h);
+    m.advance(x, now, out);
+    m.finish(h, x, h, x, now);
+    { m.estimate(system, h, x, now, out) } -> std::same_as<int>;
+    { m.error_size(system, now, h, x, solves, size) } -> std::convertible_to<typename Step::vector::Scalar>;
+};
+
+/// What a method need not say. A model hides what it knows better.
+template <class Space>
+class step_defaults {
+  public:
+    using vector = typename Space::vector;
+    using scalar = typename Space::scalar;
+    using output = typename Space::output;
+
+    // Values of f at the ends of the step.
+
+    /// True if the next step uses f(t, y), for its stages or (unless `fixed`) its estimate.
+    static constexpr bool needs_left_value(bool /*fixed*/) { return false; }
+    /// An attempt begins: f0 = f(t, y) where needs_left_value().
+    static void begin(const vector& /*f0*/) {}
+    /// True if f(t1, y1) is asked for before the step is judged.
+    static constexpr bool needs_right_value() { return false; }
+    /// True if the continuous solution uses f(t1, y1): then end() is called with it, or, where it is not
+    /// finite, end_without_value().
+    static constexpr bool ends_with_value() { return false; }
+    static void end(const vector& /*f1*/) {}
+    static void end_without_value(const scalar& /*h*/, const vector& /*y*/, const vector& /*y1*/) {}
+    /// The step has been accepted, all of it done.
+    static void accepted() {}
+    /// y1 has been replaced: what was kept of it for the next step is not valid.
+    static void replaced() {}
+
+    // Further estimates. Each returns the number of solves made, 0 where there is none.
+
+    /// The estimate once more filtered, for the first step and after a rejection; f is scratch.
+    template <class System>
+    static int estimate_again(System&, const scalar& /*t*/, const vector& /*y*/, const scalar& /*h*/,
+                              const output&, vector& /*f*/, vector& /*error*/) {
+        return 0;
+    }
+    /// An estimate that uses f1 = f(t1, y1). Called where needs_right_value().
+    template <class System>
+    static int estimate_right(const System&, const scalar& /*h*/, const vector& /*f1*/, const output&,
+                              vector& /*error*/) {
+        return 0;
+    }
+    /// What that one stands for where the other stands for `ratio`.
+    static const scalar& right_ratio(const scalar& ratio) { return ratio; }
+
+    // The continuous solution.
+
+    /// True if output_error(now, w) bounds its error between the ends.
+    static constexpr bool knows_output_error() { return false; }
+    static scalar output_error(const output&, const vector& /*weights*/) { return scalar(0); }
+
+    // Jumps of f (jumps/jump_guard.hpp).
+
+    /// What an estimate of 1 stands for across a jump of f, `smooth` where there is none. A method whose
+    /// estimate does not see every jump has besides blind(), knows_slopes(), weigh_slopes() and damp().
+    static const scalar& jump_ratio(const scalar& smooth) { return smooth; }
+};
+
+}  // namespace stagecraft

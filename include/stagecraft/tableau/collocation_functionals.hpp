@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/tableau.hpp>
+
+// Linear functionals of the stage polynomial u, given by z_i = u(c_i h) - y: weights, one per stage, distinct
+// nodes.
+
+namespace stagecraft {
+
+/// z -> h u'(0) of the polynomial through y and the stages, no node being 0.
+template <class Scalar, int Stages>
+Eigen::Matrix<Scalar, Stages, 1> slope_at_left_end(const tableau<Scalar, Stages>& m) {
+    const int s = m.stages();
+    Eigen::Matrix<Scalar, Stages, 1> w(s);
+    for (int j = 0; j < s; ++j) {
+        Scalar product = m.c[j];
+        for (int k = 0; k < s; ++k)
+            if (k != j) product *= m.c[j] - m.c[k];
+        w[j] = Scalar(1) / product;
+        for (int k = 0; k < s; ++k)
+            if (k != j) w[j] *= -m.c[k];
+    }
+    return w;
+}
+
+/// z -> h u'(1) of the polynomial through the stages, and through y where 0 is no node.
+template <class Scalar, int Stages>
+Eigen::Matrix<Scalar, Stages, 1> slope_at_right_end(const tableau<Scalar, Stages>& m) {
+    const int s = m.stages();
+    Eigen::Matrix<Scalar, Stages, 1> w(s);
+    for (int j = 0; j < s; ++j) {
+        Scalar value = Scalar(1), slope = Scalar(0);  // of the Lagrange function at 1, factor by factor
+        const auto factor = [&](const Scalar& node) {
+            const Scalar width = m.c[j] - node;
+            slope = (slope * (Scalar(1) - node) + value) / width;
+            value *= (Scalar(1) - node) / width;
+        };
+        if (!(m.c[0] == Scalar(0))) factor(Scalar(0));
+        for (int k = 0; k < s; ++k)
+            if (k != j) factor(m.c[k]);
+        w[j] = slope;
+    }
+    return w;
+}
+
+/// z -> change of the polynomial at the end of the step if the node 0 is left out, for which the polynomial
+/// through the others is extrapolated to 0.
+template <class Scalar, int Stages>
+Eigen::Matrix<Scalar, Stages, 1> change_without_left_node(const tableau<Scalar, Stages>& m) {
+    const int s = m.stages(), first = m.c[0] == Scalar(0) ? 1 : 0;
+    Eigen::Matrix<Scalar, Stages, 1> w(s);
+    Scalar ratio = Scalar(1);  // of prod (x - c_k) at 1 and at 0
+    for (int k = first; k < s; ++k) ratio *= (Scalar(1) - m.c[k]) / -m.c[k];
+    if (first == 1) w[0] = ratio;
+    for (int j = first; j < s; ++j) {
+        w[j] = -ratio;
+        for (int k = first; k < s; ++k)
+            if (k != j) w[j] *= -m.c[k] / (m.c[j] - m.c[k]);
+    }
+    return w;
+}
+
+/// Column r: z -> a_{n-2r}, the shifted Legendre coefficients of the polynomial of degree n through y and
+/// the n values z_j at c_j != 0: rows of the inverse of P_k at the nodes {0, c}, where z_0 = 0.
+template <class Scalar, class Nodes>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 2> highest_legendre_coefficients(const Nodes& c, int n) {
+    const int m = n + 1;
+    split_lu<Scalar, -1> lu(m);
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top(n, 2);
+    std::vector<Scalar> row(static_cast<std::size_t>(m));
+    for (int r = 0; r < 2; ++r) {
+        for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
+            const Scalar x = 2 * (j == 0 ? Scalar(0) : c[j - 1]) - 1;
+            Scalar before = Scalar(0), p = Scalar(1);
+            for (int k = 0; k < m; ++k) {
+                lu.entries()[k + j * m] = p;
+                const Scalar next = ((2 * k + 1) * x * p - k * before) / Scalar(k + 1);
+                before = p;
+                p = next;
+            }
+        }
+        lu.factor();
+        for (int k = 0; k < m; ++k) row[k] = Scalar(k == m - 1 - 2 * r ? 1 : 0);
+        lu.solve(row.data());
+        for (int j = 1; j < m; ++j) top(j - 1, r) = row[j];
+    }
+    return top;
+}
+
+}  // namespace stagecraft
