@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <stdexcept>
 
 namespace stagecraft {
 
@@ -28,6 +29,23 @@ logarithmic_norms logarithmic_norm(const Eigen::MatrixBase<Derived>& a) {
     mu.one = (off.colwise().sum().transpose().array() - diagonal.abs() + diagonal).maxCoeff();
     mu.infinity = (off.rowwise().sum().array() - diagonal.abs() + diagonal).maxCoeff();
     return mu;
+}
+
+/// The logarithmic norm in the norm sqrt(x^T G x): the largest mu with det((G A + A^T G)/2 - mu G) = 0, so
+/// that <A x, x> <= mu <x, x> with <x, y> = x^T G y. G symmetric positive definite, else
+/// std::invalid_argument. Its upper triangle is read only to be compared with the lower one.
+template <class DerivedA, class DerivedG>
+double logarithmic_norm(const Eigen::MatrixBase<DerivedA>& A, const Eigen::MatrixBase<DerivedG>& G) {
+    using matrix = typename DerivedA::PlainObject;
+    if (A.rows() != A.cols() || G.rows() != A.rows() || G.cols() != A.cols())
+        throw std::invalid_argument("logarithmic_norm: A and G must be square and of the same size");
+    if (!(G - G.transpose()).isZero(0)) throw std::invalid_argument("logarithmic_norm: G must be symmetric");
+    const matrix GA = G * A, S = (GA + GA.transpose()) / 2;
+    if (Eigen::LLT<matrix>(G).info() != Eigen::Success)
+        throw std::invalid_argument("logarithmic_norm: G must be positive definite");
+    return Eigen::GeneralizedSelfAdjointEigenSolver<matrix>(S, G, Eigen::EigenvaluesOnly | Eigen::Ax_lBx)
+        .eigenvalues()
+        .maxCoeff();
 }
 
 }  // namespace stagecraft

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stagecraft/theory/dynamics/inner_product.hpp"
+#include "stagecraft/theory/dynamics/maximum.hpp"
+#include "stagecraft/theory/verdict.hpp"
+
+namespace stagecraft::theory {
+
+/// The least gamma of the one-sided Lipschitz condition <f(x) - f(y), x - y> <= gamma |x - y|^2 (lecture,
+/// Definition 1.4): the supremum of the logarithmic norm of f' (Hairer-Norsett-Wanner I, section I.10).
+/// proved: low <= gamma <= high, both proved, low = high where it is known exactly; high may be used as a
+/// constant. refuted: there is none; `refuting_pair` gives points for every gamma. consistent: the search
+/// ended early, gamma >= low is all that is proved.
+struct one_sided_constant {
+    theory::verdict verdict;
+    rational low, high;
+    std::vector<rational> point;  ///< where the logarithmic norm of f' is at least low; empty: at infinity
+};
+
+namespace detail {
+
+inline std::string text(const std::vector<rational>& x) {
+    std::string out;
+    for (const auto& a : x) out += (out.empty() ? "(" : ", ") + a.str();
+    return out + ")";
+}
+
+inline one_sided_constant found(const std::string& where, supremum s, std::vector<rational> point) {
+    const std::string value = s.low == s.high ? s.low.str()
+                                              : "between " + std::to_string(s.low.to<double>()) + " and " +
+                                                    std::to_string(s.high.to<double>());
+    const std::string at = point.empty() ? "approached at infinity" : "attained at " + text(point);
+    return {verdict::proved(where + ": " + value + ", " + at), s.low, s.high, std::move(point)};
+}
+
+/// The Jacobian of polynomials.
+template <int N>
+dense<multinomial> jacobian(const state<multinomial, N>& f) {
+    dense<multinomial> J(N, N);
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) J(i, j) = f[i].derivative(j);
+    return J;
+}
+
+/// The matrices of a symmetric matrix of polynomials, monomial by monomial.
+inline std::map<multinomial::monomial, dense<rational>> by_monomial(const dense<multinomial>& S) {
+    std::map<multinomial::monomial, dense<rational>> parts;
+    const dense<rational> zero = dense<rational>::Constant(S.rows(), S.cols(), rational(0));
+    parts.try_emplace({}, zero);
+    for (Eigen::Index i = 0; i < S.size(); ++i)
+        for (const auto& [m, a] : S.data()[i].terms()) parts.try_emplace(m, zero).first->second.data()[i] = a;
+    return parts;
+}
+
+}  // namespace detail
+
+/// On the whole line, f rational: decided (Sturm). Throws std::invalid_argument where f has a real pole.
+template <int N, class F>
+requires(N == 1) one_sided_constant one_sided_lipschitz(F&& f) {
+    const auto s = supremum_on_line(derivative(as_rational_function(f)));
+    if (!s) return {verdict::refuted("f' is unbounded above: no gamma exists"), 0, 0, {}};
+    return detail::found("on R", *s, s->point ? std::vector<rational>{*s->point} : std::vector<rational>{});
+}
+
+/// On R^N, f polynomial, in the inner product x^T G y. Decided where f' is constant, or where every other
+/// part of its symmetric part is an even monomial times a negative semidefinite matrix, so that the largest
+/// value is that at 0; consistent else: give a box.
+template <int N, class F>
+requires(N > 1) one_sided_constant one_sided_lipschitz(F&& f, const dense<rational>& G = euclidean(N)) {
+    require_inner_product(G, N);
+    const auto p = as_polynomials<N>(f);
+    require_autonomous<N>(p);
+    const auto parts = detail::by_monomial(symmetric_part<multinomial>(G, detail::jacobian<N>(p)));
+    const auto s = largest_eigenvalue(G, parts.at({}));
+    std::vector<rational> zero(N, rational(0));
+    for (const auto& [m, part] : parts) {
+        if (m.empty()) continue;
+        const bool even = std::all_of(m.begin(), m.end(), [](int k) { return k % 2 == 0; });
+        if (even && bounds(0, G, part)) continue;
+        return {verdict::consistent("gamma >= " + s.low.str(), "unknown",
+                                    "the logarithmic norm of f' is not decided on all of R^m; give a box"),
+                s.low, s.high, zero};
+    }
+    return detail::found("on R^" + std::to_string(N), s, zero);
+}
+
+/// On R x [t0, infinity) for a scalar polynomial f(t, x) whose f_x depends on t alone: decided.
+template <int N, class F>
+requires(N == 1) one_sided_constant one_sided_lipschitz_from(F&& f, const rational& t0) {
+    const auto slope = as_polynomials<1>(f)[0].derivative(0);
+    if (slope.depends_on(0))
+        throw std::invalid_argument(
+            "f: its derivative f_x must depend on t alone on an unbounded interval of t");
+    // t = t0 + s^2 runs through [t0, infinity)
+    const polynomial<rational> time{t0, 0, 1};
+    const auto s = supremum_on_line(rational_function(compose(slope.in_one_unknown(1), time)));
+    if (!s) return {verdict::refuted("f_x is unbounded above: no gamma exists"), 0, 0, {}};
+    std::vector<rational> at;
+    if (s->point) at.push_back(t0 + *s->point * *s->point);
+    return detail::found("for t >= " + t0.str() + " (the point is a time)", *s, at);
+}
+
+/// Two points with <f(x) - f(y), x - y> > gamma |x - y|^2, for a scalar rational f; nothing where gamma is a
+/// one-sided Lipschitz constant on R. Exact.
+template <class F>
+std::optional<std::pair<rational, rational>> refuting_pair(F&& f, const rational& gamma) {
+    const auto r = as_rational_function(f);
+    const auto x = point_above(derivative(r), gamma);
+    if (!x) return {};
+    for (rational h = 1;; h = h / 2)
+        if (r.denominator()(*x + h) != 0 && r(*x + h) - r(*x) > gamma * h) return std::pair{*x, *x + h};
+}
+
+namespace detail {
+
+/// Bounds the logarithmic norm of interval matrices in the inner product x^T G y: C transforms the matrix in
+/// the middle and G nearly to diagonal form and 1 (in doubles), Gershgorin's circles do the rest in
+/// intervals.
+template <int N>
+class logarithmic_norm_bound {
+  public:
+    explicit logarithmic_norm_bound(const dense<rational>& G) : G_(G) {
+        for (Eigen::Index i = 0; i < N; ++i)
+            for (Eigen::Index j = 0; j < N; ++j) {
+                exact_(i, j) = interval(G(i, j));
+                near_(i, j) = G(i, j).to<double>();
+            }
+    }
+    interval operator()(const Eigen::Matrix<interval, N, N>& J) const {
+        const matrix S = symmetric(J);
+        Eigen::Matrix<double, N, N> mid;
+        for (int i = 0; i < N; ++i) {
+            for (int j = 0; j < N; ++j) {
+                if (!S(i, j).bounded()) return interval::whole();
+                mid(i, j) = S(i, j).middle();
+            }
+        }
+        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> pencil(mid, near_);
+        matrix C;
+        for (int i = 0; i < N; ++i)
+            for (int j = 0; j < N; ++j) C(i, j) = interval(pencil.eigenvectors()(i, j));
+        const matrix D = C.transpose() * S * C, E = C.transpose() * exact_ * C;
+        double top = -std::numeric_limits<double>::infinity(), error = 0;
+        for (int i = 0; i < N; ++i) {
+            interval row = D(i, i), off = abs(E(i, i) - 1);
+            for (int j = 0; j < N; ++j) {
+                if (j == i) continue;
+                row += abs(D(i, j));
+                off += abs(E(i, j));
+            }
+            top = std::max(top, row.high());
+            error = std::max(error, off.high());
+        }
+        // z^T D z <= top |z|^2 and (1 - error) |z|^2 <= z^T E z <= (1 + error) |z|^2
+        if (!(error < 0.5)) return interval::whole();
+        const double upper = (interval(top) / (top > 0 ? 1 - interval(error) : 1 + interval(error))).high();
+        const interval quotient = D(N - 1, N - 1) / E(N - 1, N - 1);  // Rayleigh's
+        return {std::min(quotient.low(), upper), upper};
+    }
+
+  private:
+    using matrix = Eigen::Matrix<interval, N, N>;
+    matrix symmetric(const matrix& J) const {
+        const matrix GJ = exact_ * J;
+        matrix S;
+        for (int i = 0; i < N; ++i)
+            for (int j = 0; j < N; ++j) S(i, j) = (GJ(i, j) + GJ(j, i)) * interval(0.5);
+        return S;
+    }
+    dense<rational> G_;
+    matrix exact_;
+    Eigen::Matrix<double, N, N> near_;
+};
+
+template <>
+class logarithmic_norm_bound<1> {
+  public:
+    explicit logarithmic_norm_bound(const dense<rational>&) {}
+    interval operator()(const Eigen::Matrix<interval, 1, 1>& J) const { return J(0, 0); }
+};
+
+template <int N>
+std::vector<rational> exact_point(const box<N>& x) {
+    std::vector<rational> p;
+    for (int i = 0; i < N; ++i) p.push_back(exactly(x[i].low()));
+    return p;
+}
+
+}  // namespace detail
+
+/// On a convex box, f anything that evaluates in intervals and dual numbers, for all t in `time`: branch and
+/// bound on the logarithmic norm of f' in the inner product x^T G y. Throws std::invalid_argument for a box
+/// or G that are none, and where f' cannot be bounded on the box (a division through zero).
+template <int N, class F>
+one_sided_constant one_sided_lipschitz_on(F&& f, const box<N>& where, const dense<rational>& G = euclidean(N),
+                                          const search_limits& limits = {},
+                                          const interval& time = interval::whole()) {
+    require_inner_product(G, N);
+    const detail::logarithmic_norm_bound<N> norm(G);
+    const auto m =
+        maximise<N>([&](const box<N>& x) { return norm(enclosed_jacobian<N>(f, x, time)); }, where, limits);
+    if (!std::isfinite(m.low) || !std::isfinite(m.high))
+        throw std::invalid_argument(
+            "f: its derivative cannot be bounded on the box (division through zero, or "
+            "dependence on an unbounded time)");
+    const auto low = exactly(m.low), high = exactly(m.high);
+    if (m.complete) return detail::found("on the box", {low, high, {}}, detail::exact_point<N>(m.point));
+    return {verdict::consistent("gamma between " + std::to_string(m.low) + " and " + std::to_string(m.high),
+                                "width " + std::to_string(limits.relative), "the limit of boxes was reached"),
+            low, high, detail::exact_point<N>(m.point)};
+}
+
+/// A lower bound of gamma by random pairs in the box, in doubles: a measurement, not a proof.
+template <int N, class F>
+double sampled_one_sided_constant(F&& f, const box<N>& where, int pairs, unsigned seed = 1) {
+    require_bounded<N>(where);
+    std::mt19937_64 random(seed);
+    state<double, N> x, y, fx, fy;
+    double best = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < pairs; ++k) {
+        for (int i = 0; i < N; ++i) {
+            std::uniform_real_distribution<double> pick(where[i].low(), where[i].high());
+            x[i] = pick(random);
+            y[i] = pick(random);
+        }
+        f(0.0, x, fx);
+        f(0.0, y, fy);
+        best = std::max(best, (fx - fy).dot(x - y) / (x - y).squaredNorm());
+    }
+    return best;
+}
+
+}  // namespace stagecraft::theory
