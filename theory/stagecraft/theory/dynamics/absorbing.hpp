@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "stagecraft/theory/algebraic_stability.hpp"
 #include "stagecraft/theory/dynamics/dissipativity.hpp"
+#include "stagecraft/theory/stability/algebraic_stability.hpp"
 
 namespace stagecraft::theory {
 

@@ -8,7 +8,7 @@
 
 #include "stagecraft/theory/dynamics/inner_product.hpp"
 #include "stagecraft/theory/dynamics/maximum.hpp"
-#include "stagecraft/theory/verdict.hpp"
+#include "stagecraft/theory/statements/verdict.hpp"
 
 namespace stagecraft::theory {
 

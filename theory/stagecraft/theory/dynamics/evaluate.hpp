@@ -102,6 +102,14 @@ Eigen::Matrix<interval, N, N> enclosed_jacobian(F&& f, const box<N>& x,
     return J;
 }
 
+/// The unknown x_i of N, enclosed by `value`, as a dual number.
+template <int N>
+dual<interval, N> dual_unknown(const interval& value, int i) {
+    dual<interval, N> x(value);
+    x.derivatives()[i] = 1;
+    return x;
+}
+
 /// The box [-radius, radius]^N around `centre`.
 template <int N>
 box<N> cube(const state<rational, N>& centre, double radius) {

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stagecraft/theory/dynamics/absorbing.hpp"
+#include "stagecraft/theory/dynamics/krawczyk.hpp"
+#include "stagecraft/theory/dynamics/rk_map.hpp"
+#include "stagecraft/theory/stability/stability_function.hpp"
+
+namespace stagecraft::theory {
+
+/// A real point that the map of a method sends to itself, after one step or after two.
+struct periodic_point {
+    rational low, high;   ///< it is the only one in [low, high]
+    interval multiplier;  ///< derivative of the map (of its square for a cycle) there
+    bool equilibrium;     ///< f vanishes there; a ghost if not
+    double value() const { return ((low + high) / 2).to<double>(); }
+    bool attracting() const { return multiplier.magnitude() < 1; }
+};
+
+/// proved: these are all. consistent: the degree was beyond the limit, and nothing was counted.
+struct periodic_points {
+    theory::verdict verdict;
+    std::vector<periodic_point> points;
+    int ghosts() const {
+        int n = 0;
+        for (const auto& p : points) n += p.equilibrium ? 0 : 1;
+        return n;
+    }
+};
+
+/// The largest degree whose real roots are looked for.
+inline constexpr int largest_ghost_degree = 200;
+
+namespace detail {
+
+/// A rational number in the arithmetic T.
+template <class T>
+T lifted(const rational& q) {
+    if constexpr (std::is_constructible_v<T, rational>) {
+        return T(q);
+    } else {
+        return T(interval(q));
+    }
+}
+
+/// x + h sum b_j f(X_j), one step of an explicit method for a scalar f, in any arithmetic T.
+template <class T, class F>
+T explicit_step(const tableau<rational>& m, F&& f, const T& x, const rational& h) {
+    std::vector<T> k;
+    T y = x;
+    for (Eigen::Index i = 0; i < m.b.size(); ++i) {
+        state<T, 1> xi(x), fi;
+        for (Eigen::Index j = 0; j < i; ++j)
+            if (m.A(i, j) != 0) xi[0] = xi[0] + lifted<T>(h * m.A(i, j)) * k[static_cast<std::size_t>(j)];
+        f(no_time{}, xi, fi);
+        k.push_back(fi[0]);
+        if (m.b[i] != 0) y = y + lifted<T>(h * m.b[i]) * k.back();
+    }
+    return y;
+}
+
+/// r(m(x)), cleared of denominators.
+inline rational_function composed(const rational_function& r, const rational_function& m) {
+    const int degree = std::max(r.numerator().degree(), r.denominator().degree());
+    const auto substituted = [&](const polynomial<rational>& p) {
+        polynomial<rational> sum, top(rational(1));
+        for (int k = 0; k <= p.degree(); ++k) {
+            sum += polynomial<rational>(p[k]) * top * power(m.denominator(), degree - k);
+            top *= m.numerator();
+        }
+        return sum;
+    };
+    return rational_function(substituted(r.numerator()), substituted(r.denominator()));
+}
+
+inline void require_step(const rational& h) {
+    if (!(h > 0)) throw std::invalid_argument("h: must be positive, is " + h.str());
+}
+
+template <class F>
+rational_function explicit_map(const tableau<rational>& m, F&& f, const rational& h) {
+    require_shape(m);
+    require_step(h);
+    if (!is_explicit(m))
+        throw std::invalid_argument("method: must be explicit; for others give a box to search (ghosts_in)");
+    return explicit_step(m, f, rational_function::x(), h);
+}
+
+/// The real zeros of p with the multipliers of the `period`-th power of the map there.
+template <class F>
+std::vector<periodic_point> points_of(const polynomial<rational>& p, const tableau<rational>& m, F&& f,
+                                      const rational& h, int period) {
+    using number = dual<interval, 1>;
+    std::vector<periodic_point> points;
+    if (p.degree() < 1) return points;
+    const auto simple = squarefree(p);
+    const auto right_side = as_rational_function(f).numerator();
+    const auto still = gcd(simple, right_side);
+    for (auto root : tableaux::isolate_real_roots(simple)) {
+        root = refine(simple, root, rational(1, 1LL << 50));
+        const bool equilibrium =
+            still.degree() > 0 &&
+            (root.exact() ? still(root.low) == 0
+                          : tableaux::sturm_chain<rational>(still).count(root.low, root.high) > 0);
+        number x = dual_unknown<1>(hull(interval(root.low), interval(root.high)), 0);
+        for (int k = 0; k < period; ++k) x = explicit_step(m, f, x, h);
+        points.push_back({root.low, root.high, x.derivatives()[0], equilibrium});
+    }
+    return points;
+}
+
+inline verdict too_high(int degree) {
+    return verdict::consistent("degree " + std::to_string(degree), std::to_string(largest_ghost_degree),
+                               "the limit of the degree; nothing was counted");
+}
+
+}  // namespace detail
+
+/// All real fixed points of x -> x + h sum b_j f(X_j) for an explicit method and a scalar rational f: the
+/// zeros of sum b_j f(X_j), isolated by Sturm's theorem. Those at which f does not vanish are ghosts
+/// (lecture, section 1.3). Throws std::invalid_argument for h <= 0 and for methods that are not explicit.
+template <class F>
+periodic_points ghosts(const tableau<rational>& method, F&& f, const rational& h) {
+    const auto map = detail::explicit_map(method, f, h);
+    const auto p = (map - rational_function::x()).numerator();
+    if (p.is_zero()) throw std::invalid_argument("f: every point is fixed");
+    if (p.degree() > largest_ghost_degree) return {detail::too_high(p.degree()), {}};
+    periodic_points found{
+        verdict::proved("all real zeros of a polynomial of degree " + std::to_string(p.degree())),
+        detail::points_of(p, method, f, h, 1)};
+    return found;
+}
+
+/// All real points of period two (not of period one), likewise.
+template <class F>
+periodic_points two_cycles(const tableau<rational>& method, F&& f, const rational& h) {
+    const auto map = detail::explicit_map(method, f, h);
+    const int degree = std::max(map.numerator().degree(), map.denominator().degree() + 1);
+    if (degree * degree > largest_ghost_degree) return {detail::too_high(degree * degree), {}};
+    auto p = (detail::composed(map, map) - rational_function::x()).numerator();
+    const auto fixed = (map - rational_function::x()).numerator();
+    if (p.is_zero()) throw std::invalid_argument("f: every point has period two");
+    for (auto common = gcd(p, fixed); common.degree() > 0; common = gcd(p, fixed)) p = p / common;
+    return {verdict::proved("all real zeros of a polynomial of degree " + std::to_string(p.degree())),
+            detail::points_of(p, method, f, h, 2)};
+}
+
+/// Zeros of P - Q and of P + Q: for x' = lambda x a method with stability function R = P/Q has fixed points
+/// other than 0 where R(h lambda) = 1, and cycles of period two where it is -1.
+template <class K>
+polynomial<K> fixed_point_equation(const stability_function<K>& r) {
+    return r.numerator - r.denominator;
+}
+template <class K>
+polynomial<K> two_cycle_equation(const stability_function<K>& r) {
+    return r.numerator + r.denominator;
+}
+
+/// P - Q = c z: linear problems have no ghosts at any step size (Hairer-Iserles-Sanz-Serna, Equilibria of
+/// Runge-Kutta methods, Numer. Math. 58, 1990).
+template <class K>
+bool no_linear_ghosts(const stability_function<K>& r) {
+    const auto p = fixed_point_equation(r);
+    return p.degree() == 1 && p[0] == K(0);
+}
+
+/// The fixed points of any method for any f that evaluates in intervals, x and its stages X_i in the box: the
+/// unknowns are (x, X_1, ..., X_s) in this order, N each; the zeros that are not equilibria are ghosts. A
+/// method of one stage has none: sum b_j f(X_j) = 0 makes X_1 = x an equilibrium.
+template <int N, class K, class F>
+zeros_in_box ghosts_in(const tableau<K>& method, F&& f, const rational& h, const box<N>& where,
+                       const krawczyk_limits& limits = {}) {
+    require_shape(method);
+    detail::require_step(h);
+    require_bounded<N>(where);
+    const auto s = method.b.size();
+    const auto ha = [&](Eigen::Index i, Eigen::Index j) {
+        return interval(h) * detail::enclosed_number(method.A(i, j));
+    };
+    const auto stage = [](const interval_vector& x, Eigen::Index i) {
+        return box<N>(x.segment<N>(N * (i + 1)));
+    };
+    const auto system = [&](const interval_vector& x) {
+        interval_vector r(N * (s + 1));
+        r.template head<N>().setZero();
+        for (Eigen::Index i = 0; i < s; ++i)
+            for (int n = 0; n < N; ++n) r[N * (i + 1) + n] = x[N * (i + 1) + n] - x[n];
+        for (Eigen::Index j = 0; j < s; ++j) {
+            const box<N> fj = enclosed<N>(f, stage(x, j));
+            const interval b = detail::enclosed_number(method.b[j]);
+            for (int n = 0; n < N; ++n) {
+                r[n] += b * fj[n];
+                for (Eigen::Index i = 0; i < s; ++i) r[N * (i + 1) + n] -= ha(i, j) * fj[n];
+            }
+        }
+        return r;
+    };
+    const auto jacobian = [&](const interval_vector& x) {
+        interval_matrix D = interval_matrix::Zero(N * (s + 1), N * (s + 1));
+        for (Eigen::Index i = 0; i < s; ++i) {
+            for (int n = 0; n < N; ++n) {
+                D(N * (i + 1) + n, N * (i + 1) + n) = 1;
+                D(N * (i + 1) + n, n) = -1;
+            }
+        }
+        for (Eigen::Index j = 0; j < s; ++j) {
+            const auto J = enclosed_jacobian<N>(f, stage(x, j));
+            const interval b = detail::enclosed_number(method.b[j]);
+            for (int n = 0; n < N; ++n) {
+                for (int k = 0; k < N; ++k) {
+                    D(n, N * (j + 1) + k) += b * J(n, k);
+                    for (Eigen::Index i = 0; i < s; ++i)
+                        D(N * (i + 1) + n, N * (j + 1) + k) -= ha(i, j) * J(n, k);
+                }
+            }
+        }
+        return D;
+    };
+    interval_vector start(N * (s + 1));
+    for (Eigen::Index i = 0; i <= s; ++i) start.template segment<N>(N * i) = where;
+    return all_zeros(system, jacobian, start, limits);
+}
+
+}  // namespace stagecraft::theory
