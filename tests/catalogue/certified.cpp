@@ -120,14 +120,25 @@ BOOST_AUTO_TEST_CASE(every_misprint_is_refuted_and_its_wrong_entry_named_with_th
     BOOST_TEST(named >= 10);
 }
 
-BOOST_AUTO_TEST_CASE(the_readmes_method_table_is_the_one_the_certificates_give) {
+BOOST_AUTO_TEST_CASE(the_method_table_is_the_one_the_certificates_give) {
     std::string table = method_table_head();
     for (const auto& [name, c] : catalogue()) table += method_row(c);
     const std::string shown =
-        between(text_of(source / "README.md"), "<!-- methods -->\n", "<!-- /methods -->");
+        between(text_of(source / "tableaux/README.md"), "<!-- methods -->\n", "<!-- /methods -->");
     BOOST_TEST((shown == table),
-               "README.md: replace the lines between <!-- methods --> and <!-- /methods --> "
+               "tableaux/README.md: replace the lines between <!-- methods --> and <!-- /methods --> "
                "by the output of build/stagecraft table tableaux/catalogue");
+
+    // The first README shows some of its rows.
+    const std::string few = between(text_of(source / "README.md"), "<!-- methods -->\n", "<!-- /methods -->");
+    BOOST_TEST(few.starts_with(method_table_head()));
+    std::istringstream lines(few);
+    int rows = 0;
+    for (std::string row; std::getline(lines, row); ++rows)
+        BOOST_TEST(
+            (table.find("\n" + row + "\n") != std::string::npos || method_table_head().starts_with(row)),
+            "README.md: not a row of tableaux/README.md: " << row);
+    BOOST_TEST(rows == 12);
 }
 
 BOOST_AUTO_TEST_CASE(rows_say_what_is_proved_refuted_or_open) {
