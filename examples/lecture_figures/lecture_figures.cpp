@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The figures on p. 40 and 41 of the lecture notes (R. Maerz 2004, section 2.2): stability functions against
+// The figures on p. 40 and 41 of the lecture notes (section 2.2): stability functions against
 // e^z on the real axis, and min(1, |R|) of the explicit Euler method, the implicit Euler method and the
 // trapezoidal rule. The functions come from the tableaux. Usage: lecture_figures [FOLDER]
 #include <stagecraft/tableaux/rational.hpp>

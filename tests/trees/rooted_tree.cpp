@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(malformed_level_sequences_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(densities_symmetries_and_labelings_of_order_five) {
-    // Hairer-Norsett-Wanner, table II.2.2 (there in another order): gamma and alpha of the nine trees.
+    // Hairer-Norsett-Wanner I, table II.2.2 (there in another order): gamma and alpha of the nine trees.
     struct row {
         rooted_tree tree;
         std::int64_t density, labelings;

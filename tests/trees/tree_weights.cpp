@@ -38,8 +38,8 @@ tableau<K, 3> some_tableau() {
     return t;
 }
 
-// The definition (Hairer-Norsett-Wanner II.2, Definition 2.9), by recursion over children and without memory:
-// g(t) = product over the children u of A g(u).
+// The definition (Hairer-Norsett-Wanner I.II.2, Definition 2.9), by recursion over children and without
+// memory: g(t) = product over the children u of A g(u).
 template <class M>
 typename M::element stage_vector(const M& m, const rooted_tree& t) {
     typename M::element g = m.one();

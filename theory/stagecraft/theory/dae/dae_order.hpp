@@ -225,7 +225,7 @@ std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition
     std::vector<order_prediction> all;
     {
         order_prediction p;
-        p.theorem = "thesis, Theorems 2, 3 and 4 (HLR89, Theorems 4.3, 4.4 and 4.6)";
+        p.theorem = "HLR89, Theorems 4.3, 4.4 and 4.6 (thesis, Theorems 2, 3 and 4)";
         p.hypotheses = {detail::regular(m), detail::damped(m), stages};
         if (detail::all_proved(p.hypotheses)) {
             p.y = q + 1;  // local errors O(h^{q+1}), projected O(h^{q+2})
@@ -235,7 +235,7 @@ std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition
     }
     {
         order_prediction p;
-        p.theorem = "thesis, Corollary 1";
+        p.theorem = "HLR89, Theorems 4.3, 4.4 and 4.6 for collocation (thesis, Corollary 1)";
         p.hypotheses = {detail::regular(m),
                         detail::damped(m),
                         detail::is_collocation(m),
@@ -245,7 +245,7 @@ std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition
     }
     {
         order_prediction p;
-        p.theorem = "thesis, Theorem 5 and Corollary 2 (Hairer-Wanner II, Theorem VII.4.9)";
+        p.theorem = "Hairer-Wanner II, Theorem VII.4.9 (thesis, Theorem 5 and Corollary 2)";
         p.hypotheses = {detail::regular(m),
                         detail::is_collocation(m),
                         detail::stiff(m),
@@ -291,7 +291,7 @@ std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition
     if (condition_order > 0) {
         const auto n = index2_local_orders_of(t, condition_order);
         order_prediction p;
-        p.theorem = "order conditions of index 2 (HLR89, section 5) with thesis, Theorems 3 and 4";
+        p.theorem = "order conditions of index 2 (HLR89, section 5 and Theorems 4.4 and 4.6)";
         p.hypotheses = {detail::regular(m), detail::damped(m)};
         if (n) {
             const int r = std::min(n->y + 1, n->projected);
@@ -363,7 +363,7 @@ template <class K>
 epsilon_prediction predict_singular_perturbation(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
     epsilon_prediction p;
-    p.theorem = "thesis, Theorem 7 (Hairer-Wanner II, Corollary VI.3.10)";
+    p.theorem = "Hairer-Wanner II, Corollary VI.3.10 (thesis, Theorem 7)";
     p.hypotheses = {
         {"A-stable", a_stable(stability_function_of(t))},
         {"eigenvalues of A in the right half-plane", eigenvalues_in_right_half_plane(t)},

@@ -21,12 +21,12 @@ struct index2_local_orders {
 
 namespace detail {
 
-/// The stage vectors of the trees of index 2 (Hairer-Lubich-Roche 1989, section 5; Hairer-Wanner II, section
-/// VII.5), scaled by the density so that a method of infinite order would have c^n for every tree of order n:
-/// a y-tree of order n is n times a product of branches of total order n - 1, its branch A times that; a
-/// z-tree of order n is A^-1 times a product of y-branches of total order n + 1, over n + 1, or a product of
-/// branches of total order n itself. Trees with equal vectors are kept once: with C(q) the first q orders
-/// collapse to one vector each.
+/// The stage vectors of the trees of index 2 (HLR89, section 5; Hairer-Wanner II.VII.5), scaled by the
+/// density so that a method of infinite order would have c^n for every tree of order n: a y-tree of order n
+/// is n times a product of branches of total order n - 1, its branch A times that; a z-tree of order n is
+/// A^-1 times a product of y-branches of total order n + 1, over n + 1, or a product of branches of total
+/// order n itself. Trees with equal vectors are kept once: with C(q) the first q orders collapse to one
+/// vector each.
 template <class K>
 class index2_trees {
   public:

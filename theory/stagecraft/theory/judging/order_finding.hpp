@@ -36,7 +36,7 @@ struct order_finding {
 };
 
 /// No method with s stages exceeds order 2s (lecture, Lemma 2.6), no explicit one order s
-/// (Hairer-Norsett-Wanner II.5), because the tall tree's condition b^T A^{p-1} 1 = 1/p! fails.
+/// (Hairer-Norsett-Wanner I.II.5), because the tall tree's condition b^T A^{p-1} 1 = 1/p! fails.
 template <class K>
 int order_barrier(const subject<K>& s) {
     return s.strictly_lower ? s.stages() : 2 * s.stages();
@@ -63,8 +63,8 @@ order_finding<K> find_order(const subject<K>& s, const Weights& weights, int mos
 
 /// Where c = A*1 fails the conditions of non-autonomous systems are more than those of autonomous ones: they
 /// are those of y' = f(t, y), t' = 1 with the stages' times c, so a leaf of a tree stands for A*1 or for c
-/// (Hairer-Norsett-Wanner II.2, before Theorem 2.13, assumes c = A*1 to avoid this). The largest order up to
-/// `most` of which no such condition certainly fails. With the vectors normalised as in tree_weights every
+/// (Hairer-Norsett-Wanner I.II.2, before Theorem 2.13, assumes c = A*1 to avoid this). The largest order up
+/// to `most` of which no such condition certainly fails. With the vectors normalised as in tree_weights every
 /// condition of order n reads b^T v = 1/n.
 template <class K, class Weights>
 int non_autonomous_order(const subject<K>& s, const Weights& weights, int most) {

@@ -10,12 +10,12 @@ namespace detail {
 
 template <class Equation>
 constexpr auto order_condition(std::string_view tree, Equation e) {
-    return make_statement(tree, -1, "Butcher 1963; Hairer-Norsett-Wanner II.2, tables 2.1 and 2.2", e);
+    return make_statement(tree, -1, "Butcher 1963; Hairer-Norsett-Wanner I.II.2, tables 2.1 and 2.2", e);
 }
 
 }  // namespace detail
 
-// The order conditions to order five, under the names that Hairer-Norsett-Wanner give their trees in
+// The order conditions to order five, under the names that their trees have in Hairer-Norsett-Wanner I.II.2,
 // tables 2.1 and 2.2. They presume the row sums c = A*one.
 namespace conditions {
 using namespace symbols;
@@ -47,7 +47,7 @@ namespace detail {
 template <class... E>
 constexpr auto conjunction(int order, const statement<E>&... one_each) {
     return make_statement("order conditions to order", order,
-                          "Butcher 1963; Hairer-Norsett-Wanner II.2, Theorem 2.13",
+                          "Butcher 1963; Hairer-Norsett-Wanner I.II.2, Theorem 2.13",
                           std::get<0>(one_each.equations)...);
 }
 template <int P>

@@ -56,7 +56,7 @@ requires(R >= 0) inline constexpr auto D = detail::adjoint_quadrature(std::make_
 inline constexpr auto row_sums = [] {
     using namespace symbols;
     return make_statement("row sums", -1,
-                          "Hairer-Norsett-Wanner II.1, (1.9); lecture, C(1) after Definition 2.7",
+                          "Hairer-Norsett-Wanner I.II.1, (1.9); lecture, C(1) after Definition 2.7",
                           A * one == c);
 }();
 

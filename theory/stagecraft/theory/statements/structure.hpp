@@ -11,7 +11,7 @@ inline constexpr auto symplecticity = [] {
     using namespace symbols;
     return make_statement(
         "symplecticity", -1,
-        "Lasagni 1988; Sanz-Serna 1988; Suris 1988; Hairer-Norsett-Wanner II.16, Theorem 16.6",
+        "Lasagni 1988; Sanz-Serna 1988; Suris 1988; Hairer-Norsett-Wanner I.II.16, Theorem 16.6",
         dot(b, u * (A * v)) + dot(b, v * (A * u)) == dot(b, u) * dot(b, v));
 }();
 
@@ -21,7 +21,7 @@ inline constexpr auto symplecticity = [] {
 inline constexpr auto symmetry_of_stages = [] {
     using namespace symbols;
     return make_statement("symmetry", -1,
-                          "Hairer-Norsett-Wanner II.8, Theorem 8.3; Hairer-Lubich-Wanner, Theorem V.2.3",
+                          "Hairer-Norsett-Wanner I.II.8, Theorem 8.3; Hairer-Lubich-Wanner, Theorem V.2.3",
                           P * (A * (P * v)) + A * v == dot(b, v) * one);
 }();
 

@@ -16,9 +16,9 @@
 
 namespace stagecraft::theory {
 
-/// A rooted tree (Butcher 1963; Hairer-Norsett-Wanner II.2), unlabelled and unordered, as a value: its level
-/// sequence in preorder, the root at level 1, in canonical form, that is the lexicographically largest of all
-/// orderings of siblings (Beyer and Hedetniemi 1980). Equal trees compare equal.
+/// A rooted tree (Butcher 1963; Hairer-Norsett-Wanner I.II.2), unlabelled and unordered, as a value: its
+/// level sequence in preorder, the root at level 1, in canonical form, that is the lexicographically largest
+/// of all orderings of siblings (Beyer and Hedetniemi 1980). Equal trees compare equal.
 class rooted_tree {
   public:
     /// Largest number of vertices. 20! is the largest factorial below 2^63, so densities, symmetries and
@@ -137,7 +137,7 @@ class rooted_tree {
 constexpr int order(const rooted_tree& t) { return static_cast<int>(t.levels().size()); }
 
 /// Density gamma(t): the product over all vertices of the number of vertices of the subtree there
-/// (Hairer-Norsett-Wanner II.2, Definition 2.10). The order condition of t is b^T g(t) = 1/gamma(t).
+/// (Hairer-Norsett-Wanner I.II.2, Definition 2.10). The order condition of t is b^T g(t) = 1/gamma(t).
 constexpr std::int64_t density(const rooted_tree& t) {
     std::int64_t r = 1;
     for (int i = 0; i < order(t); ++i) r *= t.end_of(i) - i;
@@ -167,7 +167,7 @@ constexpr std::int64_t factorial(int n) {
     return r;
 }
 
-/// Number of monotonic labelings, alpha(t) = n! / (gamma(t) sigma(t)) (Hairer-Norsett-Wanner II.2,
+/// Number of monotonic labelings, alpha(t) = n! / (gamma(t) sigma(t)) (Hairer-Norsett-Wanner I.II.2,
 /// Definition 2.5); over all trees of order n they sum to (n-1)!.
 constexpr std::int64_t labelings(const rooted_tree& t) {
     return factorial(order(t)) / density(t) / symmetry(t);

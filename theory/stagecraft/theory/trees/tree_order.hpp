@@ -154,7 +154,7 @@ struct error_terms {
 };
 
 /// Error terms of order n, one for each tree, vanishing ones included; for n = p + 1 the principal ones
-/// (Hairer-Norsett-Wanner II.3, Theorem 3.2; II.8 writes e(t) for the coefficient).
+/// (Hairer-Norsett-Wanner I.II.3, Theorem 3.2; II.8 writes e(t) for the coefficient).
 /// Throws std::invalid_argument for n outside 1..20.
 template <stage_algebra M>
 error_terms<scalar_of<M>> local_error_terms(const M& model, int n) {

@@ -53,12 +53,12 @@ class pair_memo {
 
 /// The elementary weights of a method, order by order, by memoised Butcher products.
 ///
-/// With g(tau) = 1, g(t∘u) = g(t) A g(u) the elementary weight of t is b^T g(t) (Butcher; Hairer-Norsett-
-/// Wanner II.2, Definition 2.9). Kept are the normalised vectors gamma(t)/|t| g(t): they equal c^{|t|-1}
-/// wherever C(q) reaches, obey the same recursion with |u| A in place of A, and the condition of t reads
-/// `weight(t) == 1/|t|`. Over exact fields equal vectors are stored once and a product of two stored vectors
-/// is computed once, so that a method of high stage order costs a handful of products; floating scalars take
-/// each tree in turn, s^2 operations for a planted tree and s for any other.
+/// With g(tau) = 1, g(t∘u) = g(t) A g(u) the elementary weight of t is b^T g(t) (Butcher;
+/// Hairer-Norsett-Wanner I.II.2, Definition 2.9). Kept are the normalised vectors gamma(t)/|t| g(t): they
+/// equal c^{|t|-1} wherever C(q) reaches, obey the same recursion with |u| A in place of A, and the condition
+/// of t reads `weight(t) == 1/|t|`. Over exact fields equal vectors are stored once and a product of two
+/// stored vectors is computed once, so that a method of high stage order costs a handful of products;
+/// floating scalars take each tree in turn, s^2 operations for a planted tree and s for any other.
 template <stage_algebra M>
 class tree_weights {
   public:
