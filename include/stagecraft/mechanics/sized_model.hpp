@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <concepts>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <stagecraft/mechanics/start.hpp>
+
+namespace stagecraft {
+
+/// A constrained mechanical system M q'' = F - G^T lambda, 0 = G q' + b, whose size is known at run time (chains,
+/// nets, models read from a file), as a type with
+///
+///     int coordinates() const;  int constraints() const;            // n >= 1, 0 <= m <= n
+///     matrix M() const  or  M(const Eigen::VectorXd& q) const;      // n x n, positive definite; M() is constant
+///     Eigen::VectorXd F(q, v) const  or  F(q, v, double t) const;   // n forces
+///     matrix G(q) const  or  G(q, t) const;                         // m x n, of full rank
+///
+/// where a matrix is dense, diagonal or sparse, Eigen's. A sparse G makes the linear algebra of the whole system
+/// sparse. Optional members: b(q, t) or b(q), what an affine or moving constraint prescribes; g(q) or g(q, t),
+/// constraints of position with the gradient G. Everything lives on the heap, no size is a template parameter.
+/// For a few coordinates known at compile time a mechanical_model is faster and is differentiated exactly.
+template <class Model>
+concept sized_mechanical_model = requires(const Model& model, const Eigen::VectorXd& q) {
+    { model.coordinates() } -> std::convertible_to<int>;
+    { model.constraints() } -> std::convertible_to<int>;
+}
+&&(
+    requires(const Model& model) { model.M(); } ||
+    requires(const Model& model, const Eigen::VectorXd& q) { model.M(q); }) &&
+    (
+        requires(const Model& model, const Eigen::VectorXd& q) { model.G(q); } ||
+        requires(const Model& model, const Eigen::VectorXd& q, double t) { model.G(q, t); }) &&
+    (
+        requires(const Model& model, const Eigen::VectorXd& q) { model.F(q, q); } ||
+        requires(const Model& model, const Eigen::VectorXd& q, double t) { model.F(q, q, t); });
+
+namespace sized {
+
+template <class Model>
+inline constexpr bool constant_mass = requires(const Model& model) {
+    model.M();
+};
+template <class Model>
+inline constexpr bool has_position = requires(const Model& m, const Eigen::VectorXd& q) {
+    m.g(q);
+}
+|| requires(const Model& m, const Eigen::VectorXd& q, double t) { m.g(q, t); };
+
+/// M, F, G, b and g of a model, whichever arguments they take.
+template <class Model>
+auto M(const Model& model, [[maybe_unused]] const Eigen::VectorXd& q) {
+    if constexpr (constant_mass<Model>)
+        return model.M();
+    else
+        return model.M(q);
+}
+template <class Model>
+Eigen::VectorXd F(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                  [[maybe_unused]] double t) {
+    if constexpr (requires { model.F(q, v, t); })
+        return model.F(q, v, t);
+    else
+        return model.F(q, v);
+}
+template <class Model>
+auto G(const Model& model, const Eigen::VectorXd& q, [[maybe_unused]] double t) {
+    if constexpr (requires { model.G(q, t); })
+        return model.G(q, t);
+    else
+        return model.G(q);
+}
+template <class Model>
+Eigen::VectorXd g(const Model& model, const Eigen::VectorXd& q, [[maybe_unused]] double t) {
+    if constexpr (requires { model.g(q, t); })
+        return model.g(q, t);
+    else
+        return model.g(q);
+}
+/// G v + b.
+template <class Model>
+Eigen::VectorXd velocity_constraint(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                    double t) {
+    Eigen::VectorXd r = G(model, q, t) * v;
+    if constexpr (requires { model.b(q, t); })
+        r += model.b(q, t);
+    else if constexpr (requires { model.b(q); })
+        r += model.b(q);
+    return r;
+}
+
+template <class Model>
+inline constexpr bool sparse = requires(const Model& model, const Eigen::VectorXd& q) {
+    typename decltype(G(model, q, 0.0))::InnerIterator;
+    G(model, q, 0.0).outerIndexPtr();
+};
+
+/// Appends the entries of a dense, diagonal or sparse matrix, moved to (row, column), times `factor`.
+template <class Matrix>
+void append(std::vector<Eigen::Triplet<double>>& entries, const Matrix& m, int row, int column, double factor,
+            bool transposed = false) {
+    const auto add = [&](Eigen::Index i, Eigen::Index j, double x) {
+        if (transposed) std::swap(i, j);
+        entries.emplace_back(row + static_cast<int>(i), column + static_cast<int>(j), factor * x);
+    };
+    if constexpr (requires { m.outerIndexPtr(); }) {
+        for (Eigen::Index k = 0; k < m.outerSize(); ++k)
+            for (typename Matrix::InnerIterator it(m, k); it; ++it) add(it.row(), it.col(), it.value());
+    } else if constexpr (requires { m(0, 0); }) {
+        for (Eigen::Index j = 0; j < m.cols(); ++j)
+            for (Eigen::Index i = 0; i < m.rows(); ++i) add(i, j, m(i, j));
+    } else {
+        for (Eigen::Index i = 0; i < m.rows(); ++i) add(i, i, m.diagonal()[i]);
+    }
+}
+
+/// Acceleration and multiplier that belong to (q, v) at t: M a + G^T lambda = F, G a = -d/dt (G v + b) with v
+/// held fixed, solved as one sparse system. The derivative of G along the motion is a central difference, good to
+/// about ten digits. Throws std::domain_error if the system is singular: G has not full rank (see
+/// independent_constraints) or M is singular.
+template <class Model>
+std::pair<Eigen::VectorXd, Eigen::VectorXd> acceleration(const Model& model, const Eigen::VectorXd& q,
+                                                         const Eigen::VectorXd& v, double t) {
+    const int n = model.coordinates(), m = model.constraints();
+    const double step = 6e-6 / (1 + v.cwiseAbs().maxCoeff());  // eps^(1/3) of a position of size 1
+    Eigen::VectorXd right(n + m);
+    right.head(n) = F(model, q, v, t);
+    right.tail(m) = (velocity_constraint(model, q - step * v, v, t - step) -
+                     velocity_constraint(model, q + step * v, v, t + step)) /
+                    (2 * step);
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto gradient = G(model, q, t);
+    append(entries, M(model, q), 0, 0, 1);
+    append(entries, gradient, n, 0, 1);
+    append(entries, gradient, 0, n, 1, true);
+    Eigen::SparseMatrix<double> K(n + m, n + m);
+    K.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(K);
+    Eigen::VectorXd x(n + m);
+    if (lu.info() == Eigen::Success) x = lu.solve(right);
+    if (lu.info() != Eigen::Success || !x.allFinite() ||
+        !((K * x - right).norm() <= 1e-6 * (1 + right.norm())))
+        throw std::domain_error(
+            "mechanical: M or the constraints are singular at the initial position (independent_constraints "
+            "finds which rows of G depend on others)");
+    return {x.head(n), x.tail(m)};
+}
+
+}  // namespace sized
+
+/// Which rows of a matrix of constraints are independent: QR decomposition of G^T with column pivoting, rank to
+/// `tolerance` relative to the largest pivot.
+struct constraint_rank {
+    int rank = 0;
+    std::vector<int> independent;  ///< increasing row numbers, `rank` of them
+    std::vector<int> dependent;    ///< the others: combinations of the independent ones
+};
+template <class Matrix>
+constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10) {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Eigen::MatrixXd(G).transpose());
+    qr.setThreshold(tolerance);
+    constraint_rank r;
+    r.rank = static_cast<int>(qr.rank());
+    const auto order = qr.colsPermutation().indices();
+    for (int k = 0; k < order.size(); ++k)
+        (k < r.rank ? r.independent : r.dependent).push_back(static_cast<int>(order[k]));
+    std::sort(r.independent.begin(), r.independent.end());
+    std::sort(r.dependent.begin(), r.dependent.end());
+    return r;
+}
+
+/// A model with redundant constraints without those that depend on others at the position where it was made: the
+/// motion is the same, and the multipliers that remain are unique. Made by `independent_constraints`.
+template <sized_mechanical_model Model>
+class independent_model {
+  public:
+    independent_model(Model model, constraint_rank rows) : model_(std::move(model)), rows_(std::move(rows)) {}
+
+    int coordinates() const { return model_.coordinates(); }
+    int constraints() const { return rows_.rank; }
+    auto M() const requires(sized::constant_mass<Model>) { return model_.M(); }
+    auto M(const Eigen::VectorXd& q) const requires(!sized::constant_mass<Model>) { return model_.M(q); }
+    Eigen::VectorXd F(const Eigen::VectorXd& q, const Eigen::VectorXd& v, double t) const {
+        return sized::F(model_, q, v, t);
+    }
+    Eigen::SparseMatrix<double> G(const Eigen::VectorXd& q, double t) const {
+        std::vector<Eigen::Triplet<double>> entries, kept;
+        sized::append(entries, sized::G(model_, q, t), 0, 0, 1);
+        std::vector<int> place(model_.constraints(), -1);
+        for (int k = 0; k < rows_.rank; ++k) place[rows_.independent[k]] = k;
+        for (const auto& e : entries)
+            if (place[e.row()] >= 0) kept.emplace_back(place[e.row()], e.col(), e.value());
+        Eigen::SparseMatrix<double> result(rows_.rank, coordinates());
+        result.setFromTriplets(kept.begin(), kept.end());
+        return result;
+    }
+    Eigen::VectorXd b(const Eigen::VectorXd& q, double t) const {
+        return selected(sized::velocity_constraint(model_, q, Eigen::VectorXd::Zero(coordinates()), t));
+    }
+    Eigen::VectorXd g(const Eigen::VectorXd& q, double t) const requires(sized::has_position<Model>) {
+        return selected(sized::g(model_, q, t));
+    }
+    /// The rank of G and the rows that were left out.
+    const constraint_rank& rows() const { return rows_; }
+
+  private:
+    Eigen::VectorXd selected(const Eigen::VectorXd& all) const {
+        Eigen::VectorXd r(rows_.rank);
+        for (int k = 0; k < rows_.rank; ++k) r[k] = all[rows_.independent[k]];
+        return r;
+    }
+    Model model_;
+    constraint_rank rows_;
+};
+
+/// The model with those constraints only that are independent at q and time t.
+template <sized_mechanical_model Model>
+independent_model<Model> independent_constraints(Model model, const Eigen::VectorXd& q, double t = 0) {
+    constraint_rank rows = independent_rows(sized::G(model, q, t));
+    return {std::move(model), std::move(rows)};
+}
+
+}  // namespace stagecraft
