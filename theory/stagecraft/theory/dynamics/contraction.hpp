@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "stagecraft/theory/dynamics/absorbing.hpp"
+#include "stagecraft/theory/dynamics/rk_map.hpp"
+
+namespace stagecraft::theory {
+
+/// |x_1 - y_1| <= factor |x_0 - y_0| for every problem with one-sided Lipschitz constant gamma, l = h gamma: the method is
+/// (k, l)-algebraically stable with the weights D, factor = sqrt k (Burrage and Butcher, BIT 20, 1980).
+template <class K>
+struct contraction_bound {
+    theory::verdict verdict;
+    K k{0};
+    tableaux::column<rational> D;
+    double factor = std::numeric_limits<double>::infinity();  ///< not below sqrt k
+};
+
+/// The matrix of (k, l)-algebraic stability,
+///     ( k - 1 - 2l 1^T D 1        1^T D - b^T - 2l 1^T D A          )
+///     ( D 1 - b - 2l A^T D 1      D A + A^T D - b b^T - 2l A^T D A  ),
+/// positive semidefinite with D >= 0 where the bound holds.
+template <class K>
+tableaux::dense<K> burrage_butcher_matrix(const tableau<K>& t, const tableaux::column<K>& D, const K& k,
+                                          const K& l) {
+    const auto s = t.b.size();
+    tableaux::dense<K> M(s + 1, s + 1);
+    M(0, 0) = k - K(1);
+    for (Eigen::Index i = 0; i < s; ++i) {
+        M(0, 0) = M(0, 0) - K(2) * l * D[i];
+        M(0, i + 1) = D[i] - t.b[i];
+        for (Eigen::Index j = 0; j < s; ++j) M(0, i + 1) = M(0, i + 1) - K(2) * l * D[j] * t.A(j, i);
+        M(i + 1, 0) = M(0, i + 1);
+    }
+    for (Eigen::Index i = 0; i < s; ++i) {
+        for (Eigen::Index j = 0; j < s; ++j) {
+            K sum = D[i] * t.A(i, j) + D[j] * t.A(j, i) - t.b[i] * t.b[j];
+            for (Eigen::Index m = 0; m < s; ++m) sum = sum - K(2) * l * t.A(m, i) * D[m] * t.A(m, j);
+            M(i + 1, j + 1) = sum;
+        }
+    }
+    return M;
+}
+
+namespace detail {
+
+/// The least k for given weights, where the lower block is positive definite: by its Schur complement; else infinity.
+inline double least_k(const tableau<double>& t, const Eigen::VectorXd& D, double l) {
+    const auto M = burrage_butcher_matrix<double>(t, D, 0.0, l);
+    const auto s = t.b.size();
+    const Eigen::MatrixXd W = M.bottomRightCorner(s, s);
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(W);
+    if (cholesky.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
+    const Eigen::VectorXd w = M.block(1, 0, s, 1);
+    return -M(0, 0) + w.dot(cholesky.solve(w));
+}
+
+/// Compass search for the logarithms of D, from several starts.
+inline Eigen::VectorXd best_weights(const tableau<double>& t, double l) {
+    const auto s = t.b.size();
+    Eigen::VectorXd best = t.b.cwiseMax(1e-3);
+    double least = std::numeric_limits<double>::infinity();
+    for (const double start : {1.0, 0.3, 3.0, 0.05, 1.2}) {
+        Eigen::VectorXd D = start * t.b.cwiseMax(1e-3);
+        double k = least_k(t, D, l);
+        for (double step = 0.5; step > 1e-10;) {
+            bool better = false;
+            for (Eigen::Index i = 0; i < s; ++i) {
+                for (Eigen::Index j = 0; j < s; ++j) {
+                    for (const int sign : {-1, 1, -2, 2}) {
+                        Eigen::VectorXd next = D;
+                        next[i] *= std::exp(sign > 0 ? step : -step);
+                        if (j != i) next[j] *= std::exp(sign % 2 == 0 ? step : -step);
+                        const double value = least_k(t, next, l);
+                        if (value < k) {
+                            k = value;
+                            D = next;
+                            better = true;
+                        }
+                    }
+                }
+            }
+            if (!better) step /= 2;
+        }
+        if (k < least) {
+            least = k;
+            best = D;
+        }
+    }
+    return best;
+}
+
+}  // namespace detail
+
+/// The smallest contraction factor found for l = h gamma, with its proof: D is sought in doubles and rounded to rational
+/// numbers, k follows exactly from the Schur complement, and the matrix is proved positive semidefinite by L D L^T.
+/// Where l <= 0 and the method is algebraically stable, D = b proves k = 1 at least. consistent, with an infinite
+/// factor, where no weights were found (l beyond what the method allows).
+template <class K>
+contraction_bound<K> contraction(const tableau<K>& t, const rational& l) {
+    require_shape(t);
+    const auto s = t.b.size();
+    contraction_bound<K> best{
+        verdict::consistent("no D found", "none", "the search is in doubles"), K(0), {}};
+    const auto attempt = [&](const tableaux::column<rational>& D, std::optional<K> k) {
+        tableaux::column<K> weights(s);
+        for (Eigen::Index i = 0; i < s; ++i) weights[i] = K(D[i]);
+        if (!k) {  // the Schur complement of the lower block
+            const auto M = burrage_butcher_matrix<K>(t, weights, K(0), K(l));
+            const tableaux::dense<K> W = M.bottomRightCorner(s, s), w = M.block(1, 0, s, 1);
+            const auto x = tableaux::solve<K>(W, w);
+            if (!x) return;
+            K sum = K(0) - M(0, 0);
+            for (Eigen::Index i = 0; i < s; ++i) sum = sum + w(i, 0) * (*x)(i, 0);
+            k = sum;
+        }
+        if (*k < K(0) ||
+            tableaux::diagonalise<K>(burrage_butcher_matrix<K>(t, weights, *k, K(l))).inertia().negative > 0)
+            return;
+        const double factor = sqrt(detail::enclosed_number(*k)).high();
+        if (!(factor < best.factor)) return;
+        best = {verdict::proved("(k, l)-algebraically stable, k = " + k->str()), *k, D, factor};
+    };
+    const auto doubles = in_doubles(t);
+    bool rational_weights = true, positive = true;
+    tableaux::column<rational> D(s);
+    for (Eigen::Index i = 0; i < s; ++i) {
+        positive = positive && K(0) < t.b[i];
+        if constexpr (std::is_same_v<K, rational>) {
+            D[i] = t.b[i];
+        } else {
+            rational_weights = rational_weights && t.b[i].is_rational();
+            D[i] = t.b[i].rational_part();
+        }
+    }
+    if (rational_weights && positive && l <= 0) attempt(D, K(1));
+    const Eigen::VectorXd sought = detail::best_weights(doubles, l.to<double>());
+    for (Eigen::Index i = 0; i < s; ++i)
+        D[i] = tableaux::simplest_between(exactly(sought[i]), exactly(sought[i] * (1 + 1e-9)));
+    attempt(D, {});
+    return best;
+}
+
+}  // namespace stagecraft::theory
