@@ -15,7 +15,7 @@ test -s "$work/program1.cpp" && test -s "$work/program1.txt"
 roots=(-I"$source/include")
 for program in "$work"/program*.cpp; do
     name=${program%.cpp}
-    "$compiler" -std=c++20 -O1 "${roots[@]}" "${@/#/-I}" "$program" -o "$name"
+    "$compiler" -std=c++20 -O0 "${roots[@]}" "${@/#/-I}" "$program" -o "$name"
     "$name" >"$name.printed"
     [ ! -e "$name.txt" ] || diff "$name.txt" "$name.printed"
     roots=(-I"$source/include" -I"$source/tableaux" -I"$source/theory")
