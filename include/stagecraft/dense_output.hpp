@@ -79,15 +79,18 @@ class basis_values {
 };
 
 /// The collocation polynomial u of one step, u(t0 + theta h) = y0 + sum_j l_j(theta) z_j (Hairer-Wanner
-/// II.IV.8): continuous over the steps. For methods with C(s) its error is O(h^{s+1}) in y, also of index 1;
-/// O(h^s) in components of index 2 and O(h^{s-1}) in those of index 3; one order less for Lobatto IIIC
-/// (degree s - 1). The ends of the steps are of the higher order of the method: at tight tolerances, and in
-/// stiff components at any, they are more accurate than what lies between, by orders of magnitude where a
-/// stiff component follows a smooth function in long steps. options.continuous has the tolerance hold there
-/// as well; for methods that do not serve it options.max_step is what helps. Methods given by their
-/// tableau have the highest order that their slopes allow (step/stage_output.hpp). Evaluated only where it is
-/// asked. The one that a run shows changes with the next step; a copy owns all that it needs and outlives the
-/// run (n (s + 1) + 2 s numbers).
+/// II.IV.8). It is continuous from step to step and costs nothing unless it is evaluated.
+///
+/// For methods with C(s) its error is O(h^{s+1}) in y, also of index 1, O(h^s) in components of index 2 and
+/// O(h^{s-1}) in those of index 3; for Lobatto IIIC (degree s - 1) one order less. A method given by its
+/// tableau has the highest order that its slopes allow (step/stage_output.hpp). The ends of the steps have
+/// the higher order of the method. So they are more accurate than the values between them: at tight
+/// tolerances in all components, and in stiff ones always, by orders of magnitude where a stiff component
+/// follows a smooth function in long steps. options.continuous makes the tolerance hold between the ends as
+/// well; for methods that do not support it, options.max_step helps.
+///
+/// The object that a run hands out changes with the next step. A copy of it (n (s + 1) + 2 s numbers) owns
+/// all that it needs and outlives the run.
 template <class Vector, int MaxStages>
 class dense_output {
   public:
@@ -99,7 +102,7 @@ class dense_output {
     scalar step() const { return h_; }
     int degree() const { return nodes_.size; }
 
-    /// u(t); meant for t within the step (extrapolation is allowed and as good as extrapolation is).
+    /// u(t), meant for t within the step; outside of it the polynomial is extrapolated.
     Vector operator()(const scalar& t) const {
         Vector result(y0_.size());
         evaluate(t, result);
@@ -113,7 +116,7 @@ class dense_output {
         for (int j = 0; j < nodes_.size; ++j) result += l[j] * z_.col(nodes_.first_column + j);
     }
 
-    /// u'(t), one order less than u.
+    /// u'(t), of one order less than u(t).
     Vector derivative(const scalar& t) const {
         Vector result(y0_.size());
         evaluate_derivative(t, result);

@@ -12,8 +12,7 @@
 
 namespace stagecraft {
 
-/// One accepted step as it is met in a loop; t, y and output refer to the run and are valid until the next
-/// one.
+/// One accepted step as a loop sees it. t, y and output refer to the run and are valid until the next step.
 template <class Vector, class Output>
 struct step_view {
     const typename Vector::Scalar& t;  ///< the end of the step
@@ -70,7 +69,7 @@ class step_range {
         }
     }
 
-    /// Takes the first step; later calls go on where the loop before has left off.
+    /// Takes the first step; a later call continues where the previous loop stopped.
     iterator begin() {
         if (!begun_) advance();
         return iterator(this);
@@ -79,7 +78,8 @@ class step_range {
 
     const scalar& t() const { return run_.t(); }
     const Vector& y() const { return run_.y(); }
-    /// success when t1 was reached, stopped where the loop was left before, else why there are no more steps.
+    /// status::success if t1 was reached, status::stopped if the loop was left before that, else the reason
+    /// why there are no more steps.
     stagecraft::status status() const {
         if (resized_) return status::size_changed;
         return run_.finished() ? run_.status() : status::stopped;
@@ -106,19 +106,21 @@ class step_range {
     bool begun_ = false, has_step_ = false, resized_ = false;
 };
 
-/// A run as a range over its steps, for loops that want to decide themselves:
+/// A run as a range over its steps, for programs that want to write the loop themselves:
 ///
 ///     auto run = steps(method, problem, y0, t0, t1, options);
 ///     for (const auto& step : run)
 ///         if (step.y[0] < 0) break;                              // then run.t(), run.status(), run.report()
 ///
-/// An input range, so the algorithms of std::ranges take it (as an lvalue). Arguments and errors as for
-/// integrate(), except that what the problem throws leaves the loop. An observer is called by hand:
-/// watch.start(t0, y0, t1) before the loop where it has that (solution, output_times, events), then
-/// watch(step.t, step.y, step.h, step.output). Only what corrects states has to be called before the step is
-/// seen, and is given last: projection(problem), projection_onto<M>(g) (dae/projection.hpp) or anything else
-/// with correct(t, y) (observer.hpp), taken by reference if it is an lvalue. Its other members are not
-/// called, but start() is. What it throws leaves the loop, with t() and y() at the state it was to correct.
+/// It is an input range, which the algorithms of std::ranges accept as an lvalue. Arguments and errors are
+/// those of integrate(), except that an exception of the problem leaves the loop. Observers are called by
+/// hand: watch.start(t0, y0, t1) before the loop if the observer has it (solution, output_times, events),
+/// then watch(step.t, step.y, step.h, step.output) in it.
+///
+/// Only a correction of the states must act before the loop sees the step, and is given as the last argument:
+/// projection(problem), projection_onto<M>(g) (dae/projection.hpp) or anything else with correct(t, y)
+/// (observe/observer.hpp). An lvalue is kept by reference. Its start() is called, its other members are not.
+/// An exception from it leaves the loop, with t() and y() at the state that was to be corrected.
 template <class Method, class Problem, class Derived>
 requires right_hand_side < std::remove_reference_t<Problem>,
 typename Derived::PlainObject >

@@ -17,8 +17,8 @@ bool changes_sign(const time_bracket<Scalar>& i) {
     return (i.at_a < Scalar(0) && i.at_b >= Scalar(0)) || (i.at_a > Scalar(0) && i.at_b <= Scalar(0));
 }
 
-/// Narrows a bracket with changes_sign() until it is no longer than `resolution` (> 0) or holds no number in
-/// between: b is then a point where g is zero or has its new sign, and a one where it has its old sign.
+/// Narrows a bracket with changes_sign() until its length is at most `resolution` (> 0) or no floating-point
+/// number lies between its ends. Then g is zero or has its new sign at b, and its old sign at a.
 /// Regula falsi with the Illinois weights, and a bisection whenever three steps have not halved the interval;
 /// where g is zero at b, leaps back from b that grow while it stays zero. About ten evaluations for a smooth
 /// g, at most four per halving. g must not return NaN.
@@ -67,9 +67,9 @@ void narrow(F&& g, time_bracket<Scalar>& i, const Scalar& resolution) {
     }
 }
 
-/// Looks for a point where g, of one sign at both ends of the bracket, is zero or of the other sign: a golden
-/// section search for the extremum, ended as soon as there is one. Returns true and sets t and value if there
-/// is; an extremum is followed to a part in 1e8 of the interval. g must not return NaN.
+/// Looks for a point where g, which has the same sign at both ends of the bracket, is zero or has the other
+/// sign. A golden section search follows the extremum to 1e-8 of the interval and ends as soon as such a
+/// point is met: then it returns true and sets t and value. g must not return NaN.
 template <class Scalar, class F>
 bool find_dip(F&& g, const time_bracket<Scalar>& i, Scalar& t, Scalar& value) {
     using std::sqrt;

@@ -29,7 +29,7 @@ struct event_function {
     event_options options;
 };
 
-/// The event "g(t, y) reaches or crosses zero", g continuous.
+/// The event "g(t, y) reaches or crosses zero" for a continuous g, which returns a number.
 template <class Function>
 event_function<Function> event(Function g, event_options o = {}) {
     return {std::move(g), o};
@@ -44,7 +44,7 @@ struct occurrence {
     crossing direction;  ///< rising or falling
 };
 
-/// An observer that locates events on the continuous solution; made by events(). See there.
+/// An observer that locates events on the continuous solution. Made by events(), which says how.
 template <class Vector>
 class event_watch {
   public:
@@ -56,7 +56,7 @@ class event_watch {
         if (events_.empty()) throw std::invalid_argument("events: give at least one event");
     }
 
-    /// What took place, in the order of the run; of the last run this observer has seen.
+    /// The events of the last run that this observer has seen, in the order of the run.
     const std::vector<occurrence<Vector>>& found() const { return found_; }
     /// True if the last entry of found() has ended the run.
     bool ended() const { return ended_; }
@@ -136,8 +136,8 @@ class event_watch {
             if (is_nan(s.g[e])) fail(e, s.t);
     }
 
-    /// All g at 2 * degree (at least four) equal parts of the step; those at its begin are known from the
-    /// step before, so they are taken over rather than evaluated with other rounding.
+    /// All g at 2 * degree (at least four) equidistant points of the step. Those at its beginning are known
+    /// from the step before and are not evaluated anew, which could give another rounding.
     template <class Output>
     void take_samples(const scalar& t, const Vector& y, const Output& output) {
         const int parts = std::max(4, 2 * output.degree());
@@ -157,8 +157,8 @@ class event_watch {
         last_ = samples_.back();
     }
 
-    /// True if g of event e comes near enough to zero between two samples of one sign, as far as its
-    /// variation over the step can tell.
+    /// True if g of event e may reach zero between two samples of the same sign, judged by its variation over
+    /// the step.
     bool may_dip(std::size_t e, const scalar& at_a, const scalar& at_b) const {
         using std::abs;
         scalar low = at_a, high = at_a;
@@ -181,8 +181,9 @@ class event_watch {
         search(e, {a.t, a.g[e], b.t, b.g[e]}, g, solution, 0);
     }
 
-    /// The same between any two times. Two crossings leave the sign as it was: they show by g heading for
-    /// zero at both ends. Besides one that was found at r they show in the same way in g / (t - r).
+    /// The same between any two times. Two crossings leave the sign unchanged; they are suspected where g
+    /// heads for zero at both ends. Two more beside a crossing found at r are suspected where g / (t - r)
+    /// does the same.
     template <class G, class Solution>
     void search(std::size_t e, time_bracket<scalar> i, const G& g, const Solution& solution, int depth) {
         using std::abs;
@@ -259,7 +260,8 @@ class event_watch {
         found_.push_back({static_cast<int>(e), i.b, solution(i.b), direction});
     }
 
-    /// Puts what was added since `from` into the order of the run, and ends it at the first terminal one.
+    /// Sorts the events added since `from` into the order of the run, and ends the run at the first terminal
+    /// one.
     void settle(std::size_t from) {
         const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(from);
         std::stable_sort(begin, found_.end(),
@@ -288,21 +290,30 @@ class event_watch {
 ///     auto watch = events<Vector2d>(event(height, {.terminal = true}), event(speed));
 ///     const auto r = integrate(method, problem, y0, t0, t1, options, watch);  // then watch.found()
 ///
-/// Every g(t, y) is evaluated at 2 s points of each step (at least four) and, where it comes near zero, at
-/// the few more that show pairs of crossings; each crossing is then narrowed down to the rounding of t. A
-/// pair closer than about a 5000th of a step, or with a third crossing as near as the next sample, and a g
-/// that oscillates within a step may be missed: options.max_step is the cure. The time reported is the first
-/// at which g is zero or has its new sign, so that a run continued from there does not meet the event again;
-/// one within rounding of t0 is not reported. A g that reaches zero exactly and turns back counts as reaching
-/// it. The accuracy of the time is that of the continuous solution (dense_output.hpp). g may be evaluated
-/// anywhere in a step, also beyond a terminal event. Events are reported in the order of the run,
-/// simultaneous ones in the order of the list; the first terminal one ends the run: result.t and result.y are
-/// its, result.status is status::event. A g that gives NaN within the run ends it with status::function_threw
+/// Vector is the type of the state and must be written out. The first terminal event ends the run:
+/// result.status is status::event, result.t and result.y are the time and the state of the event. Events are
+/// reported in the order of the run, simultaneous ones in the order of the list.
+///
+/// Each g(t, y) is evaluated at 2 s points of every step (at least four) and, where it comes near zero, at a
+/// few more, which reveal pairs of crossings. Each crossing is narrowed down to the rounding of t; its
+/// accuracy is that of the continuous solution (dense_output.hpp). Missed may be a pair closer than about
+/// 1/5000 of a step, a pair with a third crossing as near as the next sample, and a g that oscillates within
+/// a step: options.max_step helps. g may be evaluated anywhere in a step, also beyond a terminal event.
+///
+/// The time reported is the first at which g is zero or has its new sign, so that a run continued from there
+/// does not meet the same event again; an event within rounding of t0 is not reported. A g that reaches zero
+/// exactly and turns back is an event. A g that returns NaN ends the run with status::function_threw
 /// (std::domain_error naming the event and t).
 template <class Vector, class... Functions>
 event_watch<Vector> events(event_function<Functions>... list) {
     using function = typename event_watch<Vector>::function;
     return event_watch<Vector>({event_function<function>{function(std::move(list.g)), list.options}...});
+}
+
+/// Without the type of the state it does not compile.
+template <class First, class... Functions>
+auto events(event_function<First>, event_function<Functions>...) {
+    static_assert(sizeof(First) == 0, "events: name the type of the state, as in events<Vector2d>(event(g))");
 }
 
 }  // namespace stagecraft

@@ -10,14 +10,21 @@ namespace stagecraft {
 
 /// The default observer: watches nothing and costs nothing.
 ///
-/// What an observer may have, each used where it is there (and refused by the compiler where a member of the
-/// name cannot be called like this):
-///   observer(t, y, h, output), (t, y, h) or (t, y), called after every accepted step; false ends the run,
-///   observer.start(t0, y0, t1), called before the first step; what it throws leaves integrate(),
-///   observer.correct(t, y), called before it after every accepted step: may change y and then returns true,
-///   and the run goes on from there (dae/projection.hpp),
-///   observer.conclude(result), called last: it may shorten the run to an earlier t (and must then do the
-///   same again when called again), and cuts what it has kept beyond result.t.
+/// An observer has a call operator and may have further members, which are detected. A member of one of these
+/// names that cannot be called in this way does not compile.
+///
+///   observer(t, y, h, output) or (t, y, h) or (t, y)
+///       Called after every accepted step with its end t, the state y there, its length h (negative when time
+///       runs backwards) and the continuous solution over it. A return value that converts to bool and is
+///       false ends the run with status::stopped.
+///   observer.start(t0, y0, t1)
+///       Called before the first step. An exception from it leaves integrate().
+///   observer.correct(t, y)
+///       Called after every accepted step, before the call operator. It may change y and then returns true;
+///       the run goes on from the changed state (dae/projection.hpp).
+///   observer.conclude(result)
+///       Called last. It may shorten the run to an earlier t, and must then do the same when it is called
+///       again; what it has kept beyond result.t it discards.
 struct no_observer {};
 
 namespace detail {

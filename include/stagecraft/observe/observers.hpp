@@ -45,14 +45,15 @@ class observer_list
         each([&](auto& o) { go_on = detail::observe(o, t, y, h, output) && go_on; });
         return go_on;
     }
-    /// One correction after the other, as correct(t, y) where an observer makes any.
+    /// The corrections of all observers that make any, one after the other.
     template <class Scalar, class Vector>
     bool correct_all(const Scalar& t, Vector& y) {
         bool changed = false;
         each([&](auto& o) { changed = detail::correct_state(o, t, y) || changed; });
         return changed;
     }
-    /// Asked again as long as one of them shortens the run, so that all end at the same t in whatever order.
+    /// Repeated as long as one of them shortens the run, so that all end at the same t whatever their order
+    /// is.
     template <class Result>
     void conclude(Result& r) {
         for (bool shortened = true; shortened;) {
@@ -71,8 +72,8 @@ class observer_list
     std::tuple<Observers...> list_;
 };
 
-/// One observer that calls several, in the order given, after every step: the run goes on if all say so.
-/// Those given as lvalues are taken by reference.
+/// One observer that calls several after every step, in the order given. The run goes on if none of them ends
+/// it. Lvalues are kept by reference, temporaries are moved in.
 template <class... Observers>
 observer_list<Observers...> observers(Observers&&... o) {
     return observer_list<Observers...>(std::forward<Observers>(o)...);

@@ -13,17 +13,18 @@ namespace stagecraft {
 ///     output_times<Vector3d> table({0, 0.1, 1, 10});
 ///     integrate(method, problem, y0, 0, 10, options, table);     // then table.y(i) at table.time(i)
 ///
-/// The values are those of the continuous solution within the steps (dense_output.hpp says of which order),
-/// and of the accepted states where a step ends at the time. The run takes the same steps as without it.
-/// Storage: n numbers per time, taken before the first step; twice that with derivatives.
+/// Where a step ends at one of the times the value is the accepted state, elsewhere it is that of the
+/// continuous solution, whose order dense_output.hpp gives. The run takes the same steps as without this
+/// observer. Storage: n numbers per time, twice that with derivatives, allocated before the first step.
 template <class Vector>
 class output_times {
   public:
     using scalar = typename Vector::Scalar;
     using matrix = Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic>;
 
-    /// The times in the order of the run, equal ones allowed; with_derivatives keeps y' too. Throws
-    /// std::invalid_argument if they are not in order or one of them is not finite.
+    /// The times in the order of the run (decreasing when time runs backwards; equal ones are allowed).
+    /// with_derivatives keeps y' as well. Throws std::invalid_argument if they are not in order or one of
+    /// them is not finite.
     explicit output_times(std::vector<scalar> times, bool with_derivatives = false)
         : times_(std::move(times)), with_derivatives_(with_derivatives) {
         bool up = true, down = true;
@@ -36,14 +37,14 @@ class output_times {
         if (!up && !down) throw std::invalid_argument("output_times: times must be in order");
     }
 
-    /// How many times the run has reached: all of them after a success, fewer where it ended early, those
-    /// equal to t0 always.
+    /// How many of the times the run has reached: all of them after a success, fewer where it ended early.
+    /// Times equal to t0 always count.
     int filled() const { return filled_; }
     const scalar& time(int i) const { return times_.at(static_cast<std::size_t>(i)); }
-    /// y at time(i), i < filled(); std::out_of_range otherwise.
+    /// y at time(i). Throws std::out_of_range unless 0 <= i < filled().
     auto y(int i) const { return y_.col(checked(i)); }
-    /// y' at time(i); std::out_of_range also where no derivatives were asked for, and at t0 where no step was
-    /// taken.
+    /// y' at time(i). Throws std::out_of_range like y(i), and also where no derivatives were asked for or no
+    /// step was taken.
     auto derivative(int i) const {
         if (!with_derivatives_) throw std::out_of_range("output_times: no derivatives were asked for");
         if (i >= slopes_) throw std::out_of_range("output_times: the derivative is not known");
@@ -52,8 +53,8 @@ class output_times {
     /// One column per time reached.
     auto values() const { return y_.leftCols(filled_); }
 
-    /// Throws std::invalid_argument if a time is outside of [t0, t1], if they are not in the order of the
-    /// run, or if derivatives are asked of a run without a step.
+    /// Throws std::invalid_argument if a time lies outside of [t0, t1], if the times are not in the order of
+    /// the run, or if derivatives are asked for in a run with t0 = t1.
     void start(const scalar& t0, const Vector& y0, const scalar& t1) {
         backwards_ = t1 < t0;
         filled_ = slopes_ = 0;

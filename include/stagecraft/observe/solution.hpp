@@ -19,10 +19,10 @@ namespace stagecraft {
 ///     solution<Vector3d> y;
 ///     integrate(method, problem, y0, t0, t1, options, y);        // then y(t), y.derivative(t)
 ///
-/// Continuous over the steps, of the order that dense_output.hpp says; for y and algebraic components alike.
-/// Where two steps meet the earlier one answers, whose polynomial satisfies the equation at its end if the
-/// method is stiffly accurate. Storage: n (d + 1) + 2 numbers per step, d the degree of its polynomial;
-/// lookup by bisection, O(log steps) + O(n d).
+/// It is continuous, also in algebraic components, and of the order given in dense_output.hpp. Where two
+/// steps meet, the polynomial of the earlier one is evaluated; it satisfies the equation there if the method
+/// is stiffly accurate. Storage: n (d + 1) + 2 numbers per step, d being the degree of its polynomial. Cost
+/// of one value: O(log steps) for the search by bisection and O(n d).
 template <class Vector>
 class solution {
   public:
@@ -48,7 +48,8 @@ class solution {
         return y;
     }
 
-    /// y'(t), one order less. Throws like operator(), and where the run has made no step.
+    /// y'(t), of one order less than y(t). Throws std::out_of_range like operator(), and where the run has
+    /// made no step.
     Vector derivative(const scalar& t) const {
         demand_inside(t);
         if (pieces_.empty()) throw std::out_of_range("solution: a run without a step has no derivative");

@@ -309,6 +309,13 @@ inline std::string text_field(const document& d, const char* key) {
     return d.root[key].get<std::string>();
 }
 
+inline std::string claim_names() {
+    std::string names;
+    for (const auto& c : counted_claims) names.append(names.empty() ? "" : ", ").append(c.name);
+    for (const auto& c : yes_no_claims) names.append(", ").append(c.name);
+    return names;
+}
+
 inline tableaux::claims read_claims(const document& d) {
     tableaux::claims claims;
     if (!d.root.contains("claims")) return claims;
@@ -330,7 +337,7 @@ inline tableaux::claims read_claims(const document& d) {
             if (!value.is_boolean()) refuse("must be true or false");
             claims.*(yes_no->value) = value.get<bool>();
         } else {
-            refuse("unknown claim");
+            refuse("unknown claim; known are " + claim_names());
         }
     }
     return claims;
