@@ -13,7 +13,7 @@
 
 namespace stagecraft {
 
-/// One constraint at one point.
+/// The value of one constraint at one point.
 template <class Scalar>
 struct constraint_value {
     int row;          ///< the equation it comes from (of the combination, the one of largest coefficient)
@@ -21,15 +21,15 @@ struct constraint_value {
     Scalar value;     ///< what should be zero, in the units of that equation (per unit of time^derivatives)
 };
 
-/// Every constraint of a problem at one point, hidden ones included.
+/// The values of all constraints of a problem at one point, hidden ones included.
 template <class Scalar>
 struct consistency {
     std::vector<constraint_value<Scalar>> constraints;
-    /// Empty where the constraints determine the algebraic components, else the block that is singular there.
+    /// Empty if the constraints determine the algebraic components, else names the block that is singular.
     std::string singular;
 
-    /// The largest violation, of the constraints differentiated `derivatives` times or of all of them; 0
-    /// where there is none. Not a number if one is.
+    /// The largest violation of the constraints differentiated `derivatives` times, or of all of them if that
+    /// is negative. 0 if there are no such constraints, NaN if one of their values is.
     Scalar largest(int derivatives = -1) const {
         using std::abs;
         Scalar most(0);
@@ -51,8 +51,8 @@ struct consistency {
 /// What `consistent_initial_values` is told.
 template <class Scalar>
 struct initial_value_options {
-    /// The components that may change. Empty: the algebraic ones (the null space of M), and where constraints
-    /// bind differential components these as little as possible in the 2-norm.
+    /// The components that may change. If empty: the algebraic ones (the null space of M), and those
+    /// differential ones that constraints bind, as little as possible in the 2-norm.
     std::vector<int> free{};
     int iterations = 50;   ///< Newton iterations at most
     Scalar time_scale{1};  ///< see constraint_system
@@ -66,10 +66,11 @@ struct consistent_state {
     consistency<typename Vector::Scalar> check;
 };
 
-/// Every constraint and hidden constraint of M x' = f(t, x) at (t, x), with its size and the equation it
-/// comes from: an inconsistent start shows here as a value. For index flags up to 1 the constraints
-/// themselves, up to 2 and 3 those differentiated once and twice (constraint_system says how; derivatives of
-/// a generic problem are automatic). No constraints where M is regular. Throws what the problem throws.
+/// The value of every constraint and hidden constraint of M x' = f(t, x) at (t, x), and the equation it comes
+/// from: an inconsistent start shows as a value that is not zero. With index flags up to 1 these are the
+/// constraints themselves, with 2 also those differentiated once, with 3 also those differentiated twice
+/// (constraint_system says how; a generic problem is differentiated automatically). None if M is regular.
+/// Throws what the problem throws.
 template <class Problem, class Derived>
 auto check_consistent(Problem&& problem, std::type_identity_t<typename Derived::Scalar> t,
                       const Eigen::MatrixBase<Derived>& x,
@@ -106,11 +107,12 @@ auto check_consistent(Problem&& problem, std::type_identity_t<typename Derived::
 
 /// Consistent values near x0: all constraints of check_consistent hold.
 ///
-/// Default, index 1: the differential components (more precisely M x) stay, the algebraic ones solve 0 = g(t,
-/// y, z). Index 2: y moves onto g = 0 by the smallest change in the 2-norm, z solves 0 = g_t + g_y f; index 3
-/// likewise. With options.free exactly these components move, jointly, by the smallest change if there are
-/// more than constraints. Newton's iteration with damping: x0 must be near enough. Models of mechanics have
-/// an initial_state() that needs no iteration (mechanics/formulations.hpp).
+/// Index 1: the differential components (more precisely M x) stay as they are, the algebraic ones solve 0 =
+/// g(t, y, z). Index 2: y moves onto g = 0 by the smallest change in the 2-norm, z solves 0 = g_t + g_y f.
+/// Index 3: in the same way with the constraints of index 3. If options.free is given, exactly these
+/// components move, all at once, and by the smallest change if there are more of them than constraints.
+/// Newton's iteration is damped, but x0 must be near enough. Models of mechanics have an initial_state() that
+/// needs no iteration (mechanics/formulations.hpp).
 ///
 /// Throws std::domain_error naming the block that is singular (g_z, g_y f_z, ...) or that the free components
 /// do not determine, std::runtime_error if Newton's iteration does not converge, std::invalid_argument for a
@@ -135,7 +137,7 @@ auto consistent_initial_values(Problem&& problem, std::type_identity_t<typename 
     if (!options.free.empty()) {
         result.iterations = newton.solve_for(t, x, options.free);
     } else {
-        // What binds the differential components may see the algebraic ones in higher order: two rounds.
+        // Constraints on the differential components may depend weakly on the algebraic ones: two rounds.
         const int rounds = newton.binds_differential() ? 2 : 1;
         for (int round = 0; round < rounds; ++round) {
             result.iterations += newton.bind(t, x, false);

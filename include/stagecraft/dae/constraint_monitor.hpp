@@ -15,11 +15,10 @@ namespace stagecraft {
 ///
 ///     constraint_monitor<problem_type, Vector> watch(problem);
 ///     integrate(method, problem, y0, t0, t1, options, watch);
-///     watch.largest(0), watch.largest(1)                 // |g|, |g_t + g_y f| at most, and watch.time(1)
-///     when
+///     watch.largest(0), watch.largest(1)  // the largest |g|, |g_t + g_y f|; watch.time(1): when
 ///
-/// It refers to the problem. One Jacobian per step and index above 1, and more for index 3; for looking, not
-/// for racing.
+/// It refers to the problem. Each step costs a Jacobian for index 2 and more for index 3: meant for looking
+/// at a run, not for fast ones.
 template <class Problem, class Vector>
 class constraint_monitor {
   public:
@@ -41,8 +40,8 @@ class constraint_monitor {
         look(2, t, system_->twice_hidden(t, y, chosen_));
     }
 
-    /// The largest violation so far (the start included) of the constraints differentiated 0, 1 or 2 times, 0
-    /// where there are none, not a number if one was; and the first time it was met.
+    /// The largest violation so far, the start included, of the constraints differentiated 0, 1 or 2 times: 0
+    /// if there are none, NaN if one was. time() is when it was first met.
     const scalar& largest(int derivatives) const { return worst_.at(derivatives).size; }
     const scalar& time(int derivatives) const { return worst_.at(derivatives).t; }
 

@@ -30,12 +30,13 @@ std::string singular_text(int depth, int rank, Eigen::Index full, const Scalar& 
 
 }  // namespace detail
 
-/// Solves constraints near a state, in the two parts they fall into: those that do not see the algebraic
-/// components bind the differential ones (0 = g(t, y) of index 2 and 3, and its derivative of index 3); those
-/// that do determine the algebraic ones. Newton's iteration with damping. `what` begins the messages.
+/// Solves constraints near a state by damped Newton iteration, in two parts. Constraints that do not depend
+/// on the algebraic components bind the differential ones (0 = g(t, y) for index 2 and 3, and its derivative
+/// for index 3). Constraints that do depend on them determine the algebraic components. Messages begin with
+/// `what`.
 ///
-/// Both throw std::domain_error naming the block that is singular, std::runtime_error if the iteration does
-/// not converge.
+/// Both parts throw std::domain_error that names the block which is singular, and std::runtime_error if the
+/// iteration does not converge.
 template <class Problem, class Vector>
 class constraint_newton {
   public:
@@ -52,13 +53,14 @@ class constraint_newton {
 
     system_type& system() { return system_; }
     Eigen::Index size() const { return system_.size(); }
-    /// Chooses at (t, x) what is differentiated; before the other two.
+    /// Chooses at (t, x) which constraints are differentiated. To be called before the other two.
     void select(const scalar& t, const Vector& x) { system_.select(t, x, chosen_); }
     const typename system_type::selection& chosen() const { return chosen_; }
     bool binds_differential() const { return chosen_.once.rows() > 0; }
 
-    /// Moves the differential components onto their constraints: by least change in the 2-norm, or along the
-    /// directions in which the algebraic components act (f_z of an index-2 problem). Returns the iterations.
+    /// Moves the differential components onto their constraints, either by the smallest change in the 2-norm
+    /// or along the directions in which the algebraic components act (f_z of an index-2 problem). Returns the
+    /// number of iterations.
     int bind(const scalar& t, Vector& x, bool along_algebraic) {
         if (!binds_differential()) return 0;
         auto& work = system_.work();
@@ -100,7 +102,7 @@ class constraint_newton {
         return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
     }
 
-    /// Moves the algebraic components so that all constraints hold. Returns the iterations.
+    /// Moves the algebraic components so that all constraints hold. Returns the number of iterations.
     int determine(const scalar& t, Vector& x) {
         auto& work = system_.work();
         const auto& N = system_.algebraic_directions();

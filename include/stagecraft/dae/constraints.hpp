@@ -24,17 +24,17 @@ namespace stagecraft {
 ///     hidden constraints          0 = h(t, x) = U (c_t + c_x x'), where U c_x N = 0, N the right null space
 ///                                 of M: combinations that do not see the algebraic components,
 ///                                 differentiated;
-///     those of index 3            0 = h_t + h_x x' once more, likewise.
+///     those of index 3            0 = h_t + h_x x', combined and differentiated once more in the same way.
 ///
-/// How often is said by the largest of the problem's index flags: 1 (or no flags) nothing is differentiated,
-/// 2 once, 3 twice. In semi-explicit form 0 = g, and h = g_t + g_y f.
+/// The largest index flag of the problem says how often: 1 (or no flags) not at all, 2 once, 3 twice. In
+/// semi-explicit form the constraints are 0 = g and h = g_t + g_y f.
 ///
-/// x' enters through M x' = f alone, whatever multiple of N is added. The second differentiation takes U as
-/// constant, which it is in Hessenberg form.
-/// First derivatives are automatic where the problem is generic, its own where it brings a dense Jacobian,
-/// else central differences; h_x and the third kind are differences of these. O(n^2) storage, an O(n^3)
-/// decomposition of M once: a tool for starting a run and for looking at it. What the functions return is
-/// lent by this object, which must live longer; asked again they allocate nothing.
+/// Only M x' = f enters of x', so that a multiple of N added to it changes nothing. The second
+/// differentiation takes U as constant, which it is in Hessenberg form. First derivatives are automatic if
+/// the problem is generic, its own if it has a dense Jacobian, else central differences; h_x and the
+/// derivative of the third kind are differences of these. Costs O(n^2) storage and once an O(n^3)
+/// decomposition of M: a tool for starting a run and for looking at it. What the functions return refers to
+/// this object, which must live longer; repeated calls allocate nothing.
 template <class Problem, class Vector>
 class constraint_system {
   public:
@@ -101,7 +101,7 @@ class constraint_system {
     const kept_matrix& algebraic_directions() const { return directions_; }
     /// The equation that leads constraint i: the row of largest coefficient in it.
     int row(int i) const { return largest(combinations_.row(i)); }
-    /// Storage for what is computed with these, lent likewise.
+    /// Storage for what is computed with these; it belongs to this object as well.
     workspace& work() { return work_; }
     detail::matrix_pool<Vector>& states() { return states_; }
 

@@ -15,8 +15,8 @@
 namespace stagecraft::detail {
 
 /// Damped Gauss-Newton for r(x) = 0: `step(x, r)` returns the correction and the scale of the rows it was
-/// computed with. Ends when the correction is rounding, or no longer decreases near rounding. States come
-/// from the pool.
+/// computed with. Ends when the correction is at the level of rounding, or near it and no longer decreasing.
+/// States come from the pool.
 template <class Vector, class Residual, class Step>
 int gauss_newton(matrix_pool<Vector>& states, Vector& x, Residual&& residual, Step&& step, int most,
                  const char* what) {

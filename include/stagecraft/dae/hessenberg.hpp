@@ -14,8 +14,8 @@ namespace stagecraft {
 
 /// The index of a semi-explicit system at one state, read off its Jacobian.
 struct hessenberg_form {
-    int differentiation_index;  ///< thesis, definition 1.1
-    int perturbation_index;     ///< thesis, definition 1.2; the same number for Hessenberg forms
+    int differentiation_index;  ///< Hairer-Wanner II.VII.1; thesis, definition 1.1
+    int perturbation_index;     ///< HLR89, section 1; thesis, definition 1.2; here the same number
     double condition;           ///< 2-norm condition of the matrix that must be regular; 1 for index 0
 };
 
@@ -23,7 +23,8 @@ struct hessenberg_form {
 /// section 1): with y the components where M is not zero and z the others, y' = f(y, z) and 0 = g(y, z) have
 /// index 1 if g_z is regular, 2 if g_z = 0 and g_y f_z is regular, 3 if g_z = 0, g_y f_z = 0 and g_y f_y f_z
 /// is regular (which is g_y f_z k_u in the structured form y' = f(y, z), z' = k(y, z, u), 0 = g(y)); index 0
-/// if M is regular. A statement about one state: along a motion, ask along it. Zero means zero to rounding.
+/// if M is regular. This is a statement about one state; for a motion, ask at its states. Zero means zero to
+/// rounding.
 /// Throws std::invalid_argument unless M is diagonal, std::domain_error if the system has none of these
 /// forms there.
 template <class Problem, class Vector>

@@ -7,8 +7,9 @@
 
 namespace stagecraft::detail {
 
-/// Matrices of one type for temporary use. They come back when they go out of scope and serve again, by size:
-/// where the same sizes are asked for again and again nothing is allocated. A copy of a pool is empty.
+/// Matrices of one type for temporary use. A matrix returns to the pool when it goes out of scope and is
+/// handed out again to the next request for its size, so that repeated requests for the same sizes allocate
+/// nothing. A copy of a pool is empty.
 template <class Matrix>
 class matrix_pool {
   public:
@@ -35,7 +36,7 @@ class matrix_pool {
     matrix_pool(const matrix_pool&) {}
     matrix_pool& operator=(const matrix_pool&) { return *this; }
 
-    /// A matrix of this size; its entries mean nothing.
+    /// A matrix of this size with unspecified entries.
     loan take(Eigen::Index rows, Eigen::Index cols = 1) {
         for (std::size_t k = spare_.size(); k-- > 0;) {
             if (spare_[k].size() != rows * cols) continue;

@@ -34,7 +34,7 @@ struct projection_record {
     }
 };
 
-/// The T that `held` holds, made anew if it is none or none of this size.
+/// The T that `held` holds; a new one is made if it holds none, or one of another size.
 template <class T, class... Arguments>
 T& kept(std::any& held, Eigen::Index size, Arguments&&... arguments) {
     auto* found = std::any_cast<T>(&held);
@@ -48,10 +48,10 @@ T& kept(std::any& held, Eigen::Index size, Arguments&&... arguments) {
 /// 2-norm (standard projection, Hairer-Lubich-Wanner IV.4): invariants of an ordinary differential equation,
 /// such as the constraints that index reduction has lost, or its energy. Made by `projection_onto`.
 ///
-/// The order of the method is kept where the exact solution satisfies g = 0. Nothing is allocated after the
-/// first step unless g does. Costs one derivative (by differences, 2 n values of g, where it is
-/// neither given nor automatic) and two or three values of g per step, and one f where the method has used
-/// the value at the end of the step that is moved (FSAL, Gauss).
+/// The method keeps its order if the exact solution satisfies g = 0. Costs per step: one derivative of g (2 n
+/// values of g by differences if it is neither given nor automatic), two or three values of g, and one f if
+/// the method uses f at the end of the step, which is moved (FSAL, Gauss). Nothing is allocated after the
+/// first step unless g does.
 template <int M, class Constraint>
 class projection_onto_equations {
     static_assert(M > 0, "projection_onto: the number of equations must be positive");
@@ -192,11 +192,11 @@ struct projection_options {
 };
 
 /// An observer that moves every accepted state of a differential-algebraic problem onto its constraints
-/// (those binding the differential components, of index 2 and 3), and on request onto the hidden ones by the
-/// algebraic components. Made by `projection`. Costs one Jacobian and a few f per step, with `hidden` n more
-/// of each; what depends on M alone is kept from step to step. Allocates nothing after the first step unless
-/// the problem does. Stiffly accurate methods satisfy g = 0 to the tolerance of Newton's iteration without
-/// it.
+/// (those that bind the differential components, of index 2 and 3) and on request, by moving the algebraic
+/// components, onto the hidden ones. Made by `projection`. Costs one Jacobian and a few f per step, with
+/// `hidden` n more of each; what depends on M alone is kept from step to step. Nothing is allocated after the
+/// first step unless the problem does. Stiffly accurate methods satisfy g = 0 to the tolerance of Newton's
+/// iteration without any projection.
 template <class Problem>
 class constraint_projection {
   public:

@@ -85,8 +85,8 @@ auto product(workspace<Scalar, Max>& work, const A& a, const B& b) {
     return r;
 }
 
-/// What the tools for constraints ask of a matrix A of run-time size: rank, kernel, solution of least norm.
-/// From the decomposition A^T P = Q R: the rank columns of Q span the rows of A, the others its kernel.
+/// Rank, kernel and solutions of least norm of a matrix A of run-time size, from the decomposition A^T P = Q
+/// R: the first `rank` columns of Q span the rows of A, the others its kernel.
 template <class Work>
 class rank_revealing {
   public:
@@ -143,7 +143,7 @@ class rank_revealing {
 };
 
 /// The same row space in echelon form: every row has a pivot one where the other rows are zero, so that
-/// combinations of equations without common members come out one by one.
+/// equations without common unknowns are not combined.
 template <class Matrix>
 void reduce_rows(Matrix& U, const typename Matrix::Scalar& zero) {
     using std::abs;
@@ -186,7 +186,7 @@ const Matrix& drop_small(Matrix& m, const typename Matrix::Scalar& zero) {
     return m;
 }
 
-/// Combinations U of the rows of r_x that the directions in the columns of N do not change: U r_x N = 0 to
+/// Combinations U of the rows of r_x that do not change in the directions of the columns of N: U r_x N = 0 to
 /// the accuracy `zero` relative to the rows.
 template <class Scalar, int Max, class Matrix, class Directions>
 auto invisible_combinations(workspace<Scalar, Max>& work, const Matrix& r_x, const Directions& N,

@@ -16,7 +16,7 @@ namespace stagecraft {
 
 namespace detail {
 
-/// A problem behind one type: whatever is expanded, one integrator is compiled.
+/// A problem behind one type, so that one integrator is compiled whatever is expanded.
 struct erased_problem {
     std::function<void(double, const Eigen::VectorXd&, Eigen::VectorXd&)> f;
     Eigen::MatrixXd M;
@@ -35,14 +35,15 @@ inline Eigen::VectorXd run(const erased_problem& problem, const Eigen::VectorXd&
 
 }  // namespace detail
 
-/// The expansion of Theorem 6 of the thesis (Hairer-Wanner II, Theorem VI.3.2) up to N = 1,
+/// The expansion of Hairer-Wanner II, Theorem VI.3.2 (thesis, Theorem 6) up to N = 1,
 ///
 ///     y(t) = y_0(t) + eps (y_1(t) + eta_0(t/eps)) + O(eps^2)
 ///     z(t) = z_0(t) + zeta_0(t/eps) + eps (z_1(t) + zeta_1(t/eps)) + O(eps^2),
 ///
 /// for initial values y(0), z(0) that do not depend on eps. The outer coefficients solve a
 /// differential-algebraic system of index 1, the layer terms an initial value problem in xi = t/eps; both are
-/// integrated with Radau IIA-3 when asked for. With N = 0 only y_0, z_0 and zeta_0 enter.
+/// integrated with the three-stage Radau IIA method when they are first needed. N = 0 takes y_0, z_0, zeta_0
+/// only.
 template <singular_perturbation Problem>
 class asymptotic_expansion {
   public:

@@ -137,7 +137,7 @@ coordinate_vector<S, Model> motion(const Model& model, const S& t, const Eigen::
     return a;
 }
 
-/// Their derivatives in a Jacobian that is zero elsewhere, lambda standing from component `at` on.
+/// Writes their derivatives into a Jacobian that is zero elsewhere; lambda begins at component `at`.
 template <class S, class Model, int Size>
 void motion_jacobian(const acceleration_jacobian<S, Model>& d, int at, Eigen::Matrix<S, Size, Size>& J) {
     constexpr int n = Model::coordinates, m = Model::constraints;

@@ -10,7 +10,7 @@
 
 namespace stagecraft {
 
-/// No generalised forces: those of the potential alone act.
+/// No generalised forces: only those of the potential act.
 struct no_forces {};
 
 namespace detail {
@@ -32,7 +32,7 @@ struct returned_by<F, Vector, true> {
 ///
 /// as M(q) a = F(q, v) - G^T lambda. Made by `lagrangian`. T is a quadratic polynomial in v (any mechanical
 /// system at rest or in moving frames), so that its second derivative M, and dT/dv, are differences of values
-/// of T without any error but rounding (polarisation); what remains, the derivatives by q, are taken by
+/// of T without any error but rounding (polarisation). The derivatives with respect to q are taken by
 /// automatic differentiation. One F costs 2 n + 2 evaluations of T in dual numbers.
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint, class Forces>
 class lagrangian_model {
@@ -169,11 +169,11 @@ class lagrangian_model {
 };
 
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
-/// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm(); }`).
-/// The constraint returns either a number or column of m position constraints, 0 = g, whose gradient is taken
-/// automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v. Q(q, v,
-/// t), if given, returns the generalised forces beside the potential: damping, drives, friction. The types of T
-/// and V are the model: no derivative is written by hand, so that none can be wrong.
+/// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm();
+/// }`). The constraint returns either a number or column of m position constraints, 0 = g, whose gradient is
+/// taken automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v.
+/// Q(q, v, t), if given, returns the generalised forces besides the potential: damping, drives, friction. No
+/// derivative is written by hand, so that none can be wrong.
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
           class Forces = no_forces>
 auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {

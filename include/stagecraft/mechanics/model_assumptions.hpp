@@ -23,8 +23,8 @@ struct model_assumptions {
 
     /// True if M is symmetric positive definite, G of full rank and G M^-1 G^T regular, each to working
     /// precision, and f and g are as differentiable as a difference quotient can tell: then the system has
-    /// differentiation and perturbation index 2 here (HLR89 section 1; dae/hessenberg.hpp says so for
-    /// itself).
+    /// differentiation and perturbation index 2 here (HLR89, section 1; dae/hessenberg.hpp decides that on
+    /// its own).
     bool hold() const {
         const double eps = Eigen::NumTraits<double>::epsilon();
         return singular.empty() && asymmetry <= 16 * eps && smallest_pivot > eps && constraint_rank > eps &&
@@ -74,7 +74,7 @@ model_assumptions check_assumptions(const Model& model, const coordinate_vector<
     return result;
 }
 
-/// Of two states the worse value of each number: folded over a run, what holds along all of it.
+/// The worse value of each number at two states. Folded over a run it says what holds along all of it.
 inline model_assumptions worst_of(const model_assumptions& a, const model_assumptions& b) {
     return {std::max(a.asymmetry, b.asymmetry),
             std::min(a.smallest_pivot, b.smallest_pivot),

@@ -10,9 +10,9 @@
 
 namespace stagecraft {
 
-/// The hypotheses of the thesis' convergence theorems at one position q, with the logarithmic norms they
-/// speak of: mu(-G M^-1 G^T), mu(g_lambda) with g_lambda = -d G M^-1 G^T, and the bound c/d^2. A theorem
-/// holds if its condition holds in one norm, all along the motion.
+/// The hypotheses of the convergence theorems (thesis, Theorem 6 and Corollary 4) at one position q, with the
+/// logarithmic norms in them: mu(-G M^-1 G^T), mu(g_lambda) with g_lambda = -d G M^-1 G^T, and the bound
+/// c/d^2. A theorem holds if its condition holds in one norm, all along the motion.
 struct regularisation_conditions {
     logarithmic_norms constraint;  ///< of -G M^-1 G^T
     logarithmic_norms g_lambda;    ///< of -d G M^-1 G^T

@@ -39,8 +39,8 @@ struct contact {
 
 namespace detail {
 
-/// What all forms share: the model, the contact, and states (q, v, ...) with Extra more vectors of the size
-/// of lambda.
+/// The part that all forms share: the model, the contact, and states (q, v, ...) with Extra more vectors of
+/// the size of lambda.
 template <class Model, class Scalar, int Extra>
 class regularised_form {
   public:

@@ -14,9 +14,10 @@ namespace stagecraft {
 /// (3.1)) as a type with
 ///
 ///     static constexpr int slow = n, fast = m;
-///     template <class S> Eigen::Matrix<S, n, 1> f(const Eigen::Matrix<S, n, 1>& y, const Eigen::Matrix<S, m,
-///     1>& z) const; template <class S> Eigen::Matrix<S, m, 1> g(const Eigen::Matrix<S, n, 1>& y, const
-///     Eigen::Matrix<S, m, 1>& z) const;
+///     template <class S>
+///     Eigen::Matrix<S, n, 1> f(const Eigen::Matrix<S, n, 1>& y, const Eigen::Matrix<S, m, 1>& z) const;
+///     template <class S>
+///     Eigen::Matrix<S, m, 1> g(const Eigen::Matrix<S, n, 1>& y, const Eigen::Matrix<S, m, 1>& z) const;
 ///
 /// Theory asks for mu(g_z) < 0 near the solution of the reduced problem 0 = g(y, z).
 template <class Problem>

@@ -13,10 +13,10 @@ namespace stagecraft {
 
 /// An observer for `integrate` that keeps a run away from the positions where M(q) is singular. The model
 /// names them (`singularity(q)`, `singular_position`); a run whose states begin with q ends with
-/// status::stopped at the first step in which |singularity(q)| falls to `margin` or changes its sign, also if
-/// both ends of the step are harmless: the stage polynomial is looked at in between. What the integrator
-/// computed beyond that point is not to be used; `time` and `position` are those at which the margin is
-/// reached. Pass it as an lvalue:
+/// status::stopped at the first step in which |singularity(q)| falls to `margin` or changes its sign. The
+/// continuous solution is examined within the step, so that harmless ends hide nothing. `time` and `position`
+/// are those at which the margin is reached; what was computed beyond them must not be used. Pass it as an
+/// lvalue:
 ///
 ///     singularity_watch watch(body);
 ///     auto r = integrate(method, index_2(body), y0, t0, t1, options, watch);

@@ -9,13 +9,13 @@
 
 #include <stagecraft/mechanics/model.hpp>
 
-// What the formulations ask of initial values.
+// Checks of the initial values that the formulations are given.
 
 namespace stagecraft {
 
-/// A mechanical model whose constraint is one of position: `g(q)` or `g(q, t)` (a template on the scalar) with
-/// 0 = g and G = dg/dq (and, where g depends on t, b = dg/dt). Its velocity constraint G v + b = 0 alone makes
-/// it a mechanical_model already.
+/// A mechanical model whose constraint is one of position: `g(q)` or `g(q, t)` (a template on the scalar)
+/// with 0 = g and G = dg/dq (and, where g depends on t, b = dg/dt). Its velocity constraint G v + b = 0 alone
+/// makes it a mechanical_model already.
 template <class Model>
 concept holonomic_model = mechanical_model<Model> &&(
     requires(const Model& model, const coordinate_vector<double, Model>& q) {

@@ -11,22 +11,24 @@
 
 namespace stagecraft {
 
-/// The one thing a problem must bring: `problem(t, y, f)` writes f(t, y) into f, which arrives with the size
-/// of y and must be written in every component: nothing is promised of what it holds before (NaN in builds with
-/// assertions, problem/unwritten.hpp). M y' = f(t, y), M the identity unless the problem has a member `mass()`.
+/// All that a problem must have: `problem(t, y, f)` writes f(t, y) of M y' = f(t, y) into f. M is the
+/// identity unless the problem has a member `mass()`. f arrives with the size of y and must be written in
+/// every component; what it holds before is unspecified (NaN in builds with assertions,
+/// problem/unwritten.hpp).
 ///
-/// All else is optional, found by its name. A member of that name that cannot be used as said here does not
-/// compile (problem/checked_capabilities.hpp), nor does one with an unmet requires-clause: a member that is to
-/// be there on a condition belongs into a base class that is chosen. One whose name is misspelt is not found, and missing among what
-/// print(out, result) says was found (report_text.hpp).
+/// Every other member is optional and found by its name. A member with one of the names below that cannot be
+/// used as described does not compile (problem/checked_capabilities.hpp). That includes one whose
+/// requires-clause is not met: put a member that only some instances of a template have into a base class
+/// that you choose. A member with a misspelt name is not found, and is then missing from the list of what was
+/// found that print(out, result) begins with (report_text.hpp).
 template <class Problem, class Vector>
 concept right_hand_side = Eigen::MatrixBase<Vector>::ColsAtCompileTime == 1 &&
                           requires(Problem& p, const typename Vector::Scalar& t, const Vector& y, Vector& f) {
     p(t, y, f);
 };
 
-/// Optional: `problem.jacobian(t, y, J)` writes df/dy into J, which is zero the first time and then what was
-/// last written: entries that are always zero need not be written.
+/// Optional: `problem.jacobian(t, y, J)` writes df/dy into J, an n x n matrix. J is zero at the first call
+/// and later holds what was last written, so that entries which are always zero need not be written.
 template <class Problem, class Vector, class Matrix>
 concept has_jacobian = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y, Matrix& J) {
     p.jacobian(t, y, J);
@@ -66,17 +68,17 @@ concept has_mass = requires(Problem& p) {
 };
 
 /// Optional: `problem.index()` returns something indexable with size(): the differentiation index 1, 2 or 3
-/// of each component (HLR89; 0 and 1 mean the same). Newton and error norms weigh a component by |h|^(index -
-/// 1).
+/// of each component (HLR89, section 7; 0 and 1 mean the same). The norms of Newton's iteration and of the
+/// error estimate weigh a component by |h|^(index - 1).
 template <class Problem>
 concept has_index = requires(Problem& p) {
     { p.index()[0] } -> std::convertible_to<int>;
     p.index().size();
 };
 
-/// Optional: `problem.constant_jacobian()` returns true when df/dy depends neither on t nor on y:
-/// then J is evaluated once in a run, and one Newton iteration a step is enough. (A claim that the first step
-/// contradicts is not believed.)
+/// Optional: `problem.constant_jacobian()` returns true if df/dy depends neither on t nor on y. Then J is
+/// evaluated once in a run, and one Newton iteration per step is enough. If the first step contradicts the
+/// claim it is ignored.
 template <class Problem>
 concept has_constant_jacobian = requires(Problem& p) {
     { p.constant_jacobian() } -> std::convertible_to<bool>;

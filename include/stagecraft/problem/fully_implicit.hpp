@@ -31,9 +31,9 @@ concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix
 ///
 ///     y' = v,   0 = F(t, y, v)
 ///
-/// in the state (y; v), M = diag(I, 0), ready for `integrate`. The linear algebra is that of n x n matrices,
-/// shift F_v + F_y, because y is eliminated by y' = v. Made by `fully_implicit`; N is n, or -1 where it is
-/// known at run time.
+/// in the state (y; v) with M = diag(I, 0), ready for `integrate`. The matrices that are factored are n x n,
+/// shift F_v + F_y, because y' = v eliminates y. Made by `fully_implicit`. N is n, or -1 if n is known only
+/// at run time.
 template <int N, class F>
 class fully_implicit_problem : public detail::optional_jacobian<fully_implicit_problem<N, F>,
                                                                 detail::implicit_jacobian<F, double, N>> {
@@ -151,12 +151,13 @@ inline std::vector<int> implicit_flags(int n, int index) {
 
 /// F(t, y, y') = 0 with n components known at compile time.
 ///
-/// F(t, y, v, out) writes the n equations, v standing for y'; it may be a lambda. Generic in the scalar it is
-/// differentiated automatically, a member F.jacobian(t, y, v, F_y, F_v) serves where there is one, else
-/// finite differences.
-/// `index` is the differentiation index of F(t, y, y') = 0 (Hairer-Wanner II.VII.1): 0 where F_{y'} is
-/// regular, 1 or 2 for a differential-algebraic equation. The flags are index for y (at least 1), index + 1
-/// for y', which is one differentiation away. std::invalid_argument for other values.
+/// F(t, y, v, out) writes the n equations, where v stands for y'; it may be a lambda. Its derivatives come
+/// from a member F.jacobian(t, y, v, F_y, F_v) if there is one, from automatic differentiation if F is
+/// generic in the scalar, else from finite differences.
+///
+/// `index` is the differentiation index of F(t, y, y') = 0 (Hairer-Wanner II.VII.1): 0 if F_{y'} is regular,
+/// 1 or 2 for a differential-algebraic equation; other values throw std::invalid_argument. The components of
+/// y are given the index flag max(index, 1), those of y' the flag index + 1, being one differentiation away.
 template <int N, class F>
 requires(N >= 0) auto fully_implicit(F f, int index = 0) {
     return fully_implicit_problem<N, F>(std::move(f), N, detail::implicit_flags(N, index));

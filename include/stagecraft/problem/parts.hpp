@@ -33,12 +33,12 @@ struct part_copies {
     part_copies(int first, int second) : a(first), f(first), b(second), g(second) {}
 };
 
-/// Where the copies are kept: on the stack for fixed sizes; else in the problem, so that an evaluation of a
-/// problem that is not const allocates nothing, in numbers and in dual numbers.
+/// Where the copies are kept. Fixed sizes: on the stack. Else in the problem, so that evaluating a problem
+/// that is not const allocates nothing, with plain and with dual numbers.
 template <class Sizes>
 class part_storage {
   public:
-    /// Throws std::invalid_argument, `what` in front, for a negative size.
+    /// Throws std::invalid_argument for a negative size; the message begins with `what`.
     part_storage(int first, int second, const char* what)
         : first_(checked(first, what)), second_(checked(second, what)), kept_(make(first, second)) {}
     int first() const { return Sizes::fixed ? Sizes::first : first_; }
@@ -76,8 +76,8 @@ class part_storage {
     [[no_unique_address]] kept kept_;
 };
 
-/// A member jacobian(t, x, J) for a Problem that can write one (then write_jacobian(t, x, J) does), and none for
-/// others, so that a jacobian is found by its name only where there is one.
+/// A member jacobian(t, x, J) for a Problem that can write one (then write_jacobian(t, x, J) does), and none
+/// for others, so that a jacobian is found by its name only where there is one.
 template <class Problem, bool Exists>
 struct optional_jacobian {};
 template <class Problem>
@@ -96,7 +96,8 @@ Dual constant_dual(const S& x) {
     return result;
 }
 
-/// Writes the derivative of call(a, b), a and b in dual numbers, by (a; b) at x into the rows of `result`.
+/// Writes the derivative of call(a, b) with respect to (a; b), taken at x in dual numbers, into the rows of
+/// `result`.
 template <class Sizes, class S, class Call, class State, class Rows>
 void differentiate_parts(int first, int second, const State& x, int rows, Call&& call, Rows&& result) {
     using number = dual<S, Sizes::size>;

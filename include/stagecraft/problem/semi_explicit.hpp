@@ -66,11 +66,11 @@ concept constraint_jacobian =
 /// The semi-explicit (Hessenberg) system
 ///
 ///     y' = f(t, y, z),   0 = g(t, y, z)   index 1 where g_z is regular, or
-///     y' = f(t, y, z),   0 = g(t, y)      index 2 where g_y f_z is regular (Hairer-Wanner II.VI.1, HLR89
-///     section 1)
+///     y' = f(t, y, z),   0 = g(t, y)      index 2 where g_y f_z is regular
 ///
-/// in the state (y; z), M = diag(I, 0), ready for `integrate`. The form of g decides the index, and with it
-/// the flags of z. Made by `semi_explicit`; Sizes is a part_sizes<n, m>.
+/// (Hairer-Wanner II.VI.1 and II.VII.1; HLR89, section 1) in the state (y; z) with M = diag(I, 0), ready for
+/// `integrate`. Whether g takes z decides the index, and with it the index flags of z. Made by
+/// `semi_explicit`. Sizes is a part_sizes<n, m>.
 template <class Sizes, class F, class G>
 class semi_explicit_problem
     : public detail::optional_jacobian<semi_explicit_problem<Sizes, F, G>,
@@ -121,9 +121,9 @@ class semi_explicit_problem
         evaluate(t, x, parts, out);
     }
 
-    /// The derivative of (f; g), as jacobian(t, x, J) where f or g brings its own: f.jacobian(t, y, z, f_y, f_z),
-    /// g.jacobian(t, y, g_y) or g.jacobian(t, y, z, g_y, g_z), into blocks that arrive zero. The other one is
-    /// differentiated automatically and must be generic.
+    /// The derivative of (f; g), as jacobian(t, x, J) where f or g brings its own: f.jacobian(t, y, z, f_y,
+    /// f_z), g.jacobian(t, y, g_y) or g.jacobian(t, y, z, g_y, g_z), into blocks that arrive zero. The other
+    /// one is differentiated automatically and must be generic.
     template <class S, class Matrix>
     void write_jacobian(const S& t, const state_vector<S>& x, Matrix& J) const {
         const int n = parts_.first(), m = parts_.second();
@@ -247,9 +247,9 @@ class semi_explicit_problem
 /// y' = f(t, y, z), 0 = g(t, y, z) or 0 = g(t, y), with n components y and m components z known at compile
 /// time.
 ///
-/// f(t, y, z, out) writes y' into out; g(t, y, z, out) or g(t, y, out) the m equations. Either may be a
-/// lambda; where both are generic in the scalar the Jacobian comes from automatic differentiation, where one
-/// has a member jacobian(...) from it, else from finite differences.
+/// f(t, y, z, out) writes y' into out; g(t, y, z, out) or g(t, y, out) writes the m equations. Either may be
+/// a lambda. Their derivatives come from members jacobian(...) where there are some (see jacobian() above),
+/// from automatic differentiation if both are generic in the scalar, else from finite differences.
 template <int N, int M, class F, class G>
 requires(N >= 0 && M >= 0) auto semi_explicit(F f, G g) {
     return semi_explicit_problem<part_sizes<N, M>, F, G>(std::move(f), std::move(g), N, M);

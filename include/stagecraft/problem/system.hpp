@@ -20,15 +20,15 @@ namespace stagecraft {
 /// Thrown inside a run when a callable resized its output; integrate() turns it into status::size_changed.
 struct size_change {};
 
-/// A problem that is not what it claims to be, seen at the first evaluation.
+/// Thrown when the first evaluation shows that a problem is not what it claims to be. Leaves integrate().
 struct bad_problem : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
 namespace detail {
 
-/// Where the Jacobian of a problem is kept: banded, sparse, or dense, which has no room before
-/// system::take_jacobian().
+/// The matrix that holds the Jacobian of a problem: banded, sparse, or dense. A dense one has no storage
+/// before system::take_jacobian().
 template <class Problem, class Vector>
 auto make_jacobian(Problem& problem, int n) {
     using scalar = typename Vector::Scalar;
@@ -155,8 +155,8 @@ class system
         }
     }
 
-    /// Takes all storage that evaluate_jacobian() needs, n x n numbers where J is dense; to be called once
-    /// before it. Without implicit stages nobody asks for it.
+    /// Allocates all that evaluate_jacobian() needs, n x n numbers if J is dense. To be called once before
+    /// it; runs of explicit methods never do.
     void take_jacobian() {
         report_.found.jacobian = analytic    ? jacobian_source::member
                                  : automatic ? jacobian_source::automatic_differentiation
@@ -201,9 +201,10 @@ class system
         }
     }
 
-    /// Multiplies the weights of index-2 components by |h| and of index-3 components by h^2, where |h| is not
-    /// taken below sqrt(rtol): with ever smaller steps these components would be left unchecked, and the next
-    /// iteration start from values at which it fails or finds another solution of the constraints.
+    /// Multiplies the weights of index-2 components by |h| and those of index-3 components by h^2, with
+    /// max(|h|, sqrt(rtol)) in place of |h|. Without that bound very small steps would leave these components
+    /// unchecked, and the next iteration would start from values at which it fails or finds another solution
+    /// of the constraints.
     void weigh_by_index(Vector& weights, const scalar& h, const scalar& rtol) const {
         if constexpr (has_index<Problem>) {
             using std::abs;
@@ -214,9 +215,10 @@ class system
         }
     }
 
-    /// The weights of those components whose order reduction the step control can follow: those of index 1.
-    /// (The estimates of the others carry what earlier steps left of the constraints, divided by h and h^2,
-    /// which smaller steps do not reduce; their weights account for their lower orders.)
+    /// The weights of the components whose order reduction the step control can follow, which are those of
+    /// index 1. (The estimates of the others contain the violation of the constraints that earlier steps have
+    /// left, divided by h and h^2; smaller steps do not reduce it. Their own weights account for their lower
+    /// orders.)
     const Vector& weights_to_follow(const Vector& weights) {
         if constexpr (has_index<Problem>) {
             if (raised_.empty()) return weights;
@@ -228,7 +230,7 @@ class system
         }
     }
 
-    /// The largest of the index flags that counts: 1, 2 or 3. Above 1 the norms depend on the step.
+    /// The largest index flag: 1, 2 or 3. Above 1 the norms depend on the step size.
     int largest_index() const { return largest_index_; }
 
     bool constant_jacobian() {

@@ -44,8 +44,8 @@ struct problem_with_solver : Problem {
 
 }  // namespace detail
 
-/// A right-hand side (a lambda, say) together with a constant mass matrix: M y' = f(t, y). Nests with the
-/// others.
+/// A right-hand side, for instance a lambda, together with a constant mass matrix: M y' = f(t, y). Can be
+/// combined with the others: with_index(with_mass(f, M), flags).
 template <class Rhs, class Mass>
 auto with_mass(Rhs rhs, Mass mass) {
     return detail::rhs_with_mass<Rhs, Mass>(std::move(rhs), std::move(mass));
@@ -63,8 +63,8 @@ auto with_index(Rhs rhs, Index index) {
     return detail::rhs_with_index<Rhs, Index>(std::move(rhs), std::move(index));
 }
 
-/// A problem, with all it brings, whose linear systems are solved by `Solver` (problem/capabilities.hpp says
-/// what that has to be): with_linear_solver<klu_blocks>(problem).
+/// A problem with all its members whose linear systems are solved by `Solver`, for instance
+/// with_linear_solver<klu_blocks>(problem). problem/capabilities.hpp says what a Solver is.
 template <class Solver, class Problem>
 auto with_linear_solver(Problem problem) {
     return detail::problem_with_solver<Solver, Problem>(std::move(problem));
