@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <stagecraft/bvp/collocation_equations.hpp>
+#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/damped_newton.hpp>
+#include <stagecraft/bvp/error_estimate.hpp>
+#include <stagecraft/bvp/mesh.hpp>
+#include <stagecraft/bvp/options.hpp>
+#include <stagecraft/bvp/result.hpp>
+#include <stagecraft/problem/two_point.hpp>
+
+namespace stagecraft::detail {
+
+/// One problem on its way to the solution: Newton's iteration on a coarse mesh, the errors, the next mesh, until
+/// the tolerance holds or it is clear that it will not.
+template <class Scalar, int S, class Problem, class Vector, class Parameters, int Positions>
+class bvp_solver {
+    using rhs = decltype(Problem::f);
+    using conditions = decltype(Problem::r);
+    static constexpr int N = Vector::RowsAtCompileTime, P = Parameters::RowsAtCompileTime;
+    using system_type = two_point_system<rhs, conditions, Vector, Parameters>;
+    using mass_type = decltype(make_mass<Scalar>(std::declval<rhs&>(), 0));
+    using equations_type = collocation_equations<Scalar, N, P, S, Positions, system_type, mass_type>;
+    using iterate = typename equations_type::iterate;
+    using result_type = bvp_result<Vector, Parameters>;
+
+  public:
+    bvp_solver(const tableau<Scalar, S>& method, Problem& problem, int n, const Parameters& p,
+               const bvp_options<Scalar>& o)
+        : o_(o),
+          order_(collocation_order(method)),
+          floor_(o.atol > Scalar(0) ? Scalar(o.atol / o.rtol) : Scalar(1)),
+          system_(problem.f, problem.r, n, static_cast<int>(p.size()), counts_),
+          mass_(make_mass<Scalar>(problem.f, n)),
+          equations_(method, system_, mass_),
+          estimate_(equations_, order_),
+          newton_(equations_, result_.report, floor_) {
+        x_.p = p;
+    }
+
+    template <class Guess>
+    result_type run(const Guess& guess, const Scalar& a, const Scalar& b) {
+        x_.t = guess_mesh_ = first_mesh(o_, a, b);
+        fill(guess);
+        try {
+            search(guess);
+        } catch (const bad_problem&) {
+            throw;
+        } catch (const size_change&) {
+            end(bvp_status::size_changed, "f or r resized its output");
+        } catch (...) {
+            end(bvp_status::function_threw, "f or r threw an exception");
+            result_.exception = std::current_exception();
+        }
+        finish();
+        return std::move(result_);
+    }
+
+    bool structure_broken() const { return equations_.structure_broken(); }
+
+  private:
+    template <class Guess>
+    void fill(const Guess& guess) {
+        const int L = x_.intervals(), n = system_.size(), s = equations_.s();
+        x_.y.resize(n, L + 1);
+        x_.Z.resize(n, s * L);
+        for (int i = 0; i <= L; ++i) x_.y.col(i) = guess_value(guess, x_.t[i]);
+        for (int i = 0; i < L; ++i)
+            for (int j = 0; j < s; ++j) {
+                const Scalar h = x_.h(i);
+                x_.Z.col(i * s + j) =
+                    h * guess_slope(guess, Scalar(x_.t[i] + equations_.method().c[j] * h), h);
+            }
+        demand_bvp(all_finite(x_.y.reshaped(), static_cast<int>(x_.y.size())) &&
+                       all_finite(x_.p, static_cast<int>(x_.p.size())),
+                   "guess must be finite");
+        guess_size_ = floor_ + x_.y.cwiseAbs().maxCoeff();
+    }
+
+    /// Newton on meshes that follow the error, coarse first.
+    template <class Guess>
+    void search(const Guess& guess) {
+        Scalar before(-1);  // estimated error on the last mesh
+        int idle = 0;       // meshes in a row that did not reduce it
+        for (;;) {
+            if (!newton(before < Scalar(0) ? Scalar(1) / 100 : before)) {
+                if (!recover(guess, before)) return;
+                continue;
+            }
+            if (!estimate()) return;
+            before_ = x_;
+            if (error_ <= o_.rtol && settled()) return accept();
+            if (!o_.adapt) return accept();
+            idle = before >= Scalar(0) && error_ > before / 2 ? idle + 1 : 0;
+            if (idle > 1 && hopeless()) return;
+            before = error_;
+            const auto next = error_ <= o_.rtol ? halved(x_.t) : refined(idle);
+            if (static_cast<int>(next.size()) - 1 > o_.max_intervals)
+                return end(bvp_status::too_many_intervals, "the tolerance asks for more than max_intervals");
+            if (rough()) estimate_.unlift(x_);
+            move_to(next);
+        }
+    }
+
+    /// A solution that is wrong in its first digit.
+    bool rough() const { return !(error_ < Scalar(1) / 10); }
+
+    bool newton(const Scalar& expected) {
+        ++result_.report.meshes;
+        const Scalar tight = o_.rtol / 50,
+                     loose = std::min(Scalar(Scalar(1) / 10000), Scalar(expected / 100));
+        outcome_ = newton_.run(x_, tight > loose || !o_.adapt ? tight : loose, o_.newton_iterations);
+        remainder_ = outcome_.remainder;
+        return outcome_.end == newton_end::converged;
+    }
+
+    /// The errors of x, and its remainder below them.
+    bool estimate() {
+        for (int pass = 0;; ++pass) {
+            ++result_.report.error_solves;
+            if (!estimate_.run(x_, floor_)) {
+                end_at(estimate_.place());
+                return false;
+            }
+            measure();
+            const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
+            if (remainder_ <= wanted || pass > 1) break;
+            outcome_ = newton_.run(x_, wanted / 4, o_.newton_iterations);
+            if (outcome_.end != newton_end::converged) break;
+            remainder_ = outcome_.remainder;
+        }
+        error_ += remainder_;
+        return true;
+    }
+
+    void measure() {
+        using std::abs;
+        auto& e = result_.error;
+        const int n = system_.size();
+        e.components.setZero(n);
+        error_ = Scalar(0);
+        for (int i = 0; i < x_.intervals(); ++i)
+            for (int c = 0; c < n; ++c) {
+                const Scalar bound = estimate_.bound(i, c) + rounding() * abs(x_.y(c, i)),
+                             l = abs(x_.y(c, i)), r = abs(x_.y(c, i + 1));
+                if (bound > e.components[c]) e.components[c] = bound;
+                const Scalar relative = bound / (floor_ + (l < r ? l : r));
+                if (!(relative <= error_)) error_ = relative;
+            }
+        const auto& p = estimate_.global().p;
+        e.parameters = p.cwiseAbs();
+        for (Eigen::Index k = 0; k < p.size(); ++k)
+            error_ = std::max(error_, Scalar(abs(p[k]) / (floor_ + abs(x_.p[k]))));
+        e.defect = estimate_.defect();
+    }
+    static Scalar rounding() { return 4 * std::numeric_limits<Scalar>::epsilon(); }
+
+    /// The next mesh: every interval the same share of the (p + 1)-st roots of the local errors, as many as
+    /// the p-th power of the global error asks for.
+    std::vector<Scalar> refined(int idle) {
+        using std::pow;
+        const int L = x_.intervals(), n = system_.size();
+        std::vector<Scalar> part(static_cast<std::size_t>(L));
+        Scalar sum(0), total(0);
+        for (int i = 0; i < L; ++i) {
+            Scalar local(0);
+            for (int c = 0; c < n; ++c) {
+                using std::abs;
+                const Scalar size = std::max(abs(x_.y(c, i)), abs(x_.y(c, i + 1)));
+                local = std::max(local,
+                                 Scalar((abs(estimate_.local()(c, i)) + abs(estimate_.inner()(c, i)) / 20) /
+                                        (o_.rtol * (floor_ + size))));
+            }
+            if (!(local < Scalar(1e30))) local = Scalar(1e30);
+            total += local;
+            part[i] = pow(Scalar(local + Scalar(1e-12)), Scalar(1) / Scalar(order_ + 1));
+        }
+        smooth(x_.t, part, Scalar(5));
+        for (const Scalar& p : part) sum += p;
+        const Scalar gain = error_ / (o_.rtol * (total > Scalar(1e-20) ? total : Scalar(1e-20)));
+        const Scalar wanted = sum * pow(Scalar(gain * sum / Scalar(0.25)), Scalar(1) / Scalar(order_));
+        const int least = std::max(3, L / 2), most = 4 * L;
+        int intervals = wanted < Scalar(most) ? static_cast<int>(static_cast<double>(wanted)) + 1 : most;
+        intervals = std::clamp(intervals, least, most);
+        if (idle > 0) intervals = std::max(intervals, 2 * L);
+        return equidistributed(x_.t, part, intervals, o_.fixed_points);
+    }
+
+    /// y, its slopes and p on another mesh, from the lifted solution.
+    void move_to(const std::vector<Scalar>& t) {
+        const int L = static_cast<int>(t.size()) - 1, n = system_.size(), s = equations_.s();
+        iterate next;
+        next.t = t;
+        next.p = x_.p;
+        next.y.resize(n, L + 1);
+        next.Z.resize(n, s * L);
+        Vector y(n), slope(n);
+        int i = 0;
+        const auto at = [&](const Scalar& time) {
+            while (i + 1 < x_.intervals() && x_.t[i + 1] < time) ++i;
+            estimate_.evaluate(x_, i, Scalar((time - x_.t[i]) / x_.h(i)), y, slope);
+        };
+        for (int k = 0; k < L; ++k) {
+            at(t[k]);
+            next.y.col(k) = y;
+            for (int j = 0; j < s; ++j) {
+                at(Scalar(t[k] + equations_.method().c[j] * (t[k + 1] - t[k])));
+                next.Z.col(k * s + j) = slope * ((t[k + 1] - t[k]) / x_.h(i));
+            }
+        }
+        next.y.col(L) = x_.y.col(x_.intervals());
+        x_ = std::move(next);
+    }
+
+    /// After Newton has failed: a finer mesh, from the guess or from the last solution.
+    template <class Guess>
+    bool recover(const Guess& guess, const Scalar& before) {
+        if (outcome_.end == newton_end::non_finite) {
+            if (equations_.conditions_at_fault())
+                end(bvp_status::non_finite,
+                    "the conditions r gave NaN or infinity, or left a number unwritten");
+            else
+                end_at(equations_.place());
+            return false;
+        }
+        if (is_singular()) return false;
+        if (++failures_ > 6 || 2 * x_.intervals() > o_.max_intervals || !o_.adapt) {
+            end(bvp_status::newton_failed, "Newton's iteration found no decrease");
+            return false;
+        }
+        if (before < Scalar(0) || rough()) {
+            guess_mesh_ = halved(guess_mesh_);
+            x_.t = guess_mesh_;
+            fill(guess);
+        } else {
+            const auto finer = halved(x_.t);
+            x_ = before_;
+            equations_.resize(x_);
+            if (!equations_.linearise(x_) || !estimate_.run(x_, floor_)) return false;
+            move_to(finer);
+        }
+        return true;
+    }
+
+    /// Has the condition number settled as far as it matters? Where it is so large that what the
+    /// discretisation leaves of M may be all there is, it has to stay when the mesh is halved.
+    bool settled() {
+        const Scalar kappa = relative_kappa();
+        const bool stays = last_kappa_ > Scalar(0) && kappa < 2 * last_kappa_ && last_kappa_ < 2 * kappa;
+        const bool matters = kappa * o_.rtol > Scalar(1) / 100;
+        last_kappa_ = kappa;
+        return !matters || stays || kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000 ||
+               !o_.adapt || ++checks_ > 6;
+    }
+    Scalar relative_kappa() {
+        conditioning_of<equations_type> c(equations_, x_);
+        c.fundamental();
+        result_.report.conditioning_solves += system_.size() + system_.parameters();
+        Scalar kappa(0);
+        for (int k = 0; k < system_.size() + system_.parameters(); ++k)
+            for (int r = 0; r < system_.size(); ++r)
+                kappa =
+                    std::max(kappa, Scalar(c.phi_row(k, r) / (floor_ + x_.y.row(r).cwiseAbs().maxCoeff())));
+        return kappa;
+    }
+
+    bool hopeless() {
+        if (is_singular()) return true;
+        if (error_ < 1000 * kappa_ * std::numeric_limits<Scalar>::epsilon()) {
+            end(bvp_status::ill_conditioned,
+                "rounding errors times the condition number exceed the tolerance");
+            return true;
+        }
+        return false;
+    }
+
+    /// M singular to rounding: says whether solutions exist.
+    bool is_singular() {
+        const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+        conditioning_of<equations_type> c(equations_, x_);
+        c.fundamental();
+        kappa_ = Scalar(0);
+        std::vector<Scalar> values, largest;
+        for (int i = 0; i <= x_.intervals(); ++i) {
+            const Scalar norm = spectral_norm(c.phi(i), &values);
+            if (!(norm <= kappa_)) kappa_ = norm, largest = values;
+        }
+        if (kappa_ * eps < Scalar(1) / 1000) return false;
+        using std::sqrt;
+        const bool blown_up = outcome_.end != newton_end::converged ||
+                              !(x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_);
+        result_.kernel = static_cast<int>(std::count_if(
+            largest.begin(), largest.end(), [&](const Scalar& v) { return v * eps * 1000 >= Scalar(1); }));
+        const std::string which = dependent_condition();
+        if (blown_up)
+            end(bvp_status::singular, which.empty() ? "M is singular to rounding" : which);
+        else
+            end(bvp_status::not_isolated, which.empty() ? "solutions form a family" : which);
+        return true;
+    }
+
+    /// The first condition whose derivative depends on those before it, in words.
+    std::string dependent_condition() const {
+        using std::sqrt;
+        auto rows = equations_.conditions();
+        for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+            const Scalar size = sqrt(rows.row(r).squaredNorm());
+            for (Eigen::Index k = 0; k < r; ++k) rows.row(r) -= rows.row(r).dot(rows.row(k)) * rows.row(k);
+            const Scalar left = sqrt(rows.row(r).squaredNorm());
+            if (!(left > 1000 * std::numeric_limits<Scalar>::epsilon() * size))
+                return "condition r[" + std::to_string(r) + "] depends on those before it";
+            rows.row(r) /= left;
+        }
+        return {};
+    }
+
+    void accept() {
+        if (is_singular()) return;
+        using std::abs;
+        if (kappa_ * std::numeric_limits<Scalar>::epsilon() > o_.rtol)
+            return end(bvp_status::ill_conditioned,
+                       "rounding errors times the condition number exceed the tolerance");
+        if (error_ <= o_.rtol || !o_.adapt)
+            end(error_ <= o_.rtol ? bvp_status::success : bvp_status::tolerance_not_met,
+                error_ <= o_.rtol ? "" : "the error on the given mesh exceeds the tolerance");
+    }
+
+    void end(bvp_status status, const std::string& message) {
+        result_.status = status;
+        result_.message = message;
+    }
+    void end_at(const Scalar& t) {
+        std::ostringstream text;
+        text.precision(std::numeric_limits<Scalar>::max_digits10);
+        text << "f or its Jacobian gave NaN or infinity at t = " << t;
+        const auto& c = equations_.method().c;
+        if (t == x_.t.front() || t == x_.t.back())
+            text << (c[0] == Scalar(0) || c[c.size() - 1] == Scalar(1)
+                         ? ", an end of the interval, where Gauss methods do not evaluate f"
+                         : "");
+        end(bvp_status::non_finite, text.str());
+    }
+
+    void finish() {
+        auto& r = result_.report;
+        r.intervals = x_.intervals();
+        r.f = counts_.f;
+        r.jacobians = counts_.jacobians;
+        r.f_jacobian = counts_.f_jacobian;
+        result_.p = x_.p;
+        result_.mesh = x_.t;
+        result_.error.global = error_;
+        if (estimated()) {
+            estimate_.write(x_, result_.y);
+            conditioning_of<equations_type> c(equations_, x_);
+            if (o_.conditioning) result_.conditioning = c.run(r);
+        }
+    }
+    /// Does the estimate belong to x?
+    bool estimated() const {
+        return outcome_.end == newton_end::converged && estimate_.local().cols() == x_.intervals() &&
+               result_.status != bvp_status::non_finite && result_.status != bvp_status::function_threw &&
+               result_.status != bvp_status::size_changed;
+    }
+
+    bvp_options<Scalar> o_;
+    int order_;
+    Scalar floor_;
+    report<Scalar> counts_;
+    result_type result_;
+    system_type system_;
+    mass_type mass_;
+    equations_type equations_;
+    error_estimate<equations_type> estimate_;
+    damped_newton<equations_type> newton_;
+    iterate x_, before_;
+    std::vector<Scalar> guess_mesh_;
+    newton_outcome<Scalar> outcome_{newton_end::failed, Scalar(0)};
+    Scalar error_{0}, remainder_{0}, kappa_{0}, last_kappa_{-1}, guess_size_{1};
+    int failures_ = 0, checks_ = 0;
+};
+
+}  // namespace stagecraft::detail

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <stagecraft/linear/almost_block_diagonal.hpp>
+#include <stagecraft/linear/mass.hpp>
+#include <stagecraft/tableau.hpp>
+
+namespace stagecraft {
+
+/// The equations of one interval [t, t + h] by a collocation tableau, linearised, in the unknowns y at its two
+/// ends, the scaled slopes Z_j = h y'(t + c_j h) and the parameters p:
+///
+///     M Z_j - h f(t + c_j h, y + sum_k a_jk Z_k, p) = 0,      y_+ - y - sum_k b_k Z_k = 0.
+///
+/// The slopes are eliminated by rows with pivots from both kinds of equations, so that the n equations left,
+/// E y + F y_+ + P p = g, are well scaled for growing and decaying modes alike: a pole of R(z) is no obstacle.
+/// With Positions = m > 0 the first m equations are q' = v, v being the next m components; their slopes are
+/// then known from the others, and s (n - m) unknowns are eliminated instead of s n.
+template <class Scalar, int N, int P, int S, int Positions = 0>
+class collocation_blocks {
+    static constexpr bool fixed = N > 0 && P >= 0 && S > 0;
+    static constexpr int m = Positions;
+    static constexpr int slopes_at_compile_time = fixed ? S * (N - m) : Eigen::Dynamic;
+    static constexpr int rows_at_compile_time = fixed ? S * (N - m) + N : Eigen::Dynamic;
+    static constexpr int columns_at_compile_time = fixed ? S * (N - m) + 2 * N + P : Eigen::Dynamic;
+
+  public:
+    using matrix = Eigen::Matrix<Scalar, rows_at_compile_time, columns_at_compile_time>;
+    using square = Eigen::Matrix<Scalar, S, S>;
+    using row = Eigen::Matrix<Scalar, 1, S>;
+
+    collocation_blocks(const tableau<Scalar, S>& method, int n, int parameters)
+        : method_(method),
+          A2_(method.A * method.A),
+          bA_(method.b.transpose() * method.A),
+          n_(n),
+          np_(parameters) {}
+
+    int n() const { return N > 0 ? N : n_; }
+    int np() const { return P >= 0 ? P : np_; }
+    int s() const { return S > 0 ? S : method_.stages(); }
+    int slopes() const { return s() * (n() - m); }
+    int rows() const { return slopes() + n(); }
+    int columns() const { return slopes() + 2 * n() + np(); }
+
+    void resize(int intervals) {
+        blocks_.resize(static_cast<std::size_t>(intervals) * rows() * columns());
+        from_.resize(static_cast<std::size_t>(intervals) * slopes());
+    }
+
+    /// Writes and eliminates interval i, given h and the Jacobians at the nodes (n x (n + n_p) each, side by
+    /// side in J). Returns E, F, P as one n x (2 n + n_p) block.
+    template <class Jacobians, class Mass>
+    auto factor(int i, const Scalar& h, const Jacobians& J, const Mass& mass) {
+        auto a = block(i);
+        write(a, h, J, mass);
+        eliminate(a, from(i));
+        return condensed(i);
+    }
+
+    /// E, F, P of interval i as one n x (2 n + n_p) block.
+    auto condensed(int i) {
+        return Eigen::Map<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>, 0, Eigen::OuterStride<>>(
+            blocks_.data() + static_cast<std::size_t>(i) * rows() * columns() + slopes() * rows() + slopes(),
+            n(), 2 * n() + np(), Eigen::OuterStride<>(rows()));
+    }
+
+    /// Turns residuals (rho: n x s of the slope equations, gamma: n of the continuity, what the left sides
+    /// are to become) into the right-hand sides of the eliminated equations: x holds slopes() + n numbers, the
+    /// last n being g.
+    template <class Jacobians, class Rho, class Gamma, class X>
+    void apply(int i, const Scalar& h, const Jacobians& J, const Rho& rho, const Gamma& gamma, X&& x) {
+        const int r = n() - m, width = n() + np();
+        for (int j = 0; j < s(); ++j)
+            for (int c = m; c < n(); ++c) x[j * r + c - m] = rho(c, j);
+        for (int c = 0; c < n(); ++c) x[slopes() + c] = gamma[c];
+        if constexpr (m > 0)
+            for (int q = 0; q < m; ++q)
+                for (int j = 0; j < s(); ++j) {
+                    Scalar moved(0);
+                    for (int k = 0; k < s(); ++k) moved += method_.A(j, k) * rho(q, k);
+                    for (int c = m; c < n(); ++c) x[j * r + c - m] += h * J(c, j * width + q) * moved;
+                    x[slopes() + q] += method_.b[j] * rho(q, j);
+                }
+        const auto a = block(i);
+        const int* p = from(i);
+        for (int k = 0; k < slopes(); ++k) {
+            if (p[k] != k) std::swap(x[k], x[p[k]]);
+            const Scalar f = x[k];
+            for (int l = k + 1; l < rows(); ++l) x[l] -= a(l, k) * f;
+        }
+    }
+
+    /// The slopes Z (n x s) from what apply() left, once y at both ends and p are known.
+    template <class X, class Y0, class Y1, class Parameters, class Rho, class Z>
+    void recover(int i, const Scalar& h, X&& x, const Y0& left, const Y1& right, const Parameters& p,
+                 const Rho& rho, Z&& z) {
+        const auto a = block(i);
+        const int q = slopes();
+        for (int c = 0; c < n(); ++c) {
+            for (int k = 0; k < q; ++k) x[k] -= a(k, q + c) * left[c];
+            for (int k = 0; k < q; ++k) x[k] -= a(k, q + n() + c) * right[c];
+        }
+        for (int c = 0; c < np(); ++c)
+            for (int k = 0; k < q; ++k) x[k] -= a(k, q + 2 * n() + c) * p[c];
+        for (int k = q - 1; k >= 0; --k) {
+            x[k] /= a(k, k);
+            for (int l = 0; l < k; ++l) x[l] -= a(l, k) * x[k];
+        }
+        const int r = n() - m;
+        for (int j = 0; j < s(); ++j)
+            for (int c = m; c < n(); ++c) z(c, j) = x[j * r + c - m];
+        if constexpr (m > 0)
+            for (int j = 0; j < s(); ++j)
+                for (int c = 0; c < m; ++c) {
+                    Scalar v = left[m + c];
+                    for (int k = 0; k < s(); ++k) v += method_.A(j, k) * z(m + c, k);
+                    z(c, j) = h * v + rho(c, j);
+                }
+    }
+
+  private:
+    auto block(int i) {
+        return Eigen::Map<matrix>(blocks_.data() + static_cast<std::size_t>(i) * rows() * columns(), rows(),
+                                  columns());
+    }
+    int* from(int i) { return from_.data() + static_cast<std::size_t>(i) * slopes(); }
+
+    template <class Block, class Jacobians, class Mass>
+    void write(Block& a, const Scalar& h, const Jacobians& J, const Mass& mass) const {
+        const int r = n() - m, q = slopes(), width = n() + np();
+        for (int j = 0; j < s(); ++j) {
+            const int at = j * width;
+            for (int k = 0; k < s(); ++k) {
+                const Scalar first = h * method_.A(j, k), second = h * h * A2_(j, k);
+                for (int d = m; d < n(); ++d)
+                    for (int c = m; c < n(); ++c) {
+                        Scalar sum = first * J(c, at + d);
+                        if constexpr (m > 0)
+                            if (d < 2 * m) sum += second * J(c, at + d - m);
+                        a(j * r + c - m, k * r + d - m) = -sum;
+                    }
+            }
+            for (int c = m; c < n(); ++c) {
+                const int l = j * r + c - m;
+                for (int d = 0; d < n(); ++d) {
+                    Scalar sum = h * J(c, at + d);
+                    if constexpr (m > 0)
+                        if (d >= m && d < 2 * m) sum += h * h * method_.c[j] * J(c, at + d - m);
+                    a(l, q + d) = -sum;
+                    a(l, q + n() + d) = Scalar(0);
+                }
+                for (int d = 0; d < np(); ++d) a(l, q + 2 * n() + d) = -h * J(c, at + n() + d);
+            }
+            if constexpr (Mass::identity) {
+                for (int l = j * r; l < (j + 1) * r; ++l) a(l, l) += Scalar(1);
+            } else {
+                for (const auto& e : mass.entries()) a(j * r + e.row, j * r + e.column) += e.value;
+            }
+        }
+        write_continuity(a, h);
+    }
+
+    template <class Block>
+    void write_continuity(Block& a, const Scalar& h) const {
+        const int r = n() - m, q = slopes();
+        for (int j = 0; j < columns(); ++j)
+            for (int c = 0; c < n(); ++c) a(q + c, j) = Scalar(0);
+        for (int c = 0; c < n(); ++c) {
+            a(q + c, q + c) = Scalar(-1);
+            a(q + c, q + n() + c) = Scalar(1);
+            for (int k = 0; k < s(); ++k) {
+                if (c < m)
+                    a(q + c, k * r + c) = -h * bA_[k];
+                else
+                    a(q + c, k * r + c - m) = -method_.b[k];
+            }
+            if (c < m) a(q + c, q + m + c) = -h;
+        }
+    }
+
+    template <class Block>
+    void eliminate(Block& a, int* pivot) const {
+        using std::abs;
+        const int q = slopes(), all = rows(), width = columns();
+        for (int k = 0; k < q; ++k) {
+            int p = k;
+            Scalar largest = abs(a(k, k));
+            for (int i = k + 1; i < all; ++i)
+                if (abs(a(i, k)) > largest) largest = abs(a(i, k)), p = i;
+            pivot[k] = p;
+            if (p != k)
+                for (int j = k; j < width; ++j) std::swap(a(k, j), a(p, j));
+            if (!usable_pivot(largest)) continue;
+            const Scalar inverse = Scalar(1) / a(k, k);
+            for (int i = k + 1; i < all; ++i) a(i, k) *= inverse;
+            for (int j = k + 1; j < width; ++j) {
+                const Scalar u = a(k, j);
+                if (u == Scalar(0)) continue;
+                for (int i = k + 1; i < all; ++i) a(i, j) -= a(i, k) * u;
+            }
+        }
+    }
+
+    tableau<Scalar, S> method_;
+    square A2_;
+    row bA_;
+    int n_, np_;
+    std::vector<Scalar> blocks_;
+    std::vector<int> from_;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <stagecraft/bvp/collocation_blocks.hpp>
+#include <stagecraft/linear/norms.hpp>
+#include <stagecraft/linear/two_point_matrix.hpp>
+#include <stagecraft/problem/make_mass.hpp>
+
+namespace stagecraft {
+
+/// What Newton's iteration works on: the mesh, y at its points, the scaled slopes Z = h y' at the s nodes of
+/// every interval (n x s each, side by side) and the parameters. Corrections have the same form.
+template <class Scalar, int N, int P>
+struct bvp_iterate {
+    std::vector<Scalar> t;
+    Eigen::Matrix<Scalar, N, Eigen::Dynamic> y, Z;
+    Eigen::Matrix<Scalar, P, 1> p;
+
+    int intervals() const { return static_cast<int>(t.size()) - 1; }
+    Scalar h(int i) const { return t[i + 1] - t[i]; }
+};
+
+/// The collocation equations of a two-point problem on a mesh: residuals, their linearisation (condensed
+/// interval by interval to an n x 2n relation) and solutions with its factors.
+template <class Scalar, int N, int P, int S, int Positions, class System, class Mass>
+class collocation_equations {
+  public:
+    using iterate = bvp_iterate<Scalar, N, P>;
+    using wide = Eigen::Matrix<Scalar, N, Eigen::Dynamic>;
+    using parameters = Eigen::Matrix<Scalar, P, 1>;
+    using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+    collocation_equations(const tableau<Scalar, S>& method, System& system, const Mass& mass)
+        : method_(method),
+          system_(system),
+          mass_(mass),
+          blocks_(method, system.size(), system.parameters()),
+          conditions_(system.size() + system.parameters(), 2 * system.size() + system.parameters()),
+          stage_(system.size()) {}
+
+    const tableau<Scalar, S>& method() const { return method_; }
+    System& system() { return system_; }
+    const Mass& mass() const { return mass_; }
+    int n() const { return system_.size(); }
+    int np() const { return system_.parameters(); }
+    int s() const { return method_.stages(); }
+
+    /// Where f or r was not finite: a time, or an end's conditions.
+    const Scalar& place() const { return place_; }
+    bool conditions_at_fault() const { return at_conditions_; }
+    bool structure_broken() const { return structure_broken_; }
+
+    /// Takes room for a mesh.
+    void resize(const iterate& x) {
+        const int L = x.intervals();
+        blocks_.resize(L);
+        rho_.resize(n(), s() * L);
+        gamma_.resize(n(), L);
+        beta_.resize(n() + np());
+        J_.resize(n(), (n() + np()) * s() * L);
+        work_.resize(blocks_.rows(), L);
+        g_.resize(n(), L);
+    }
+
+    /// The negative residuals at x; false where f or r is not finite.
+    bool residual(const iterate& x) { return evaluate(x, false); }
+
+    /// The same together with the Jacobians, and all factored.
+    bool linearise(const iterate& x) {
+        if (!evaluate(x, true)) return false;
+        const auto& B = system_.conditions_jacobian();
+        conditions_ = B.topRows(n() + np());
+        if (!(conditions_.sum() - conditions_.sum() == Scalar(0))) {
+            at_conditions_ = true;
+            return false;
+        }
+        matrix_.start(n(), x.intervals(), conditions_);
+        for (int i = 0; i < x.intervals(); ++i)
+            matrix_.set(i, blocks_.factor(i, x.h(i), jacobians(i), mass_));
+        replaced_ = matrix_.factor();
+        return true;
+    }
+
+    /// The correction that removes the residuals last evaluated, with the factors last computed.
+    void solve(const iterate& x, iterate& d) { solve(x, rho_, gamma_, beta_, d); }
+
+    /// The same for other residuals: of the slopes, of continuity, of the conditions.
+    void solve(const iterate& x, const wide& rho, const wide& gamma, const column& beta, iterate& d) {
+        const int L = x.intervals();
+        for (int i = 0; i < L; ++i) {
+            blocks_.apply(i, x.h(i), jacobians(i), rho.middleCols(i * s(), s()), gamma.col(i), work_.col(i));
+            g_.col(i) = work_.col(i).tail(n());
+        }
+        d.y.resize(n(), L + 1);
+        d.Z.resize(n(), s() * L);
+        d.p.resize(np());
+        matrix_.solve(g_, beta, d.y, d.p);
+        for (int i = 0; i < L; ++i)
+            blocks_.recover(i, x.h(i), work_.col(i), d.y.col(i), d.y.col(i + 1), d.p,
+                            rho.middleCols(i * s(), s()), d.Z.middleCols(i * s(), s()));
+    }
+
+    auto jacobians(int i) const { return J_.middleCols(i * s() * (n() + np()), s() * (n() + np())); }
+    two_point_matrix<Scalar, N>& factors() { return matrix_; }
+    /// The block F of interval i in E y_i + F y_{i+1} + P p = g.
+    auto right_block(int i) { return blocks_.condensed(i).middleCols(n(), n()); }
+    /// The block E.
+    auto left_block(int i) { return blocks_.condensed(i).leftCols(n()); }
+    const matrix& conditions() const { return conditions_; }
+    const column& boundary_residual() const { return beta_; }
+    int replaced_pivots() const { return replaced_; }
+
+  private:
+    bool evaluate(const iterate& x, bool derivatives) {
+        const int width = n() + np();
+        for (int i = 0; i < x.intervals(); ++i) {
+            const Scalar h = x.h(i);
+            const auto Z = x.Z.middleCols(i * s(), s());
+            for (int j = 0; j < s(); ++j) {
+                const Scalar t = x.t[i] + method_.c[j] * h;
+                stage_ = x.y.col(i);
+                for (int k = 0; k < s(); ++k) stage_ += method_.A(j, k) * Z.col(k);
+                const auto& f = system_.f(t, stage_, x.p);
+                if (!all_finite(f, n())) return fail_at(t);
+                auto rho = rho_.col(i * s() + j);
+                for (int c = 0; c < n(); ++c) rho[c] = h * f[c];
+                add_mass_times(mass_, Scalar(-1), Z.col(j).data(), rho.data(), n());
+                if (!derivatives) continue;
+                auto J = J_.middleCols((i * s() + j) * width, width);
+                J = system_.jacobian(t).topRows(n());
+                if (!(J.sum() - J.sum() == Scalar(0))) return fail_at(t);
+                if constexpr (Positions > 0)
+                    for (int c = 0; c < Positions; ++c)
+                        for (int d = 0; d < width; ++d)
+                            structure_broken_ |= !(J(c, d) == Scalar(d == c + Positions ? 1 : 0));
+            }
+            gamma_.col(i) = x.y.col(i) - x.y.col(i + 1);
+            for (int k = 0; k < s(); ++k) gamma_.col(i) += method_.b[k] * Z.col(k);
+        }
+        const auto& r = system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
+        for (int k = 0; k < width; ++k) beta_[k] = -r[k];
+        at_conditions_ = !all_finite(beta_, width);
+        return !at_conditions_;
+    }
+    bool fail_at(const Scalar& t) {
+        place_ = t;
+        at_conditions_ = false;
+        return false;
+    }
+
+    tableau<Scalar, S> method_;
+    System& system_;
+    const Mass& mass_;
+    collocation_blocks<Scalar, N, P, S, Positions> blocks_;
+    two_point_matrix<Scalar, N> matrix_;
+    wide rho_, gamma_, g_, J_;
+    column beta_;
+    matrix work_, conditions_;
+    Eigen::Matrix<Scalar, N, 1> stage_;
+    Scalar place_{0};
+    bool at_conditions_ = false, structure_broken_ = false;
+    int replaced_ = 0;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include <stagecraft/bvp/result.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// The spectral norm of a small matrix: the largest eigenvalue of A^T A by Jacobi's method, relative to the
+/// largest entry so that squares do not overflow. Any scalar.
+template <class Matrix>
+typename Matrix::Scalar spectral_norm(const Matrix& a,
+                                      std::vector<typename Matrix::Scalar>* values = nullptr) {
+    using scalar = typename Matrix::Scalar;
+    using std::abs;
+    using std::sqrt;
+    const int n = static_cast<int>(a.cols());
+    const scalar largest = a.size() == 0 ? scalar(0) : a.cwiseAbs().maxCoeff();
+    if (values) values->assign(static_cast<std::size_t>(n), scalar(0));
+    if (!(largest > scalar(0)) || !(largest - largest == scalar(0))) return largest;
+    Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> u = a / largest;
+    for (int sweep = 0; sweep < 40; ++sweep) {  // one-sided: columns made orthogonal
+        bool rotated = false;
+        for (int p = 0; p < n; ++p)
+            for (int q = p + 1; q < n; ++q) {
+                const scalar alpha = u.col(p).squaredNorm(), beta = u.col(q).squaredNorm(),
+                             gamma = u.col(p).dot(u.col(q));
+                if (abs(gamma) <= std::numeric_limits<scalar>::epsilon() * sqrt(alpha * beta) ||
+                    gamma == scalar(0))
+                    continue;
+                rotated = true;
+                const scalar zeta = (beta - alpha) / (2 * gamma);
+                const scalar root = sqrt(1 + zeta * zeta);
+                const scalar t = zeta > scalar(0) ? scalar(1 / (zeta + root)) : scalar(1 / (zeta - root));
+                const scalar c = 1 / sqrt(1 + t * t), s = c * t;
+                const auto old = u.col(p).eval();
+                u.col(p) = c * old - s * u.col(q);
+                u.col(q) = s * old + c * u.col(q);
+            }
+        if (!rotated) break;
+    }
+    scalar best(0);
+    for (int j = 0; j < n; ++j) {
+        const scalar norm = largest * sqrt(u.col(j).squaredNorm());
+        if (values) (*values)[j] = norm;
+        if (norm > best) best = norm;
+    }
+    return best;
+}
+
+}  // namespace detail
+
+/// The condition numbers of the problem linearised at x, with the factors that the equations hold: n solves
+/// for Phi, and 2 n for every round of the search for sup |G(t, s)|, which takes the column of blocks G(., s)
+/// at its largest t, then the row G(t, .) at its largest s, until it no longer grows (Hager's idea).
+template <class Equations>
+class conditioning_of {
+  public:
+    using iterate = typename Equations::iterate;
+    using scalar = std::decay_t<decltype(iterate{}.t[0])>;
+    using wide = typename Equations::wide;
+    using column = typename Equations::column;
+    using matrix = typename Equations::matrix;
+
+    conditioning_of(Equations& equations, const iterate& x) : equations_(equations), x_(x) {}
+
+    bvp_conditioning<scalar> run(bvp_report& counts) {
+        fundamental();
+        bvp_conditioning<scalar> c;
+        const int L = x_.intervals();
+        scalar integral(0);
+        std::vector<scalar> norms(static_cast<std::size_t>(L + 1));
+        for (int i = 0; i <= L; ++i) {
+            norms[i] = detail::spectral_norm(phi(i));
+            if (norms[i] > c.kappa1) c.kappa1 = norms[i];
+            if (i > 0) integral += x_.h(i - 1) * (norms[i - 1] + norms[i]) / 2;
+        }
+        c.gamma1 = integral / (x_.t.back() - x_.t.front());
+        c.sigma = c.gamma1 > scalar(0) ? scalar(c.kappa1 / c.gamma1) : scalar(0);
+        search(c, norms);
+        counts.conditioning_solves += solves_;
+        return c;
+    }
+
+    /// Phi(t_i) = X(t_i) M^-1, n x (n + n_p).
+    matrix phi(int i) const {
+        const int m = equations_.n() + equations_.np();
+        matrix value(equations_.n(), m);
+        for (int k = 0; k < m; ++k) value.col(k) = phi_[k].col(i);
+        return value;
+    }
+
+    /// The largest |Phi(t)| of row r, column k over the mesh.
+    scalar phi_row(int k, int r) const { return phi_[k].row(r).cwiseAbs().maxCoeff(); }
+
+    void fundamental() {
+        const int n = equations_.n(), m = n + equations_.np(), L = x_.intervals();
+        const wide zero = wide::Zero(n, L);
+        wide y(n, L + 1);
+        typename Equations::parameters p(equations_.np());
+        phi_.clear();
+        for (int k = 0; k < m; ++k) {
+            column unit = column::Zero(m);
+            unit[k] = scalar(1);
+            equations_.factors().solve(zero, unit, y, p);
+            phi_.push_back(y);
+            ++solves_;
+        }
+    }
+
+    /// G(t_i, t_{j+1}) for all i, in columns of n x n blocks: what a unit jump of y at t_{j+1} does, with
+    /// the value after the jump at i = j + 1.
+    wide green_column(int j) {
+        const int n = equations_.n(), L = x_.intervals();
+        wide all(n, n * (L + 1)), g = wide::Zero(n, L), y(n, L + 1);
+        const column none = column::Zero(n + equations_.np());
+        typename Equations::parameters p(equations_.np());
+        const auto F = equations_.right_block(j);
+        for (int k = 0; k < n; ++k) {
+            g.col(j) = F.col(k);
+            equations_.factors().solve(g, none, y, p);
+            ++solves_;
+            for (int i = 0; i <= L; ++i) all.col(i * n + k) = y.col(i);
+        }
+        return all;
+    }
+
+    /// G(t_i, t_{j+1}) for all j, with factors transposed; block j of n x n.
+    wide green_row(int i) {
+        const int n = equations_.n(), L = x_.intervals();
+        wide all(n, n * L), v = wide::Zero(n, L + 1), g(n, L);
+        column beta(n + equations_.np());
+        const typename Equations::parameters none = Equations::parameters::Zero(equations_.np());
+        for (int k = 0; k < n; ++k) {
+            v.col(i).setZero();
+            v(k, i) = scalar(1);
+            equations_.factors().solve_transposed(v, none, g, beta);
+            ++solves_;
+            for (int j = 0; j < L; ++j)
+                all.block(k, j * n, 1, n) = g.col(j).transpose() * equations_.right_block(j);
+        }
+        return all;
+    }
+
+  private:
+    void search(bvp_conditioning<scalar>& c, const std::vector<scalar>& norms) {
+        const int n = equations_.n(), L = x_.intervals();
+        int row = static_cast<int>(std::max_element(norms.begin(), norms.end()) - norms.begin());
+        for (int round = 0; round < 4; ++round) {
+            const wide across = green_row(row);
+            scalar integral(0), largest(0);
+            int at = 0;
+            for (int j = 0; j < L; ++j) {
+                const scalar norm = detail::spectral_norm(across.middleCols(j * n, n).eval());
+                integral += x_.h(j) * norm;
+                if (norm > largest) largest = norm, at = j;
+            }
+            if (norms[row] + integral > c.kappa) c.kappa = norms[row] + integral;
+            const bool grew = largest > c.kappa2 * (1 + scalar(1) / 1000);
+            if (largest > c.kappa2) c.kappa2 = largest;
+            if (!grew || round == 3) break;
+            const wide down = green_column(at);
+            largest = scalar(0);
+            int next = row;
+            for (int i = 0; i <= L; ++i) {
+                const scalar norm = detail::spectral_norm(down.middleCols(i * n, n).eval());
+                if (norm > largest) largest = norm, next = i;
+            }
+            if (largest > c.kappa2) c.kappa2 = largest;
+            if (next == row) break;
+            row = next;
+        }
+    }
+
+    Equations& equations_;
+    const iterate& x_;
+    std::vector<wide> phi_;
+    int solves_ = 0;
+};
+
+}  // namespace stagecraft

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <stagecraft/bvp/result.hpp>
+
+namespace stagecraft {
+
+enum class newton_end { converged, failed, non_finite };
+
+/// How Newton's iteration ended; `remainder` estimates the error left, relative as options.rtol is.
+template <class Scalar>
+struct newton_outcome {
+    newton_end end;
+    Scalar remainder;
+};
+
+/// Newton's iteration with affine-invariant damping (Deuflhard 2004, section 3.3: the error-oriented method):
+/// a step is accepted where the simplified correction that follows it is smaller, the full step being tried first (that
+/// finds solutions which cautious predictions of the damping do not), and the factors are kept as
+/// long as these corrections contract by four. A linear problem so takes one factorisation and one test.
+template <class Equations>
+class damped_newton {
+  public:
+    using iterate = typename Equations::iterate;
+    using scalar = std::decay_t<decltype(iterate{}.t[0])>;
+    using outcome = newton_outcome<scalar>;
+
+    damped_newton(Equations& equations, bvp_report& counts, const scalar& floor)
+        : equations_(equations), counts_(counts), floor_(floor) {}
+
+    /// Improves x until what is left is estimated below `target`.
+    outcome run(iterate& x, const scalar& target, int most) {
+        using std::sqrt;
+        const scalar rounding = 100 * std::numeric_limits<scalar>::epsilon();
+        equations_.resize(x);
+        for (int step = 0; step < most; ++step) {
+            ++counts_.newton_steps;
+            if (!equations_.linearise(x)) return {newton_end::non_finite, scalar(0)};
+            ++counts_.factorisations;
+            solve(x, d_);
+            weigh(x);
+            const scalar size = norm(d_);
+            if (!(size - size == scalar(0))) return {newton_end::failed, size};
+            scalar lambda(1);
+            scalar bar(0);
+            const bool decreased = search(x, size, lambda, bar);
+            if (!decreased) {
+                const scalar left = accuracy(x, d_);
+                return {left <= sqrt(rounding) ? newton_end::converged : newton_end::failed, left};
+            }
+            x = trial_;
+            if (lambda == scalar(1) && 4 * bar <= size) {
+                const outcome now = keep_factors(x, size, bar, target > rounding ? target : rounding);
+                if (now.end == newton_end::converged) return now;
+            }
+        }
+        return {newton_end::failed, accuracy(x, d_)};
+    }
+
+  private:
+    /// x := x + bar with the factors of an earlier iterate while the corrections contract.
+    outcome keep_factors(iterate& x, scalar before, scalar bar, const scalar& target) {
+        for (int k = 0; k < 8; ++k) {
+            const scalar rate = before > scalar(0) ? bar / before : scalar(0), left = accuracy(x, bar_);
+            add(x, scalar(1), bar_, x);
+            if (rate * left <= target || bar == scalar(0)) return {newton_end::converged, rate * left};
+            if (!equations_.residual(x)) return {newton_end::non_finite, left};
+            solve(x, bar_);
+            ++counts_.newton_steps;
+            before = bar;
+            bar = norm(bar_);
+            if (!(4 * bar <= before)) {
+                const scalar rest = accuracy(x, bar_);  // rounding errors do not contract
+                if (rest <= target) return {newton_end::converged, rest};
+                break;
+            }
+        }
+        return {newton_end::failed, scalar(0)};
+    }
+
+    bool search(const iterate& x, const scalar& size, scalar& lambda, scalar& bar) {
+        const scalar least = scalar(1) / 10000;
+        while (lambda >= least) {
+            add(x, lambda, d_, trial_);
+            if (!equations_.residual(trial_)) {
+                lambda /= 4;
+                continue;
+            }
+            solve(x, bar_);
+            bar = norm(bar_);
+            if (bar <= (1 - lambda / 4) * size) return true;
+            combine(bar_, 1 - lambda, d_, difference_);
+            const scalar change = norm(difference_);
+            const scalar next =
+                change > scalar(0) ? scalar(size * lambda * lambda / (2 * change)) : scalar(0);
+            lambda =
+                next < lambda / 2 ? (next > lambda / 10 ? next : scalar(lambda / 10)) : scalar(lambda / 2);
+        }
+        return false;
+    }
+
+    void solve(const iterate& x, iterate& d) {
+        equations_.solve(x, d);
+        ++counts_.solves;
+    }
+
+    /// Components are weighed by the largest value they take, so that the test does not change its mind
+    /// while a solution moves through zero.
+    void weigh(const iterate& x) {
+        weights_.resize(x.y.rows());
+        for (Eigen::Index c = 0; c < x.y.rows(); ++c)
+            weights_[c] = scalar(1) / (floor_ + x.y.row(c).cwiseAbs().maxCoeff());
+        scale_p_ = x.p.cwiseAbs();
+    }
+    scalar norm(const iterate& d) const {
+        using std::abs;
+        using std::sqrt;
+        scalar sum(0);
+        for (Eigen::Index c = 0; c < d.y.rows(); ++c)
+            sum += weights_[c] * weights_[c] * (d.y.row(c).squaredNorm() + d.Z.row(c).squaredNorm());
+        sum /= scalar(d.y.size() + d.Z.size());
+        for (Eigen::Index k = 0; k < d.p.size(); ++k) {
+            const scalar e = d.p[k] / (floor_ + scale_p_[k]);
+            sum += e * e;
+        }
+        return sqrt(sum);
+    }
+    scalar accuracy(const iterate& x, const iterate& d) const {
+        using std::abs;
+        scalar worst(0);
+        for (Eigen::Index i = 0; i < d.y.cols(); ++i)
+            for (Eigen::Index c = 0; c < d.y.rows(); ++c)
+                worst = std::max(worst, scalar(abs(d.y(c, i)) / (floor_ + abs(x.y(c, i)))));
+        for (Eigen::Index k = 0; k < d.p.size(); ++k)
+            worst = std::max(worst, scalar(abs(d.p[k]) / (floor_ + abs(x.p[k]))));
+        return worst;
+    }
+    static void add(const iterate& x, const scalar& factor, const iterate& d, iterate& out) {
+        if (&x != &out) out.t = x.t;
+        out.y = x.y + factor * d.y;
+        out.Z = x.Z + factor * d.Z;
+        out.p = x.p + factor * d.p;
+    }
+    static void combine(const iterate& a, const scalar& factor, const iterate& b, iterate& out) {
+        out.y = a.y - factor * b.y;
+        out.Z = a.Z - factor * b.Z;
+        out.p = a.p - factor * b.p;
+    }
+
+    Equations& equations_;
+    bvp_report& counts_;
+    scalar floor_;
+    iterate d_, bar_, trial_, difference_;
+    Eigen::Matrix<scalar, Eigen::Dynamic, 1> weights_, scale_p_;
+};
+
+}  // namespace stagecraft

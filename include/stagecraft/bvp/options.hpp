@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stagecraft {
+
+/// Everything that solve_bvp may be told; the defaults suit a first try. The tolerance is
+/// atol + rtol |y_i(t)| for every component of y(t), everywhere in [a, b], and for p.
+template <class Scalar>
+struct bvp_options {
+    Scalar rtol = Scalar(1) / 1000000;   ///< relative tolerance, at least 4 epsilon
+    Scalar atol{0};                      ///< absolute tolerance; 0: the same number as rtol
+    int intervals = 10;                  ///< of the first mesh, equally spaced
+    std::vector<Scalar> mesh{};          ///< instead of it: a ... b, increasing
+    std::vector<Scalar> fixed_points{};  ///< points that belong to every mesh (jumps of f, say)
+    int max_intervals = 10000;           ///< above it the run ends in bvp_status::too_many_intervals
+    bool adapt = true;  ///< false: the first mesh is the only one, whatever the error turns out to be
+    int newton_iterations = 50;  ///< at most this many factorisations on one mesh
+    bool conditioning = true;    ///< false: kappa1, kappa2, ... are not computed
+};
+
+namespace detail {
+
+inline void demand_bvp(bool good, const std::string& what) {
+    if (!good) throw std::invalid_argument("solve_bvp: " + what);
+}
+
+template <class Scalar>
+void validate(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b) {
+    const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };
+    demand_bvp(finite(a) && finite(b), "a and b must be finite");
+    demand_bvp(a < b, "a must be below b");
+    demand_bvp(finite(o.rtol) && o.rtol >= 4 * std::numeric_limits<Scalar>::epsilon(),
+               "rtol must be finite and at least four times the epsilon of the scalar");
+    demand_bvp(finite(o.atol) && o.atol >= Scalar(0), "atol must be finite and not negative");
+    demand_bvp(o.atol == Scalar(0) || o.atol >= 4 * std::numeric_limits<Scalar>::epsilon() * o.rtol,
+               "atol must be zero (that of rtol) or not negligible beside rtol");
+    demand_bvp(o.intervals > 0 && o.max_intervals > 0, "intervals and max_intervals must be positive");
+    demand_bvp(o.newton_iterations > 0, "newton_iterations must be positive");
+    if (!o.mesh.empty()) {
+        demand_bvp(o.mesh.size() > 1 && o.mesh.front() == a && o.mesh.back() == b,
+                   "mesh must begin with a and end with b");
+        for (std::size_t i = 0; i + 1 < o.mesh.size(); ++i)
+            demand_bvp(o.mesh[i] < o.mesh[i + 1], "mesh must increase");
+    }
+    for (std::size_t i = 0; i < o.fixed_points.size(); ++i) {
+        demand_bvp(o.fixed_points[i] > a && o.fixed_points[i] < b, "fixed_points must lie inside (a, b)");
+        demand_bvp(i == 0 || o.fixed_points[i - 1] < o.fixed_points[i], "fixed_points must increase");
+    }
+}
+
+}  // namespace detail
+
+}  // namespace stagecraft

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include <stagecraft/observe/solution.hpp>
+
+namespace stagecraft {
+
+/// Why solve_bvp, periodic_orbit or continuation ended. Only success means a solution within the tolerance
+/// that is isolated (M_* regular); everything else keeps the best iterate.
+enum class bvp_status {
+    success,
+    singular,            ///< M is singular to rounding and no solution exists
+    not_isolated,        ///< solutions exist, but M is singular to rounding: result.kernel is its dimension
+    equilibrium,         ///< periodic orbits: the orbit found is a point
+    multiple_period,     ///< periodic orbits: the period found is a multiple of the smallest one
+    ill_conditioned,     ///< rounding errors times the condition number exceed the tolerance
+    newton_failed,       ///< no decrease along the Newton direction on any mesh tried
+    too_many_intervals,  ///< the tolerance asks for more than options.max_intervals
+    tolerance_not_met,   ///< the estimated error did not get below the tolerance
+    non_finite,          ///< f or r gave NaN or infinity; result.message says where
+    size_changed,        ///< f or r resized its output
+    function_threw       ///< f or r threw; result.exception holds what
+};
+
+/// The status as a word.
+constexpr const char* name(bvp_status s) {
+    constexpr const char* names[] = {"success",       "singular",           "not_isolated",
+                                     "equilibrium",   "multiple_period",    "ill_conditioned",
+                                     "newton_failed", "too_many_intervals", "tolerance_not_met",
+                                     "non_finite",    "size_changed",       "function_threw"};
+    return names[static_cast<int>(s)];
+}
+
+/// What a solution cost. f and jacobians are counted per evaluation at a point, f_jacobian as in report.hpp;
+/// a factorisation or a solve is one of the whole system.
+struct bvp_report {
+    int meshes = 0;
+    int intervals = 0;  ///< of the last mesh
+    int newton_steps = 0;
+    long f = 0, f_jacobian = 0, jacobians = 0;
+    int factorisations = 0;
+    int solves = 0;        ///< in Newton's iteration
+    int error_solves = 0;  ///< for the error estimate: one per mesh
+    int conditioning_solves = 0;
+};
+
+/// The estimated error y - y_exact: from the linearised problem, driven by what the collocation polynomial
+/// leaves of the differential equation.
+template <class Vector>
+struct bvp_error {
+    using scalar = typename Vector::Scalar;
+    scalar global{0};   ///< the largest of |error_i(t)| / (atol/rtol + |y_i(t)|), and the same for p
+    Vector components;  ///< the largest absolute error of each component over [a, b]
+    Eigen::Matrix<scalar, Eigen::Dynamic, 1> parameters;  ///< absolute errors of p
+    scalar defect{0};  ///< the largest |y' - f(t, y)| / (atol/rtol + |f|) of the returned y(t)
+};
+
+/// How well posed the linearised problem is, in the spectral norm, as found at mesh points and nodes.
+/// X(t) is the fundamental matrix, M = B_a X(a) + B_b X(b), Phi = X M^-1, G Green's function.
+template <class Scalar>
+struct bvp_conditioning {
+    Scalar kappa1{0};  ///< max |Phi(t)|: how far boundary data reach (lecture (4.6); Ascher-Mattheij-Russell)
+    Scalar kappa2{0};  ///< sup |G(t, s)|, found by alternating searches: a lower bound, mostly the value
+    Scalar kappa{0};   ///< max over t of |Phi(t)| + int |G(t, s)| ds at the t of kappa2 (Cash-Mazzia 2005)
+    Scalar gamma1{0};  ///< the mean of |Phi(t)| over [a, b]
+    Scalar sigma{0};   ///< kappa1 / gamma1: large where the problem has layers (Cash-Mazzia 2005)
+};
+
+/// What solve_bvp returns. y(t) is continuous and, like p, within the tolerance where status is success.
+template <class Vector, class Parameters>
+struct bvp_result {
+    using scalar = typename Vector::Scalar;
+    bvp_status status = bvp_status::newton_failed;
+    std::string message;  ///< what went wrong, in words; empty for success
+    int kernel = 0;       ///< not_isolated: the dimension of the solution set
+    solution<Vector> y;
+    Parameters p;
+    std::vector<scalar> mesh;
+    bvp_error<Vector> error;
+    bvp_conditioning<scalar> conditioning;
+    bvp_report report;
+    std::exception_ptr exception;  ///< what a callable threw (function_threw), else null
+
+    bool ok() const { return status == bvp_status::success; }
+};
+
+}  // namespace stagecraft

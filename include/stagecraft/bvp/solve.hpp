@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/bvp/bvp_solver.hpp>
+
+namespace stagecraft {
+
+/// Solves M y' = f(t, y, p) on [a, b] with r(y(a), y(b), p) = 0.
+///
+/// method   A collocation tableau with distinct nodes: gauss<s>() (recommended), lobatto_iiia<s>(),
+///          radau_iia<s>(), or one's own.
+/// problem  two_point(f, r), problem/two_point.hpp.
+/// guess    For y: a vector, a function of t, or a solution, which is asked for derivative(t) as well.
+/// p        A guess for the unknown parameters; n + n_p conditions then.
+///
+/// The mesh follows the contributions of its intervals to the global error, which is estimated by one more
+/// solve with the factors of Newton's iteration (bvp/error_estimate.hpp). Success means: the estimated error
+/// of y(t) for all t, and of p, is within the tolerance, and the linearised problem is regular to rounding.
+/// Bad arguments throw std::invalid_argument, which names the argument; everything else is said by
+/// result.status. Cost of a Newton step: N s evaluations of f and its Jacobian, O(N s^3 n^3) operations.
+template <class Scalar, int S, class Rhs, class Conditions, class Guess, class Parameters>
+requires requires(const Parameters& p) { p.size(); }
+auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
+               std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
+               const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
+    detail::validate(o, a, b);
+    using vector = decltype(detail::guess_value(guess, a));
+    using parameters = typename Parameters::PlainObject;
+    const int n = static_cast<int>(detail::guess_value(guess, a).size());
+    detail::demand_bvp(n > 0, "guess must have at least one component");
+    if constexpr (has_index<Rhs>)
+        for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(problem.f.index().size()); ++i)
+            detail::demand_bvp(problem.f.index()[i] <= 1, "problem.index() must not exceed 1");
+    constexpr int positions = [] {
+        if constexpr (has_second_order_components<Rhs>)
+            return int(Rhs::second_order_components);
+        else
+            return 0;
+    }();
+    detail::bvp_solver<Scalar, S, two_point_problem<Rhs, Conditions>, vector, parameters, positions> solver(
+        method, problem, n, p, o);
+    return solver.run(guess, a, b);
+}
+
+/// The same without parameters.
+template <class Scalar, int S, class Rhs, class Conditions, class Guess>
+auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
+               std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
+               const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
+    return solve_bvp(method, std::move(problem), a, b, guess, Eigen::Matrix<Scalar, 0, 1>(), o);
+}
+
+}  // namespace stagecraft

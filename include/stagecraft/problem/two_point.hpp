@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/problem/system.hpp>
+
+namespace stagecraft {
+
+/// A two-point boundary value problem M y' = f(t, y, p) on [a, b], r(y(a), y(b), p) = 0, as one value.
+template <class Rhs, class Conditions>
+struct two_point_problem {
+    Rhs f;
+    Conditions r;
+};
+
+/// The problem of a right-hand side f(t, y, out), or f(t, y, p, out) with unknown parameters p, and conditions
+/// r(left, right, out) or r(left, right, p, out), which write n + n_p numbers. f may bring jacobian(t, y, J)
+/// (with parameters jacobian(t, y, p, J), J being n x (n + n_p)), mass() and index() as for integrate(); what
+/// it does not bring, and the derivatives of r, come from automatic differentiation or differences.
+template <class Rhs, class Conditions>
+two_point_problem<Rhs, Conditions> two_point(Rhs f, Conditions r) {
+    return {std::move(f), std::move(r)};
+}
+
+namespace detail {
+
+template <int A, int B>
+inline constexpr int added = A >= 0 && B >= 0 ? A + B : Eigen::Dynamic;
+
+/// f as a function of z = (y, p), with n_p trailing zeros so that it is square.
+template <class Rhs, int N, int P>
+struct joint_rhs {
+    Rhs& f;
+    int n, parameters;
+
+    template <class T, class Z, class Out>
+    requires(P == 0 && std::is_invocable_v<Rhs&, const T&, const Z&, Out&>) void operator()(const T& t,
+                                                                                            const Z& z,
+                                                                                            Out& out) {
+        f(t, z, out);
+    }
+    template <class T, class Z, class Out, class U = typename Z::Scalar, class Y = Eigen::Matrix<U, N, 1>,
+              class Q = Eigen::Matrix<U, P, 1>>
+    requires(P != 0 && std::is_invocable_v<Rhs&, const T&, const Y&, const Q&, Y&>) void operator()(
+        const T& t, const Z& z, Out& out) {
+        const Y y = z.head(n);
+        const Q p = z.tail(parameters);
+        Y value(n);
+        for (int i = 0; i < n; ++i) value[i] = U(std::numeric_limits<double>::quiet_NaN());
+        f(t, y, p, value);
+        if (value.size() != n) throw size_change{};
+        for (int i = 0; i < n; ++i) out[i] = value[i];
+        for (int i = 0; i < parameters; ++i) out[n + i] = U(0);
+    }
+};
+
+/// The same where f brings its own Jacobian.
+template <class Rhs, int N, int P>
+struct joint_rhs_with_jacobian : joint_rhs<Rhs, N, P> {
+    using joint_rhs<Rhs, N, P>::operator();
+    template <class T, class Z, class J>
+    void jacobian(const T& t, const Z& z, J& j) {
+        if constexpr (P == 0) {
+            this->f.jacobian(t, z, j);
+        } else {
+            using number = typename Z::Scalar;
+            const Eigen::Matrix<number, N, 1> y = z.head(this->n);
+            const Eigen::Matrix<number, P, 1> p = z.tail(this->parameters);
+            Eigen::Matrix<number, N, added<N, P>> own(this->n, this->n + this->parameters);
+            own.setZero();
+            this->f.jacobian(t, y, p, own);
+            j.setZero();
+            j.topRows(this->n) = own;
+        }
+    }
+};
+
+/// r as a function of (left, right, p), with trailing zeros so that it is square.
+template <class Conditions, int N, int P>
+struct joint_conditions {
+    Conditions& r;
+    int n, parameters;
+
+    template <class T, class X, class Out, class U = typename X::Scalar, class Y = Eigen::Matrix<U, N, 1>,
+              class R = Eigen::Matrix<U, added<N, P>, 1>>
+    requires(P == 0 && std::is_invocable_v<Conditions&, const Y&, const Y&, R&>) void operator()(const T&,
+                                                                                                 const X& x,
+                                                                                                 Out& out) {
+        const Y left = x.head(n), right = x.segment(n, n);
+        R value = blank<R, U>();
+        r(left, right, value);
+        write<U>(value, out);
+    }
+    template <class T, class X, class Out, class U = typename X::Scalar, class Y = Eigen::Matrix<U, N, 1>,
+              class Q = Eigen::Matrix<U, P, 1>, class R = Eigen::Matrix<U, added<N, P>, 1>>
+    requires(P != 0 && std::is_invocable_v<Conditions&, const Y&, const Y&, const Q&, R&>) void operator()(
+        const T&, const X& x, Out& out) {
+        const Y left = x.head(n), right = x.segment(n, n);
+        const Q p = x.tail(parameters);
+        R value = blank<R, U>();
+        r(left, right, p, value);
+        write<U>(value, out);
+    }
+
+  private:
+    template <class R, class U>
+    R blank() const {
+        R value(n + parameters);
+        // What r does not write stays NaN and is reported.
+        for (int i = 0; i < n + parameters; ++i) value[i] = U(std::numeric_limits<double>::quiet_NaN());
+        return value;
+    }
+    template <class U, class R, class Out>
+    void write(const R& value, Out& out) const {
+        if (value.size() != n + parameters)
+            throw bad_problem(
+                "solve_bvp: the conditions must write n + n_p numbers, n = " + std::to_string(n) +
+                ", n_p = " + std::to_string(parameters) + ", not " + std::to_string(value.size()));
+        for (int i = 0; i < n + parameters; ++i) out[i] = value[i];
+        for (int i = n + parameters; i < 2 * n + parameters; ++i) out[i] = U(0);
+    }
+};
+
+}  // namespace detail
+
+/// A two-point problem as the collocation sees it: evaluations of f and r that are counted, and their
+/// derivatives with respect to (y, p) and (left, right, p).
+template <class Rhs, class Conditions, class Vector, class Parameters>
+class two_point_system {
+  public:
+    using scalar = typename Vector::Scalar;
+    static constexpr int N = Vector::RowsAtCompileTime, P = Parameters::RowsAtCompileTime;
+    static constexpr int Z = detail::added<N, P>, X = detail::added<detail::added<N, N>, P>;
+    using joint = Eigen::Matrix<scalar, Z, 1>;
+    using ends = Eigen::Matrix<scalar, X, 1>;
+    using rhs_type =
+        std::conditional_t<detail::has_member_named<Rhs, detail::jacobian_member>,
+                           detail::joint_rhs_with_jacobian<Rhs, N, P>, detail::joint_rhs<Rhs, N, P>>;
+    using conditions_type = detail::joint_conditions<Conditions, N, P>;
+
+    two_point_system(Rhs& f, Conditions& r, int n, int parameters, report<scalar>& counts)
+        : n_(n),
+          parameters_(parameters),
+          rhs_{joint_of(f, n, parameters)},
+          conditions_{r, n, parameters},
+          f_(rhs_, joint::Zero(n + parameters), counts),
+          r_(conditions_, ends::Zero(2 * n + parameters), ignored_),
+          out_(n + parameters),
+          z_(n + parameters),
+          negligible_(joint::Constant(n + parameters, scalar(1) / 1000)),
+          x_(2 * n + parameters),
+          end_values_(2 * n + parameters),
+          small_(ends::Constant(2 * n + parameters, scalar(1) / 1000)) {
+        static_assert(!has_bandwidth<Rhs> && !has_sparsity<Rhs>, "solve_bvp: Jacobians are dense");
+        f_.take_jacobian();
+        r_.take_jacobian();
+    }
+    two_point_system(const two_point_system&) = delete;
+
+    int size() const { return n_; }
+    int parameters() const { return parameters_; }
+
+    /// f(t, y, p) as n + n_p numbers, the last n_p zero.
+    template <class Y>
+    const joint& f(const scalar& t, const Y& y, const Parameters& p) {
+        z_.head(n_) = y;
+        z_.tail(parameters_) = p;
+        f_(t, z_, out_);
+        return out_;
+    }
+    /// df/d(y, p) where f was evaluated last, n + n_p square.
+    const auto& jacobian(const scalar& t) {
+        f_.evaluate_jacobian(t, z_, out_, negligible_);
+        return f_.jacobian();
+    }
+    /// r(left, right, p) in the first n + n_p numbers.
+    template <class Y, class Z2>
+    const ends& conditions(const Y& left, const Z2& right, const Parameters& p) {
+        x_.head(n_) = left;
+        x_.segment(n_, n_) = right;
+        x_.tail(parameters_) = p;
+        r_(scalar(0), x_, end_values_);
+        return end_values_;
+    }
+    /// dr/d(left, right, p) where r was evaluated last, in the first n + n_p rows.
+    const auto& conditions_jacobian() {
+        r_.evaluate_jacobian(scalar(0), x_, end_values_, small_);
+        return r_.jacobian();
+    }
+
+  private:
+    static rhs_type joint_of(Rhs& f, int n, int parameters) {
+        if constexpr (detail::has_member_named<Rhs, detail::jacobian_member>)
+            return {{f, n, parameters}};
+        else
+            return {f, n, parameters};
+    }
+
+    int n_, parameters_;
+    rhs_type rhs_;
+    conditions_type conditions_;
+    report<scalar> ignored_;
+    system<rhs_type, joint> f_;
+    system<conditions_type, ends> r_;
+    joint out_, z_, negligible_;
+    ends x_, end_values_, small_;
+};
+
+}  // namespace stagecraft

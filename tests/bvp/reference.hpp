@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <string>
+
+namespace sc = stagecraft;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// "1/100", "pi" or a decimal number.
+double number(const std::string& text) {
+    if (text == "pi") return pi;
+    const auto slash = text.find('/');
+    return slash == std::string::npos ? std::stod(text)
+                                      : std::stod(text.substr(0, slash)) / std::stod(text.substr(slash + 1));
+}
+
+// Solutions with 24 digits, computed in quadruple precision with a method of order 18.
+const nlohmann::json& reference_cases() {
+    static const nlohmann::json file = [] {
+        nlohmann::json json;
+        std::ifstream(STAGECRAFT_SOURCE_DIR "/tests/data/bvp.json") >> json;
+        return json;
+    }();
+    return file["cases"];
+}
+
+// The largest error over the points of the reference, relative as the tolerance is.
+template <class Solution>
+double largest_error(const Solution& y, const nlohmann::json& reference) {
+    double worst = 0;
+    for (const auto& point : reference["points"]) {
+        const double t = std::clamp(number(point[0]), y.t0(), y.t1());
+        const auto value = y(t);
+        for (Eigen::Index i = 0; i < value.size(); ++i) {
+            const double exact = number(point[static_cast<std::size_t>(i) + 1]);
+            worst = std::max(worst, std::abs(value[i] - exact) / (1 + std::abs(exact)));
+        }
+    }
+    return worst;
+}
+
+template <class Result>
+void check(const nlohmann::json& reference, double tolerance, const Result& r) {
+    BOOST_TEST_CONTEXT("tolerance " << tolerance << ": " << r.message) {
+        BOOST_TEST(name(r.status) == std::string("success"));
+        if (!r.ok()) return;
+        const double error = largest_error(r.y, reference);
+        BOOST_TEST(error <= 3 * tolerance);
+        BOOST_TEST(r.error.global <= tolerance);
+        BOOST_TEST(error <= 30 * (r.error.global + 1e-14));
+        BOOST_TEST(r.error.global <= 100 * (error + 1e-13));
+    }
+}
+
+}  // namespace
