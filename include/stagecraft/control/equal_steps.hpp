@@ -7,8 +7,7 @@
 
 namespace stagecraft {
 
-/// h or the little less by which t + h is not on the other side of t1: rounding would have f evaluated there,
-/// where it need not exist.
+/// h, made a little smaller if t + h would lie beyond t1 by rounding: f need not exist there.
 template <class Scalar>
 Scalar not_beyond(const Scalar& t, Scalar h, const Scalar& t1) {
     const Scalar direction = Scalar(h < Scalar(0) ? -1 : 1);
@@ -20,7 +19,7 @@ Scalar not_beyond(const Scalar& t, Scalar h, const Scalar& t1) {
     }
 }
 
-/// The times of a run with fixed steps; none (count = 0) where steps are chosen by their errors.
+/// The times of a run with fixed steps. count = 0 where steps are chosen by their errors.
 template <class Scalar>
 struct equal_steps {
     long count = 0;
@@ -30,8 +29,8 @@ struct equal_steps {
     Scalar end(long k) const { return k == count ? last : Scalar(first + h * Scalar(k)); }
 };
 
-/// As few steps as there are none above `largest` > 0, one more where rounding leaves it open. Throws
-/// std::invalid_argument (fixed_step) where their number or their size is beyond the arithmetic.
+/// As few equal steps as keep each at most `largest` > 0, and one more where rounding leaves that open.
+/// Throws std::invalid_argument (fixed_step) if their number or their size is beyond the arithmetic.
 template <class Scalar>
 equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const Scalar& largest) {
     using std::abs;

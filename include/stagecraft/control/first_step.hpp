@@ -8,9 +8,9 @@
 
 namespace stagecraft {
 
-/// A first step that changes the solution by about one per cent in the norm of the weights, at most a
-/// thousandth of the span where the solution hardly moves. Rows of M scale f to a derivative; those of
-/// algebraic equations say nothing. The error test corrects what this guesses.
+/// A first step size: one that changes the solution by about one per cent in the weighted norm, and at most a
+/// thousandth of the span if the solution hardly moves. f is scaled to a derivative by the rows of M;
+/// algebraic equations do not enter. The error test corrects a bad guess.
 template <class Mass, class Vector>
 typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vector& f, const Vector& weights,
                                    const typename Vector::Scalar& span) {

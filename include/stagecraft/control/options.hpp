@@ -12,9 +12,10 @@ namespace stagecraft {
 /// How the next step size follows from the estimates of this one and the one before (control/step_size.hpp).
 enum class step_control { predictive, proportional_integral };
 
-/// Everything a run may be told; the defaults suit a first try. Steps are magnitudes (the direction of time
-/// is that of t1 - t0), zero meaning "not given". The weight of component i is 1/(atol_i + rtol |y_i|), times
-/// |h| for an index-2 and h^2 for an index-3 component (HLR89 section 7).
+/// The options of a run; the defaults suit a first try. Step sizes are magnitudes (the direction of time is
+/// that of t1 - t0), and zero means "not given". The error of component i is measured in units of atol_i +
+/// rtol |y_i|; for an index-2 component it is multiplied by |h|, for an index-3 component by h^2 (HLR89,
+/// section 7).
 template <class Scalar>
 struct options {
     Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, at least 4 epsilon
@@ -44,7 +45,7 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
         if (!good) throw std::invalid_argument(std::string("integrate: ") + what);
     };
     demand(finite(o.rtol) && o.rtol > Scalar(0), "rtol must be positive and finite");
-    // Below, rounding of y alone exceeds what Newton's iteration may leave, and nothing of atol would hold.
+    // Below that, the rounding of y alone exceeds what Newton's iteration may leave, whatever atol is.
     demand(o.rtol >= 4 * std::numeric_limits<Scalar>::epsilon(),
            "rtol must be at least four times the epsilon of the scalar, below which it cannot be met");
     if (o.atol_components.size() == 0) {
@@ -68,7 +69,7 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
     demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0), "newton_factor must not be negative");
 }
 
-/// Throws std::invalid_argument that names what of the start and the end is not finite.
+/// Throws std::invalid_argument that names t0, t1 or y0 if it is not finite.
 template <class Vector, class Scalar>
 void validate_interval(const Vector& y0, const Scalar& t0, const Scalar& t1) {
     const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };

@@ -27,7 +27,8 @@ struct order_candidate {
     block_work<Scalar> work;
 };
 
-/// Chooses among `Count` methods ordered by stages; with one method there is nothing to hold and to decide.
+/// Chooses among `Count` methods ordered by their number of stages. With one method it holds and decides
+/// nothing.
 template <class Scalar, int Count>
 class order_controller {
   public:
@@ -50,7 +51,8 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         admitted_[k] = c.stages <= 7 || rtol <= Scalar(1) / 10000000000;
     }
 
-    /// After a step that Newton's iteration could not solve twice: fewer stages tolerate more.
+    /// After a step that Newton's iteration failed to solve twice: methods of fewer stages are less
+    /// demanding.
     bool newton_failed() {
         if (current_ == 0) return false;
         --current_;
@@ -69,7 +71,8 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         Scalar least = here;
         for (int k = current_ - 1; k <= current_ + 1; k += 2) {
             if (k < 0 || k >= Count || !admitted_[k]) continue;
-            // A change has to promise something, one to more stages more: its prediction is the bolder one.
+            // A change has to promise a gain, and a larger one if it adds stages, which is the bolder
+            // prediction.
             const Scalar w = work_per_length(k, e) * (k > current_ ? Scalar(5) / 4 : Scalar(10) / 9);
             if (w < least) least = w, best = k;
         }

@@ -17,8 +17,8 @@ struct planned_step {
     status obstacle = status::success;
 };
 
-/// Fits the steps into a run from t0 to t1: equal ones by their number, others so that the last one ends at
-/// t1 and none before it is tiny. Throws what plan_equal_steps() does.
+/// Fits the steps into a run from t0 to t1. Equal steps follow from their number; others are chosen so that
+/// the last one ends at t1 and none before it is tiny. Throws what plan_equal_steps() throws.
 template <class Scalar>
 class step_plan {
   public:
@@ -51,8 +51,8 @@ class step_plan {
     }
 
     /// The step to try from t where `h` is wanted, `done` steps have been accepted and the present one has
-    /// been tried `failures` times. Too small is what t does not resolve well, what is below
-    /// options.min_step, or the step that is wanted after more than 60 failures.
+    /// been tried `failures` times. A step is too small if t does not resolve it well, if it is below
+    /// options.min_step, or after more than 60 failures.
     planned_step<Scalar> next(const Scalar& t, const Scalar& h, long done, int failures) {
         if (attempts_left_-- <= 0) return {h, t, status::too_many_steps};
         return fixed() ? next_equal(t, h, done) : next_free(t, h, failures);

@@ -7,11 +7,11 @@
 
 namespace stagecraft {
 
-/// The size of the next step from err_n = C_n h_n^q.
-/// Predictive (Gustafsson; Hairer-Wanner II.IV.8): C_{n+1}/C_n = C_n/C_{n-1}, never more optimistic than the
-/// elementary controller, which is good where stiffness lets the step grow by orders of magnitude.
-/// Proportional-integral (Hairer-Wanner II.IV.2): h_{n+1}/h_n = err_n^{-0.7/q} err_{n-1}^{0.4/q}, smoother
-/// where stability bounds the step of an explicit method.
+/// The size of the next step from err_n = C_n h_n^q. Predictive (Gustafsson; Hairer-Wanner II.IV.8):
+/// C_{n+1}/C_n = C_n/C_{n-1}, but never more optimistic than the elementary controller. This is good where
+/// stiffness lets the step grow by orders of magnitude. Proportional-integral (Hairer-Wanner II.IV.2):
+/// h_{n+1}/h_n = err_n^{-0.7/q} err_{n-1}^{0.4/q}, smoother where stability bounds the step of an explicit
+/// method.
 template <class Scalar>
 class step_size_controller {
   public:

@@ -12,15 +12,16 @@
 
 namespace stagecraft {
 
-/// What an embedded estimate h sum_i d_i k_i makes of a jump of f. Where f jumps by J at t + theta h, between
-/// two nodes, it is h J sum_{c_i > theta} d_i, and y1 errs by h J (sum_{c_i > theta} b_i - (1 - theta)). Most
-/// pairs see a hundredth of their error there; some see nothing of a jump between certain nodes (beyond 3/4:
-/// Bogacki-Shampine 5(4)), and none without a left stage one before the first node. There combinations of the
-/// slopes take the estimate's place, those at both ends of the step among them:
+/// What an embedded estimate h sum_i d_i k_i shows of a jump of f. If f jumps by J at t + theta h, between
+/// two nodes, the estimate is h J sum_{c_i > theta} d_i, while the error of y1 is h J (sum_{c_i > theta} b_i
+/// - (1 - theta)). Most pairs show at least a hundredth of that error. Some show nothing of a jump between
+/// certain nodes, such as Bogacki-Shampine 5(4) beyond 3/4; and a pair without a left stage shows nothing of
+/// a jump before its first node. At these blind spots other combinations of the slopes, including those at
+/// both ends of the step, take the place of the estimate:
 ///     h (w_0 k_left + sum_i w_i k_i + w_{s+1} k_right)
-/// is of the size of the error of y1 where f jumps at a blind spot, and O(h^power) where it is smooth, as w
-/// is orthogonal to the elementary weights of all trees of fewer than `power` vertices. Where an end is a
-/// stage its own weight is zero.
+/// is as large as the error of y1 if f jumps at the blind spot, and O(h^power) where f is smooth, because w
+/// is orthogonal to the elementary weights of all trees of fewer than `power` vertices. If an end is a stage,
+/// its own weight (w_0 or w_{s+1}) is zero.
 template <class Scalar>
 struct blind_spots {
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights;  ///< s + 2 rows, a column each
@@ -62,7 +63,7 @@ struct weights_basis {
         });
     }
 
-    /// x := its part that is orthogonal to the trees of at most q vertices; twice for the sake of rounding.
+    /// x := its part orthogonal to the trees of at most q vertices, computed twice to remove rounding errors.
     void project_out(column& x, int q) const {
         for (int repeat = 0; repeat < 2; ++repeat)
             for (std::size_t k = 0; k < vectors.size() && order[k] <= q; ++k)

@@ -11,16 +11,16 @@
 
 namespace stagecraft {
 
-/// All that a run does about jumps of f (and of its derivatives), which no estimate of the error is made for.
-/// Owned by the acceptance of steps, one per run; options.jumps switches it off. Two things, each only where
-/// there is something to gain:
-///   - Where the estimate is taken to stand for less than itself (collocation_step::estimate_ratio), or shows
-///     a part of a jump only (an embedded pair), `smoothness` says when that is not to be relied on.
-///   - Where the estimate of a pair is blind, combinations of the slopes at its blind spots
-///   (find_blind_spots)
-///     are watched by a jump_watch. That costs one combination of the slopes per spot and step, and at a
-///     suspicion one step taken in two halves.
-/// Methods that show every jump, fixed steps, and steps near the smallest possible have none of it.
+/// All that a run does about jumps of f and of its derivatives, for which error estimates are not made. One
+/// object per run, owned by the acceptance of steps; options.jumps = false switches it off. It does two
+/// things, each only where there is something to gain:
+///   - The error may be taken as smaller than its estimate (collocation_step::estimate_ratio), or an embedded
+///     pair may show only a part of a jump: `smoothness` says when that must not be relied on.
+///   - A pair may show nothing of certain jumps: combinations of the slopes at its blind spots
+///     (find_blind_spots) are then watched by a jump_watch. That costs one combination of the slopes per spot
+///     and step, and for each suspicion one step that is taken in two halves.
+/// Nothing is done for methods that show every jump, for fixed steps, and for steps near the smallest
+/// possible.
 template <class Scalar>
 class jump_guard {
   public:
@@ -53,8 +53,8 @@ class jump_guard {
     }
     bool doubted() const { return smooth_.doubted(); }
 
-    /// The error `err` of an attempt, or what is to stand for it where the slopes show a jump of f at a blind
-    /// spot of the method; x is scratch, size(x, false) measures it.
+    /// The error of an attempt: `err`, or what replaces it if the slopes show a jump of f at a blind spot of
+    /// the method. x is scratch, size(x, false) measures it.
     template <class Step, class System, class Size>
     Scalar judge(Step& method, const System& system, const reading& r, const Scalar& h, const Scalar& err,
                  typename Step::vector& x, long& solves, Size&& size) {
@@ -88,8 +88,8 @@ class jump_guard {
     }
 
   private:
-    /// The largest of what the combinations at the blind spots show. What stiff components carry of it is no
-    /// jump, or damped as time goes on: it is taken away by the method's own filter, twice, where it matters.
+    /// The largest value of the combinations at the blind spots. Contributions of stiff components are no
+    /// jump, or die out with time: where they matter, the method's own filter removes them, applied twice.
     template <class Step, class System, class Size>
     static Scalar largest_sign(Step& method, const System& system, const Scalar& h, typename Step::vector& x,
                                long& solves, Size&& size) {

@@ -6,21 +6,21 @@
 
 namespace stagecraft {
 
-/// Watches a quantity of order h^power that is of the size of the jump where f jumps out of the estimate's
-/// sight (blind_spots), in units of the tolerance. It is no estimate of an error, and may be large all the
-/// time: a jump shows as ten times what the step before let expect. A smooth solution is told from it when
-/// the step is repeated with half of h: there the quantity falls as h^power, and about with h across a jump,
-/// which is refused until it has become small. Where the suspicion was false, as no step up to the end of the
-/// suspicious one was refused, it takes more to raise the next one, for a while: an explicit method at the
-/// border of its stability would raise them all the time.
+/// Watches a quantity of order h^power, in units of the tolerance, that is as large as the jump where f jumps
+/// at a blind spot of the estimate. It does not estimate an error and may be large all the time; a suspicion
+/// arises when it exceeds ten times the value predicted from the step before. The step is then repeated with
+/// h/2. If the solution is smooth, the quantity falls as h^power; across a jump it falls about as h, and the
+/// step is refused until the quantity is small. If no step up to the end of the suspicious one was refused,
+/// the suspicion was false, and for a while the next one takes more: an explicit method at the border of its
+/// stability would raise suspicions all the time.
 template <class Scalar>
 class jump_watch {
   public:
     /// In units of the tolerance: below it a jump is not worth a second look, as the control keeps errors
     /// within one tolerance of what it cannot see of them, some steps long.
     static Scalar notable() { return Scalar(10); }
-    /// Times what the step before let expect: a quantity of order h^3 or more changes by up to eight where a
-    /// step is twice as long, within what smooth solutions do in the length of a step.
+    /// As a multiple of the value predicted from the step before. A quantity of order h^3 or more changes by
+    /// a factor of up to eight when a step is twice as long, and smooth solutions do that within one step.
     static Scalar least_threshold() { return Scalar(10); }
 
     /// A suspicion is to be tried again with half of the step, a jump with what its size asks for.
@@ -32,7 +32,7 @@ class jump_watch {
         using std::pow;
         now_ = {abs(h), size};
         if (size <= (suspicious_ ? Scalar(1) : notable())) return verdict::smooth;
-        // In the first step nothing was expected: one repetition shows what it is.
+        // In the first step there is no prediction: one repetition shows which of the two it is.
         const Scalar ratio = before_.h > Scalar(0) ? Scalar(now_.h / before_.h) : Scalar(0);
         const Scalar smooth = before_.size * (suspicious_ ? Scalar(pow(ratio, Scalar(power + 1) / 2))
                                                           : Scalar(threshold_ * pow(ratio, Scalar(power))));
@@ -60,7 +60,7 @@ class jump_watch {
         Scalar h{0}, size{0};
     };
     measured before_, now_;
-    Scalar threshold_ = least_threshold();  // times what was expected raises suspicion
+    Scalar threshold_ = least_threshold();  // multiple of the prediction that raises suspicion
     Scalar suspect_length_{0};              // to the end of the step that raised it
     bool suspicious_ = false, confirmed_ = false;
 };

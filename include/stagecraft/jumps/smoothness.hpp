@@ -3,19 +3,21 @@
 
 namespace stagecraft {
 
-/// Whether the solution may be taken as smooth. An estimate of order q stands for an error of order p + 1
-/// (collocation_step::estimate_ratio) only where it is: across a jump of f or of a derivative both are of the
-/// size of the jump, and that of an embedded pair is a part of the error (jumps/blind_spots.hpp). That shows
-/// in an estimate far beyond what the step before let expect, or in one that is still too large when the step
-/// has been made smaller as a smooth solution demands. Then what the estimate shows of a jump has to meet the
-/// tolerance, until ten steps in a row have.
+/// Decides whether the solution may be taken as smooth. Only then does an estimate of order q stand for an
+/// error of order p + 1 (collocation_step::estimate_ratio). Across a jump of f or of a derivative both are as
+/// large as the jump, and the estimate of an embedded pair is only a part of the error
+/// (jumps/blind_spots.hpp). A jump shows as an estimate far beyond the one predicted from the step before, or
+/// as one that is still too large after the step has been reduced by the factor that suffices for a smooth
+/// solution. From then on the tolerance is applied to what the estimate shows of a jump, until ten steps in a
+/// row have met it.
 template <class Scalar>
 class smoothness {
   public:
     bool doubted() const { return steps_ > 0; }
 
-    /// Takes the estimate of an attempt (tolerance 1), expected() for the one that was expected (0: none
-    /// was), and whether the same step has just been rejected for its error. True if doubt begins with it.
+    /// Takes the estimate of an attempt in units of the tolerance, expected() for the predicted one (0:
+    /// none), and whether the same step has just been rejected for its error. True if doubt begins with this
+    /// attempt.
     template <class Expected>
     bool surprised(const Scalar& estimate, Expected&& expected, bool again) {
         if (doubted()) {
@@ -37,8 +39,8 @@ class smoothness {
   private:
     static constexpr int memory =
         10;  // steps: two or three of growth by the largest factor, and as many more
-    /// The step control itself misses by ten often enough; a thousand times what was expected is three steps
-    /// of an order of magnitude each, which a smooth solution does not take at once.
+    /// The predictions of the step control are often wrong by a factor of ten. A factor of a thousand is
+    /// three such errors at once, which a smooth solution does not produce.
     static Scalar notable() { return Scalar(10); }
     static Scalar surprise() { return Scalar(1000); }
     int steps_ = 0;

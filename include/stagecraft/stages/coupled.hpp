@@ -75,8 +75,8 @@ class coupled_stages {
         return monitor.outcome();
     }
 
-    /// x := the last component of (I (x) M - h A (x) J)^-1 (1 (x) (M x + factor value)): for a stiffly
-    /// accurate method with regular A the estimate damped as Y_s is.
+    /// x := the last component of (I (x) M - h A (x) J)^-1 (1 (x) (M x + factor value)). For a stiffly
+    /// accurate method with regular A this damps an estimate in the same way as the method damps Y_s.
     template <class System>
     void filter(const System& system, vector& x, slopes& v, const Scalar& factor) {
         yi_ = factor * v.left;
@@ -95,8 +95,8 @@ class coupled_stages {
         return a;
     }
 
-    /// Size of the increments of the z_i and of y1 that belong to the slopes' increments in x_: what of them
-    /// A and b let through.
+    /// Size of the increments of the z_i and of y1 that result, through A and b, from the increments of the
+    /// slopes in x_.
     Scalar change(const tableau<Scalar, Stages>& m, const Scalar& h, const vector& weights) {
         using std::sqrt;
         Scalar sum = Scalar(0), largest = Scalar(0);

@@ -11,18 +11,18 @@
 
 namespace stagecraft {
 
-/// Sees growth that a step would pass over. A mode y' = lambda y with h lambda beyond the real pole gamma of
-/// R(z), or the real part of its poles nearest the real axis, is damped by the method while the solution
-/// grows by e^gamma and more in the one step; where the mode is smaller than the tolerance no error estimate
-/// tells. But then a real eigenvalue of the pencil (J, M) lies beyond gamma/h, and for every such eigenvalue
-/// det(gamma/h M - J) has another sign than det M. The factorisation of a real block knows the sign; where
-/// there is none (even s) it takes a factorisation of its own. Two such eigenvalues at once, and complex
-/// ones, are not seen, and neither is anything with a singular M, with banded or sparse matrices or with a
-/// linear solver of the problem's own.
+/// Detects growth that a step would pass over. Let gamma be the real pole of R(z), or the real part of its
+/// poles nearest the real axis. A mode y' = lambda y with h lambda > gamma is damped by the method although
+/// the solution grows by e^gamma and more in this step, and no error estimate shows it while the mode is
+/// smaller than the tolerance. But then a real eigenvalue of the pencil (J, M) lies beyond gamma/h, and each
+/// such eigenvalue changes the sign of det(gamma/h M - J) relative to det M. The factorisation of a real
+/// block gives the sign; without a real block (even s) a factorisation is made for it. Not detected: two such
+/// eigenvalues at once, complex ones, and anything with a singular M, with banded or sparse matrices, or with
+/// a linear solver of the problem's own.
 template <class Scalar>
 class growth_watch {
   public:
-    /// True if the stages, just factored, show such growth beyond the doubt of rounding.
+    /// True if the stages, which have just been factored, show such growth beyond what rounding can explain.
     template <class System, class Stages>
     bool sees(const System& system, Stages& stages) {
         if constexpr (!System::structured && Stages::knows_determinant) {

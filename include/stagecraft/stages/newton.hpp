@@ -16,10 +16,11 @@ struct newton_outcome {
 };
 
 /// What the iteration is told: it stops when the error left in Z is below `factor` in the weighted norm, in
-/// which the tolerance is 1. `floor` is the size of an increment that is only rounding;
-/// below `noise` an iteration that no longer contracts has met rounding too. The contraction is
-/// measured in every step, so at least two iterations are made: trusting that of the step before saves one of
-/// them and was seen to cost Robertson's problem three digits, as the error left over is a drift of one sign.
+/// which the tolerance is 1. `floor` is the size of an increment that is only rounding; below `noise` an
+/// iteration that no longer contracts has reached rounding as well. The contraction is measured in every
+/// step, so at least two iterations are made. Trusting the contraction of the step before would save one of
+/// them, but was seen to cost Robertson's problem three digits, because the errors left over all have the
+/// same sign.
 template <class Scalar>
 struct newton_limits {
     Scalar factor, floor, noise;
@@ -31,10 +32,10 @@ struct newton_limits {
 /// Iterations a step by s coupled stages may take.
 inline int usual_iterations(int s) { return 7 + (s > 3 ? (5 * (s - 3)) / 2 : 0); }
 
-/// Whether the polynomial of the last step is good enough to start the next iteration. What the tolerance
-/// leaves in components of index 2 and 3, about rtol / h, grows by orders of magnitude when it is
-/// extrapolated with many stages: once an iteration failed, the same step is tried from a constant, and so
-/// are the next ones, twice as many after each failure.
+/// Whether the polynomial of the last step is good enough to start the next iteration. Errors within the
+/// tolerance in components of index 2 and 3, about rtol / h, grow by orders of magnitude when a polynomial of
+/// many stages is extrapolated. So after an iteration has failed, the same step is tried from a constant, and
+/// so are the next ones, twice as many after each failure.
 class extrapolation_trust {
   public:
     bool trusted() const { return skipped_ == 0; }

@@ -119,8 +119,8 @@ class sequential_stages {
     void solve_first(const System& system, vector& x) {
         system.measure(work::solve, [&] { blocks_[0].solve(x.data()); });
     }
-    /// x := (M - h a J)^-1 (M x + factor value): the filter of an embedded estimate, which leaves it alone
-    /// where h J is small and bounded where it is large.
+    /// x := (M - h a J)^-1 (M x + factor value): the filter of an embedded estimate. It leaves the estimate
+    /// unchanged where h J is small and keeps it bounded where h J is large.
     template <class System>
     void filter(const System& system, vector& x, const vector& value, const Scalar& factor) {
         r_ = (shift_[0] * factor) * value;
@@ -132,7 +132,7 @@ class sequential_stages {
         r_.setZero();
         filter_with(system, x);
     }
-    /// x := x - (M - h a J)^-1 M x, what of x stiff components carry.
+    /// x := x - (M - h a J)^-1 M x: the part of x in stiff components (small where h J is small).
     template <class System>
     void stiff_part(const System& system, vector& x) {
         d_ = x;

@@ -7,10 +7,10 @@
 namespace stagecraft {
 
 /// Solves the stage equations of a step h that Newton's iteration could not solve from its first guess, by
-/// continuation in the step size: those of a part of the step are solved first, their polynomial is carried
-/// on to a longer part as the next guess, with the Jacobian taken two fifths into it, until the part is the
-/// whole step. Nothing but the guess comes from the parts: what is solved at the end are the equations of h.
-/// For equal steps, which cannot be repeated with a smaller one.
+/// continuation in the step size: the equations of a part of the step are solved first, and their polynomial
+/// is the first guess for a longer part (with the Jacobian taken two fifths into it), until the part is the
+/// whole step. Only the guess comes from the parts; the equations solved at the end are those of h. For equal
+/// steps, which cannot be repeated with a smaller one.
 ///
 /// Returns true with the stages in `now` and what the last iteration told in `newton`; else leaves `newton`
 /// as it was. At most 40 systems are tried, down to h/64. Takes storage for one more polynomial and a few

@@ -22,12 +22,12 @@ namespace stagecraft {
 ///     is continuously differentiable over the steps, and for q <= 3 it is Hermite's cubic;
 ///   - with a singular M, whose left slope is not known, the quadratic through both ends and the stage
 ///     nearest the middle (all stages where C(s) holds).
-/// Order q means that a step adds an error O(h^{q+1}) between its ends to the O(h^p) of the ends; explicit
-/// methods to order five have q >= p - 1, and lose nothing. The conditions are looked at in the numbers, not
-/// in the facts. Implicit methods whose y1 is no stage do not use the slope there, and those of few stages
-/// have a continuous solution of order 2 (three stages without C(3), such as Lobatto IIIB) or 1 (one stage).
-/// An accepted step costs s n multiplications for each of the degree - 2 places between the ends, one place
-/// less with both slopes.
+/// Order q means that between the ends of a step an error O(h^{q+1}) is added to the O(h^p) of the ends;
+/// explicit methods to order five have q >= p - 1, which loses nothing. The conditions are decided from the
+/// coefficients, not from the facts. Implicit methods whose y1 is no stage do not use the slope there; with
+/// few stages their continuous solution has order 2 (three stages without C(3), such as Lobatto IIIB) or 1
+/// (one stage). An accepted step costs s n multiplications for each of the degree - 2 places between the
+/// ends, one place less with both slopes.
 template <int Stages, class Space>
 class stage_output {
     using Scalar = typename Space::scalar;
@@ -84,8 +84,8 @@ class stage_output {
         if (form_ == form::weights_and_ends) solve_for_right_slope();
     }
 
-    /// The weights of the slopes in u' at the end of the step. Not by value, nor of a method whose last
-    /// stage has the slope there.
+    /// The weights of the slopes in u' at the end of the step. Not to be called by value, nor for a method
+    /// whose last stage has the slope there.
     Eigen::Matrix<Scalar, Stages, 1> right_slope(const tableau<Scalar, Stages>& m) const {
         workspace<Scalar, MaxStages> l = right_;
         nodes_.basis_derivative(Scalar(1), l.data());

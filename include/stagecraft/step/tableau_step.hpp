@@ -17,20 +17,20 @@
 
 namespace stagecraft {
 
-/// One step of a method given by its tableau alone. What A looks like decides how the stages are solved:
-/// lower triangular (explicit, DIRK, SDIRK, ESDIRK) one after the other, else coupled. A first stage that is
-/// the left end of the step takes the slope of the last stage of the step before where the last row of A is b
-/// (FSAL), and f(t, y) else.
+/// One step of a method given by its tableau alone. The zeros of A decide how the stages are solved: one
+/// after the other if A is lower triangular (explicit, DIRK, SDIRK, ESDIRK), else all together. A first stage
+/// at the left end of the step takes the slope of the last stage of the step before if the last row of A is b
+/// (FSAL), else f(t, y).
 ///
 /// Error estimate: h sum_j (b_j - b_embedded_j) k_j, of order min(p, p_embedded) + 1; for a stiffly accurate
-/// method filtered with its own matrix, (M - h a J)^-1 M, where that brings it to the size of the error in
-/// stiff components and carries it over to algebraic ones (Hairer-Wanner II.IV.8; embedded_estimate.hpp). A
-/// method without embedded weights has none: fixed steps only. Nor has one whose weights see no error of a
-/// quadrature. Where they see no jump of f that falls between certain nodes, other combinations of the slopes
-/// do (blind_spots.hpp).
+/// method it is filtered with its own matrix, (M - h a J)^-1 M, where that brings it to the size of the error
+/// in stiff components and extends it to algebraic ones (Hairer-Wanner II.IV.8; embedded_estimate.hpp). A
+/// method has no estimate, and runs with fixed steps only, if it has no embedded weights or these see no
+/// error of a quadrature. Jumps of f between certain nodes that they do not see are seen by other
+/// combinations of the slopes (jumps/blind_spots.hpp).
 ///
-/// A singular M is served where A is regular, and where it is so without a first stage at the left end if the
-/// method is stiffly accurate.
+/// A singular M is possible if A is regular, or if the method is stiffly accurate and A is regular without
+/// its first stage, which is the left end.
 template <int Stages, class Space>
 class tableau_step : public step_defaults<Space> {
     using Scalar = typename Space::scalar;
@@ -250,7 +250,7 @@ class tableau_step : public step_defaults<Space> {
         return ends_between_nodes() || ends_with_value_ || blind_.need_right_slope ||
                (blind_.need_left_slope && !is_.stiffly_accurate);
     }
-    /// error := what stiff components carry of the filtered defect f(t1, y1) - M u'(t1) of the continuous
+    /// error := the part in stiff components of the filtered defect f(t1, y1) - M u'(t1) of the continuous
     /// solution: the error of y1 there, O(h^{q+2}) elsewhere, q being the order of u. f1 = f(t1, y1). For
     /// diagonally implicit methods whose y1 is no stage: in stiff components their stages lie on the
     /// solution, and y1 errs by another combination of them than the embedded weights see. Returns the
