@@ -9,11 +9,11 @@
 #include <regex>
 #include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/tableau/tree_table.hpp>
 #include <stagecraft/tableaux/entry.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
 #include <stagecraft/theory/models/matrix_model.hpp>
-#include <stagecraft/theory/trees/tree_table.hpp>
 #include <stagecraft/theory/trees/tree_text.hpp>
 
 #include "certify_once.hpp"
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(one_failing_condition_of_order_6_is_enough) {
         t.b(i) = 1;
     }
     const theory::matrix_model<rational> model(t);
-    const theory::tree_table trees(6);
+    const tree_table trees(6);
     std::vector<std::vector<rational>> g;
     tableaux::dense<rational> rows(s, s), right(s, 1);
     for (std::uint32_t k = 0; k < s; ++k) {

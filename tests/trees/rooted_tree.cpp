@@ -3,12 +3,12 @@
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <set>
-#include <stagecraft/theory/trees/rooted_tree.hpp>
-#include <stagecraft/theory/trees/tree_table.hpp>
+#include <stagecraft/tableau/rooted_tree.hpp>
+#include <stagecraft/tableau/tree_table.hpp>
 #include <stdexcept>
 #include <vector>
 
-using namespace stagecraft::theory;
+using namespace stagecraft;
 
 namespace {
 

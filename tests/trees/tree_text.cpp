@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+using namespace stagecraft;
 using namespace stagecraft::theory;
 
 BOOST_AUTO_TEST_CASE(brackets_are_butchers_and_read_back) {

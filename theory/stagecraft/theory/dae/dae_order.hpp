@@ -2,16 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "stagecraft/tableaux/embedded.hpp"
+#include "stagecraft/tableau/order_conditions.hpp"
 #include "stagecraft/theory/dae/index2_conditions.hpp"
-#include "stagecraft/theory/models/matrix_model.hpp"
 #include "stagecraft/theory/stability/algebraic_stability.hpp"
-#include "stagecraft/theory/trees/tree_order.hpp"
 
 namespace stagecraft::theory {
 
@@ -66,21 +65,12 @@ struct dae_traits {
     std::optional<K> r_infinity;
 };
 
-/// The order for y' = f(x, y): min(B, C+D+1, 2C+2) where it equals B, otherwise by the rooted trees up to
-/// order B + 1 and at most 12; where c is not A 1, by the trees with leaves for the time, up to order 8.
+/// The order for y' = f(x, y), decided exactly: by the rooted trees up to order 12, beyond it Butcher's lower
+/// bound; where c is not A 1, by the trees with leaves for the time, up to order 8.
 template <class K>
 int classical_order(const tableau<K>& t) {
-    const auto n = tableaux::simplifying_orders_of(t);
-    if (n.C > 0 && n.order() == n.B) return n.order();
-    if (n.C > 0) return std::min(n.B, order_of(matrix_model<K>(t), std::min(n.B + 1, 12)).order);
-    int order = std::min(n.B, 8);
-    if (order == 0) return 0;
-    for (const auto& condition : tableaux::detail::weight_conditions(t, order)) {
-        K sum(0);
-        for (Eigen::Index i = 0; i < t.b.size(); ++i) sum = sum + t.b[i] * condition.stages[i];
-        if (!(sum * condition.density == K(1))) order = std::min(order, condition.order - 1);
-    }
-    return order;
+    const bool row_sums = tableaux::simplifying_orders_of(t).C > 0;
+    return stagecraft::classical_order(t, row_sums ? 12 : 8, std::equal_to<>{});
 }
 
 template <class K>

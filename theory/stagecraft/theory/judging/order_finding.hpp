@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <set>
+#include <stagecraft/tableau/order_conditions.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/models/matrix_model.hpp>
 #include <stagecraft/theory/statements/certainty.hpp>
@@ -63,44 +63,12 @@ order_finding<K> find_order(const subject<K>& s, const Weights& weights, int mos
 
 /// Where c = A*1 fails the conditions of non-autonomous systems are more than those of autonomous ones: they
 /// are those of y' = f(t, y), t' = 1 with the stages' times c, so a leaf of a tree stands for A*1 or for c
-/// (Hairer-Norsett-Wanner I.II.2, before Theorem 2.13, assumes c = A*1 to avoid this). The largest order up
-/// to `most` of which no such condition certainly fails. With the vectors normalised as in tree_weights every
-/// condition of order n reads b^T v = 1/n.
+/// (Hairer-Norsett-Wanner I.II.2, before Theorem 2.13, assumes c = A*1 to avoid this). The largest order up to
+/// `most` of which no such condition certainly fails.
 template <class K, class Weights>
 int non_autonomous_order(const subject<K>& s, const Weights& weights, int most) {
-    using vector = std::vector<K>;
-    const matrix_model<K> model(s.t, weights);
-    std::vector<std::vector<vector>> branches(1);  // by order of the branch: n A v, and c as a leaf
-    std::vector<std::vector<vector>> trees(1);     // by order
-    const auto insert_once = [](std::vector<vector>& all, vector v) {
-        const auto same = [&](const vector& u) {
-            if constexpr (exact_scalar<K>) return u == v;
-            return false;
-        };
-        if (std::none_of(all.begin(), all.end(), same)) all.push_back(std::move(v));
-    };
-    // All products of branches with `left` vertices together, branches in non-increasing position.
-    const auto grow = [&](const auto& self, std::vector<vector>& out, const vector& v, int left, int order,
-                          std::size_t index) -> void {
-        if (left == 0) return insert_once(out, v);
-        for (int n = std::min(order, left); n >= 1; --n) {
-            const auto& candidates = branches[static_cast<std::size_t>(n)];
-            const std::size_t end = n == order ? std::min(index + 1, candidates.size()) : candidates.size();
-            for (std::size_t k = 0; k < end; ++k)
-                self(self, out, model.multiply(v, candidates[k]), left - n, n, k);
-        }
-    };
-    for (int n = 1; n <= most; ++n) {
-        std::vector<vector> found;
-        grow(grow, found, model.one(), n - 1, n - 1, branches.back().size());
-        for (const vector& v : found)
-            if (certainly_nonzero(model.dot_b(v) * K(n) - K(1))) return n - 1;
-        std::vector<vector> next;
-        for (const vector& v : found) insert_once(next, scale(model, K(n), model.apply(v)));
-        if (n == 1) insert_once(next, model.c());
-        branches.push_back(std::move(next));
-    }
-    return most;
+    return order_by_trees(s.t, weights, most,
+                          [](const K& left, const K& right) { return !certainly_nonzero(left - right); });
 }
 
 /// One simplifying condition, where it fails: B(k) has no row.
@@ -126,27 +94,26 @@ struct stage_order_finding {
 /// up to the first k that certainly fails.
 template <class K>
 stage_order_finding<K> find_stage_order(const subject<K>& s, int most) {
-    const matrix_model<K> model(s.t);
     stage_order_finding<K> found;
-    const auto add = [&](char which, int k, int row, const K& residual) {
+    node_power<K> power(s.stages());
+    int row = -1;
+    const auto equal = [&](const K& left, const K& right) {
+        const K residual = (left - right) / K(power.k());
         if (certainly_nonzero(residual)) {
-            found.failing.push_back({which, k, row, residual});
+            found.failing.push_back({row < 0 ? 'B' : 'C', power.k(), row, residual});
         } else if constexpr (requires { residual.radius(); }) {
             found.residual = std::max(found.residual, residual.magnitude());
             found.bound = std::max(found.bound, residual.radius());
         }
+        ++row;
+        return true;
     };
-    auto power = model.one();
-    for (int k = 1; k <= most; ++k) {
-        add('B', k, -1, (model.dot_b(power) * K(k) - K(1)) / K(k));
-        const auto left = model.apply(power);
-        power = model.multiply(power, model.c());
-        for (int i = 0; i < s.stages(); ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            add('C', k, i, (left[at] * K(k) - power[at]) / K(k));
-        }
+    for (; power.k() <= most; power.advance(s.t.c)) {
+        row = -1;
+        satisfies_quadrature(s.t, power, equal);
+        satisfies_stages(s.t, power, equal);
         if (!found.failing.empty()) break;
-        found.stage_order = k;
+        found.stage_order = power.k();
     }
     return found;
 }

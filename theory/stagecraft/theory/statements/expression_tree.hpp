@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/tableau/rooted_tree.hpp>
 #include <stagecraft/theory/statements/expression.hpp>
-#include <stagecraft/theory/trees/rooted_tree.hpp>
 
 namespace stagecraft::theory {
 

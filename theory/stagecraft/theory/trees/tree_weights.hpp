@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/tableau/tree_table.hpp>
 #include <stagecraft/theory/models/stage_algebra.hpp>
-#include <stagecraft/theory/trees/tree_table.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace stagecraft::theory {
+namespace stagecraft {
 
 /// A rooted tree (Butcher 1963; Hairer-Norsett-Wanner I.II.2), unlabelled and unordered, as a value: its
 /// level sequence in preorder, the root at level 1, in canonical form, that is the lexicographically largest
@@ -261,4 +261,4 @@ class trees_of_order {
     rooted_tree first_;
 };
 
-}  // namespace stagecraft::theory
+}  // namespace stagecraft

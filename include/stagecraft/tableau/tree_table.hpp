@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/theory/trees/rooted_tree.hpp>
+#include <stagecraft/tableau/rooted_tree.hpp>
 
 #include <array>
 #include <cstddef>
@@ -10,10 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
-namespace stagecraft::theory {
+namespace stagecraft {
 
 /// One tree of a table: t = left∘right, where `right` is the smallest child (by row number) of t's root and
-/// `left` is what remains without it. The first row of a table is tau, which has no factors.
+/// `left` is what remains without it: g(t) = g(left) A g(right) for the stage vectors. The first row of a
+/// table is tau, which has no factors.
 struct tree_row {
     std::uint32_t left = 0;
     std::uint32_t right = 0;
@@ -30,7 +31,10 @@ struct tree_view {
     std::span<const tree_row> rows;
     std::array<std::uint32_t, rooted_tree::max_order + 2> first{};
     int max_order = 0;
+    bool has_time_leaf = false;
 
+    /// The leaf that stands for the time: a `right` only, whose A g(right) is c. Row 1 where there is one.
+    constexpr bool is_time_leaf(std::uint32_t i) const { return has_time_leaf && i == 1; }
     constexpr std::uint32_t planted(std::uint32_t x) const {
         const int n = rows[x].order;
         return first[n + 1] + (x - first[n]);
@@ -45,16 +49,19 @@ struct tree_view {
 namespace detail {
 
 /// Fills rows for all orders; every tree arises once, because its smallest child is split off. The number of
-/// pairs looked at exceeds the number of trees by a small factor only.
+/// pairs looked at exceeds the number of trees by a small factor only. With a time leaf (view.has_time_leaf)
+/// the trees are those of non-autonomous problems, whose leaves are of two kinds.
 template <class Append>
 constexpr void generate_trees(tree_view& view, int max_order, const Append& append) {
     append(tree_row{});
+    if (view.has_time_leaf) append(tree_row{});
     view.first[1] = 0;
-    view.first[2] = 1;
+    view.first[2] = view.has_time_leaf ? 2 : 1;
     for (int n = 2; n <= max_order; ++n) {
         std::uint32_t next = view.first[n];
         for (int m = 1; m < n; ++m) {  // order of the left factor
             for (std::uint32_t l = view.first[m]; l < view.first[m + 1]; ++l) {
+                if (view.is_time_leaf(l)) continue;  // it has no children
                 const tree_row left = view.rows[l];
                 for (std::uint32_t r = view.first[n - m]; r < view.first[n - m + 1]; ++r) {
                     if (m > 1 && r > left.right) break;
@@ -80,11 +87,13 @@ constexpr void generate_trees(tree_view& view, int max_order, const Append& appe
 }  // namespace detail
 
 /// The trees of orders 1..max_order with their factors, densities and symmetries (run time; order 14 has
-/// 53,272 rows of 32 bytes). Immutable once made.
+/// 53,272 rows of 32 bytes). Immutable once made. `with_time_leaf`: the trees of y' = f(t, y) where c is not
+/// A 1, with leaves of two kinds (Hairer-Norsett-Wanner I.II.2 assumes c = A 1 to avoid them).
 class tree_table {
   public:
     /// Throws std::invalid_argument for an order outside 1..20 (order 20 already has 12.8 million trees).
-    explicit tree_table(int max_order) {
+    explicit tree_table(int max_order, bool with_time_leaf = false) {
+        view_.has_time_leaf = with_time_leaf;
         std::int64_t count = 0;
         for (int n = 1; n <= max_order; ++n) count += number_of_trees(n);
         if (count == 0) throw std::invalid_argument("max_order: trees have at least one vertex");
@@ -132,4 +141,4 @@ class fixed_tree_table {
     std::array<std::uint32_t, rooted_tree::max_order + 2> first_{};
 };
 
-}  // namespace stagecraft::theory
+}  // namespace stagecraft
