@@ -3,6 +3,7 @@
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
 #include <string>
+#include <vector>
 
 #include "certify_file.hpp"
 #include "command.hpp"
@@ -12,40 +13,71 @@ namespace {
 using namespace stagecraft;
 
 struct options {
-    std::string family;
-    std::string stages;
-    bool json = false;
+    std::vector<std::string> methods;
+    std::string decimals = "auto", ulps = "1/2", tolerance = "0", from = "json";
+    tool::certify_options files;
 };
 
-void run(const options& o) {
-    if (o.stages.empty()) {
-        if (!o.family.ends_with(".json")) {
-            const auto f = tableaux::family_from_name(o.family);
-            throw std::invalid_argument("stages: missing after " + o.family +
-                                        "; allowed: a whole number from " +
-                                        std::to_string(tableaux::least_stages(f)) + " to 1000");
-        }
-        const int code = tool::certify_file(o.family, o.json);
-        if (code != 0) throw CLI::RuntimeError(code);
-        return;
-    }
-    const auto f = tableaux::family_from_name(o.family);
-    const int s = tool::whole_number("stages", o.stages, tableaux::least_stages(f), 1000);
+bool is_family(const std::string& name) {
+    for (const tableaux::family f : tableaux::all_families)
+        if (name == tableaux::name(f)) return true;
+    return false;
+}
+
+tableaux::rational number(const char* argument, const std::string& text) {
+    const auto e = tableaux::read_entry(text, tableaux::exact_decimals::all());
+    if (!e.exact || !e.exact->is_rational() || e.exact->rational_part() < 0)
+        throw std::invalid_argument(std::string(argument) + ": '" + text +
+                                    "', allowed: a number that is not negative");
+    return e.exact->rational_part();
+}
+
+void certify_family(const options& o) {
+    const auto f = tableaux::family_from_name(o.methods.front());
+    const std::string range = " from " + std::to_string(tableaux::least_stages(f)) + " to 1000";
+    if (o.methods.size() != 2)
+        throw std::invalid_argument("stages: missing after " + o.methods.front() +
+                                    "; allowed: a whole number" + range);
+    const int s = tool::whole_number("stages", o.methods[1], tableaux::least_stages(f), 1000);
     const auto certificate = theory::certify(f, s);
-    if (o.json) {
+    if (o.files.json)
         std::cout << theory::to_json(certificate).dump(2) << '\n';
-    } else {
+    else
         std::cout << certificate.text();
-    }
+}
+
+void run(options o) {
+    if (is_family(o.methods.front())) return certify_family(o);
+    if (o.from != "json" && o.from != "text")
+        throw std::invalid_argument("from: '" + o.from + "', allowed: json, text");
+    o.files.from_text = o.from == "text";
+    o.files.how = {tableaux::decimals_from_name(o.decimals), number("ulps", o.ulps),
+                   number("tolerance", o.tolerance)};
+    const int code = tool::certify_files(o.methods, o.files);
+    if (code != 0) throw CLI::RuntimeError(code);
 }
 
 const tool::command certify{[](CLI::App& app) {
     static options o;
     auto* sub = app.add_subcommand(
-        "certify", "Prove order, stability and more of a family's member or judge a tableau file, exactly");
-    sub->add_option("FAMILY", o.family, "FILE.json, or one of: " + tableaux::family_names())->required();
-    sub->add_option("S", o.stages, "number of stages, with a family");
-    sub->add_flag("--json", o.json, "print JSON instead of text");
+        "certify", "Prove order, stability and more of a family's member, or judge tableau files, exactly");
+    sub->add_option("METHOD", o.methods,
+                    "tableau files (- for standard input) or folders of them; or a family and its number of "
+                    "stages, one of: " +
+                        tableaux::family_names())
+        ->required();
+    sub->add_flag("--json", o.files.json, "print JSON instead of text");
+    sub->add_option("--from", o.from, "json (default), or text: arrays A, b, c as a program has them");
+    sub->add_option("--decimals", o.decimals,
+                    "exact, rounded, or auto (default): rounded, but exact where much shorter than usual");
+    sub->add_option("--ulps", o.ulps,
+                    "units of its last digit that a rounded entry may be off (default 1/2)");
+    sub->add_option("--tolerance", o.tolerance, "absolute error that every entry but whole numbers may have");
+    sub->add_option("--junit", o.files.junit, "write a JUnit report to this file");
+    sub->footer(
+        "Exit code: 0 nothing claimed is refuted; 1 something is; 2 unusable input; 3 a claim is beyond "
+        "what\n"
+        "the digits given can test. Of several files the first of 1, 2, 3, 0 that occurs.");
     sub->callback([] { run(o); });
 }};
 

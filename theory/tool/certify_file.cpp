@@ -1,15 +1,75 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "certify_file.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <stagecraft/tableaux/program_text.hpp>
 #include <stagecraft/theory/judging/certify_file.hpp>
+#include <stagecraft/theory/judging/difference.hpp>
+#include <stagecraft/theory/judging/junit.hpp>
+#include <stagecraft/theory/judging/method_table.hpp>
 
 namespace stagecraft::tool {
 
-int certify_file(const std::string& path, bool json) {
-    const auto certificate = theory::certify(tableaux::read_tableau_file(path));
-    std::cout << (json ? theory::json_text(certificate) : theory::to_text(certificate));
-    return certificate.exit_code();
+namespace {
+
+using theory::file_certificate;
+
+file_certificate certificate_of(const std::string& path, const certify_options& o) {
+    if (!o.from_text) return theory::certify(tableaux::read_tableau_file(path, o.how));
+    try {
+        return theory::certify(tableaux::read_program_text(tableaux::text_of_file(path), o.how));
+    } catch (const tableaux::unusable_input& e) {
+        throw tableaux::unusable_input(path + ": " + e.what());
+    }
+}
+
+std::vector<std::string> with_folders_opened(const std::vector<std::string>& paths) {
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        if (!std::filesystem::is_directory(path)) {
+            files.push_back(path);
+            continue;
+        }
+        for (const auto& file : theory::tableau_files_in(path)) files.push_back(file.string());
+    }
+    return files;
+}
+
+}  // namespace
+
+int certify_files(const std::vector<std::string>& paths, const certify_options& o) {
+    const bool single = paths.size() == 1 && !std::filesystem::is_directory(paths.front());
+    std::vector<theory::file_outcome> all;
+    for (const std::string& path : with_folders_opened(paths)) {
+        theory::file_outcome outcome{path, 0, {}};
+        try {
+            const auto certificate = certificate_of(path, o);
+            outcome = {path, certificate.exit_code(), one_line(certificate)};
+            if (single) std::cout << (o.json ? theory::json_text(certificate) : theory::to_text(certificate));
+        } catch (const tableaux::unusable_input& e) {
+            if (single) throw;
+            outcome = {path, 2, e.what()};
+        }
+        if (!single) std::cout << path << ": " << outcome.summary << std::endl;
+        all.push_back(std::move(outcome));
+    }
+    if (!o.junit.empty()) {
+        std::ofstream out(o.junit);
+        if (!(out << theory::junit_text(all))) throw std::invalid_argument("junit: cannot write " + o.junit);
+    }
+    return theory::exit_code(all);
+}
+
+int diff_files(const std::string& first, const std::string& second) {
+    const auto read = [](const std::string& path) {
+        const auto file = tableaux::read_tableau_file(path);
+        return theory::certified_file{file, theory::certify(file)};
+    };
+    const auto lines = theory::differences(read(first), read(second));
+    for (const std::string& line : lines) std::cout << line << '\n';
+    return lines.empty() ? 0 : 1;
 }
 
 }  // namespace stagecraft::tool

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // The command `stagecraft`. Every other source file here declares its subcommands itself (command.hpp).
-// Exit status: 0 done; 1 the command says so (a claim refuted, an internal error); 2 bad input.
+// Exit status: 0 done; 1 the command says so (a claim refuted, files that differ, an internal error); 2 bad
+// input; 3 `certify` only: a claim is beyond what the digits given can test.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -26,6 +30,20 @@ bool has_subcommand(const CLI::App& app, const std::string& name) {
     return !app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; }).empty();
 }
 
+// Exact decisions on large tables can take hours: after --seconds the command says so and ends.
+constexpr int default_seconds = 60;
+
+extern "C" void out_of_time(int) {
+    static constexpr char text[] = "stagecraft: not decided within the seconds allowed (--seconds)\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
+    _exit(3);
+}
+
+void allow_seconds(const std::string& text) {
+    std::signal(SIGALRM, out_of_time);
+    alarm(static_cast<unsigned>(stagecraft::tool::whole_number("--seconds", text, 0, 1000000)));  // 0: none
+}
+
 int complain(std::string what) {
     for (char& c : what)
         if (c == '\n') c = ' ';
@@ -37,11 +55,18 @@ int complain(std::string what) {
 
 int main(int argc, char** argv) {
     CLI::App app("Runge-Kutta methods: exact tableaux and what is proved of them", "stagecraft");
+    app.footer(
+        "Exit code: 0 done; 1 refuted, or different; 2 bad input; 3 beyond what the digits given can test");
     app.require_subcommand(1);
+    app.set_version_flag("--version", "stagecraft " STAGECRAFT_VERSION);
+    app.fallthrough();
+    app.add_option_function<std::string>("--seconds", allow_seconds,
+                                         "end undecided after so many seconds, 0: never (default 60)");
     for (const auto declare : stagecraft::tool::declarations()) declare(app);
     try {
         if (argc > 1 && argv[1][0] != '-' && !has_subcommand(app, argv[1]))
             return complain("unknown subcommand '" + std::string(argv[1]) + "'; allowed: " + allowed(app));
+        allow_seconds(std::to_string(default_seconds));
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::RuntimeError& e) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/tableau_json.hpp>
 #include <stagecraft/theory/judging/stability_report.hpp>
 #include <stdexcept>
 #include <string>
@@ -39,6 +40,7 @@ void run(const stability_request& request) {
                             {"reason", c.verdict.reason()}});
         }
     }
+    out["tableau"] = tableaux::to_json(file);
     std::cout << out.dump(2) << "\n";
 }
 

@@ -24,10 +24,23 @@ struct entry {
     std::string text;                ///< as written
     std::optional<quadratic> exact;  ///< the value, where it lies in a quadratic field
     range enclosure{0, 0};           ///< contains the value; a point for a rational one
-    bool rounded = false;            ///< some part is a decimal
+    bool rounded = false;            ///< some part is a decimal that is not exact
+    int digits = 0;                  ///< significant digits of the longest decimal in it; 0: there is none
+    int places = 0;                  ///< digits after the point, the most of a decimal in it
 
     /// What half a unit of the last digit allows: 0 for exact data.
     rational uncertainty() const { return rounded ? enclosure.width() / rational(2) : rational(0); }
+};
+
+/// Decimals with at most so many significant digits and so many digits after the point are exact numbers.
+struct exact_decimals {
+    int digits = 0;
+    int places = 0;
+
+    static constexpr exact_decimals all() { return {1 << 20, 300}; }
+    bool covers(int n, int after_point) const { return n <= digits && after_point <= places; }
+    /// Whether reading e again may change it.
+    bool covers_some(const entry& e) const { return digits > 0 && e.digits > 0; }
 };
 
 namespace expression_grammar {
@@ -138,37 +151,58 @@ inline rational power_of_ten(int k) {
     return k < 0 ? rational(integer(1), p) : rational(p);
 }
 
-/// An integer literal is exact; with a point or an exponent it is known to half a unit of its last digit.
-inline entry from_literal(const std::string& text) {
-    std::string digits;
+/// A literal as integer times power of ten, and how it is written.
+struct decimal_literal {
+    integer number = 0;
     int scale = 0;
-    bool decimal = false, after_point = false;
+    int digits = 0;        ///< significant ones
+    bool decimal = false;  ///< with a point or an exponent
+    int places() const { return std::max(0, -scale); }
+};
+
+inline decimal_literal parse_literal(const std::string& text) {
+    decimal_literal x;
+    std::string digits;
+    bool after_point = false;
     std::size_t i = 0;
     for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
         if (text[i] == '.') {
-            decimal = after_point = true;
+            x.decimal = after_point = true;
         } else {
             digits += text[i];
-            scale -= after_point ? 1 : 0;
+            x.scale -= after_point ? 1 : 0;
         }
     }
     if (i < text.size()) {
-        decimal = true;
+        x.decimal = true;
         const std::string exponent = text.substr(i + 1);
         if (exponent.size() > 5)
             throw std::invalid_argument("non-finite: exponent " + exponent.substr(0, 12));
-        scale += std::stoi(exponent);
+        x.scale += std::stoi(exponent);
     }
     // Boost reads a leading zero as octal.
     const auto first = digits.find_first_not_of('0');
-    const integer n(first == std::string::npos ? "0" : digits.substr(first));
-    if (!decimal) return from_exact(rational(n));
-    if (std::abs(scale) > 5000) throw std::invalid_argument("non-finite: exponent " + std::to_string(scale));
-    const rational unit = power_of_ten(scale);
-    const rational value = rational(n) * unit;
+    x.number = integer(first == std::string::npos ? "0" : digits.substr(first));
+    x.digits = first == std::string::npos ? 0 : static_cast<int>(digits.size() - first);
+    if (x.decimal && std::abs(x.scale) > 5000)
+        throw std::invalid_argument("non-finite: exponent " + std::to_string(x.scale));
+    return x;
+}
+
+/// An integer literal is exact; with a point or an exponent it is known to half a unit of its last digit,
+/// unless it is one of the `exact` ones.
+inline entry from_literal(const std::string& text, const exact_decimals& exact = {}) {
+    const decimal_literal x = parse_literal(text);
+    if (!x.decimal) return from_exact(rational(x.number));
+    const rational unit = power_of_ten(x.scale);
+    const rational value = rational(x.number) * unit;
     entry e;
-    e.rounded = true;
-    e.enclosure = {value - unit / rational(2), value + unit / rational(2)};
+    if (std::abs(x.scale) <= 300 && exact.covers(x.digits, x.places())) {
+        e = from_exact(value);
+    } else {
+        e.rounded = true;
+        e.enclosure = {value - unit / rational(2), value + unit / rational(2)};
+    }
     return e;
 }
 
@@ -222,11 +256,11 @@ inline entry power(entry x, const entry& n) {
     return combine(one, result, [](const auto& a, const auto& b) { return a / b; });
 }
 
-inline entry run(const std::vector<instruction>& program) {
+inline entry run(const std::vector<instruction>& program, const exact_decimals& exact) {
     std::vector<entry> stack;
     for (const auto& [code, literal] : program) {
         if (code == '#') {
-            stack.push_back(from_literal(literal));
+            stack.push_back(from_literal(literal, exact));
             continue;
         }
         if (code == 'x') throw std::invalid_argument("unknown symbol 'x'");
@@ -268,10 +302,11 @@ inline std::string with_ascii_minus(std::string_view text) {
 /// it (a decimal point or an exponent marks rounded data). The minus sign may be U+2212, as printed in
 /// papers. Throws std::invalid_argument saying what is wrong: unknown symbol, division by zero, square root
 /// of a negative number, non-finite, a power too large (2^(10^9) is refused, not computed), nesting too deep.
-inline entry read_entry(std::string_view text) {
+inline entry read_entry(std::string_view text, const exact_decimals& exact = {}) {
     entry e;
+    const auto program = expression_grammar::compile(with_ascii_minus(text));
     try {
-        e = expression_grammar::run(expression_grammar::compile(with_ascii_minus(text)));
+        e = expression_grammar::run(program, exact);
     } catch (const std::domain_error&) {
         throw std::invalid_argument("division by zero");
     }
@@ -279,12 +314,19 @@ inline entry read_entry(std::string_view text) {
     if (e.enclosure.lower < -huge || e.enclosure.upper > huge)
         throw std::invalid_argument("non-finite: the value exceeds 2^1000");
     e.text = std::string(text);
+    for (const auto& [code, literal] : program) {
+        if (code != '#') continue;
+        const auto x = expression_grammar::parse_literal(literal);
+        if (!x.decimal) continue;
+        e.digits = std::max({e.digits, x.digits, 1});  // 0.0 has one
+        e.places = std::max(e.places, x.places());
+    }
     return e;
 }
 
-/// The entry for a double: rounded data, uncertain by half a unit in its last place.
+/// The entry for a double, written as `text`: rounded data, uncertain by half a unit in its last place.
 /// Throws std::invalid_argument for an infinity or a NaN.
-inline entry entry_from_double(double x) {
+inline entry entry_from_double(double x, std::string text = {}) {
     if (!std::isfinite(x)) throw std::invalid_argument("non-finite");
     int exponent = 0;
     const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
@@ -294,6 +336,12 @@ inline entry entry_from_double(double x) {
     entry e;
     e.rounded = true;
     e.enclosure = {value - scaled(1, ulp_exponent - 1), value + scaled(1, ulp_exponent - 1)};
+    if (!text.empty()) {
+        const entry as_decimal = read_entry(text);
+        e.digits = as_decimal.digits;
+        e.places = as_decimal.places;
+        e.text = std::move(text);
+    }
     return e;
 }
 

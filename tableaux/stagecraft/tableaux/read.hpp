@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <sstream>
-#include <stagecraft/tableau.hpp>
-#include <stagecraft/tableaux/claims.hpp>
-#include <stagecraft/tableaux/entry.hpp>
+#include <stagecraft/tableaux/reading.hpp>
+#include <stagecraft/tableaux/tableau_file.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -24,97 +25,6 @@ namespace stagecraft::tableaux {
 struct unusable_input : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
-
-/// Where the numbers of a tableau live, which decides what can be proved of it.
-enum class number_kind {
-    rational,   ///< everything is decided
-    quadratic,  ///< likewise, in Q(sqrt d)
-    enclosed,   ///< exact, but in no single quadratic field: equalities can be refuted, not proved
-    rounded     ///< decimals or doubles
-};
-
-constexpr std::string_view name(number_kind k) {
-    return k == number_kind::rational    ? "exact, rational"
-           : k == number_kind::quadratic ? "exact, one quadratic surd"
-           : k == number_kind::enclosed  ? "exact, enclosed"
-                                         : "rounded";
-}
-
-/// A tableau as a file gives it.
-struct tableau_file {
-    std::string name;
-    std::string source;
-    std::vector<std::vector<entry>> A;
-    std::vector<entry> b;
-    std::vector<entry> c;           ///< empty where the file leaves it to the row sums
-    std::vector<entry> b_embedded;  ///< empty where there is none
-    tableaux::claims claims;
-
-    int stages() const { return static_cast<int>(b.size()); }
-
-    template <class Visitor>
-    void for_each_entry(Visitor visit) const {
-        for (const auto& row : A)
-            for (const auto& e : row) visit(e);
-        for (const auto* v : {&b, &c, &b_embedded})
-            for (const auto& e : *v) visit(e);
-    }
-
-    number_kind kind() const {
-        bool rounded = false, enclosed = false;
-        std::uint64_t d = 0;
-        for_each_entry([&](const entry& e) {
-            rounded |= e.rounded;
-            enclosed |= !e.exact || (d != 0 && !e.exact->is_rational() && e.exact->radicand() != d);
-            if (e.exact && !e.exact->is_rational()) d = e.exact->radicand();
-        });
-        return rounded    ? number_kind::rounded
-               : enclosed ? number_kind::enclosed
-               : d != 0   ? number_kind::quadratic
-                          : number_kind::rational;
-    }
-};
-
-/// Most stages a file may have.
-inline constexpr int most_stages = 64;
-/// Largest order a file may claim: there are 53,272 conditions up to 14.
-inline constexpr int largest_order = 14;
-
-/// The tableau over Scalar, each entry sent through `convert`; a missing c becomes the row sums.
-template <class Scalar, class Convert>
-tableau<Scalar> to_tableau(const tableau_file& file, Convert convert) {
-    const int s = file.stages();
-    tableau<Scalar> t;
-    t.A.resize(s, s);
-    t.b.resize(s);
-    t.c.resize(s);
-    t.b_embedded.resize(static_cast<int>(file.b_embedded.size()));
-    for (int i = 0; i < s; ++i) {
-        Scalar sum = convert(file.A[i][0]);
-        for (int j = 0; j < s; ++j) {
-            t.A(i, j) = convert(file.A[i][j]);
-            if (j > 0) sum = sum + t.A(i, j);
-        }
-        t.b(i) = convert(file.b[i]);
-        t.c(i) = file.c.empty() ? sum : convert(file.c[i]);
-        if (!file.b_embedded.empty()) t.b_embedded(i) = convert(file.b_embedded[i]);
-    }
-    return t;
-}
-
-/// The exact tableau over Q. Throws std::invalid_argument unless kind() is rational.
-inline tableau<rational> to_rational(const tableau_file& file) {
-    if (file.kind() != number_kind::rational)
-        throw std::invalid_argument("file: the entries are not rational");
-    return to_tableau<rational>(file, [](const entry& e) { return e.exact->rational_part(); });
-}
-
-/// The exact tableau over Q(sqrt d). Throws std::invalid_argument unless the entries lie in one such field.
-inline tableau<quadratic> to_quadratic(const tableau_file& file) {
-    if (file.kind() > number_kind::quadratic)
-        throw std::invalid_argument("file: the entries do not lie in one quadratic field");
-    return to_tableau<quadratic>(file, [](const entry& e) { return *e.exact; });
-}
 
 namespace json_reader {
 
@@ -278,7 +188,7 @@ inline entry number(const document& d, const json& value, const std::string& pat
         else if (value.is_number_integer())
             e = expression_grammar::from_exact(rational(value.get<std::int64_t>()));
         else if (value.is_number_float())
-            e = entry_from_double(value.get<double>());
+            e = entry_from_double(value.get<double>(), value.dump());
         else
             throw std::invalid_argument("must be a number written as a string");
         e.text = value.dump();
@@ -347,14 +257,17 @@ inline tableaux::claims read_claims(const document& d) {
 
 /// Reads a tableau from JSON text (this header needs nlohmann-json):
 /// {"name","source","note","c":[...],"A":[[...]],"b":[...],"b_embedded":[...],"claims":{...}}, with A and b
-/// required. Entries are strings as in read_entry, or JSON numbers: integers are exact, others are doubles.
-/// Throws unusable_input, one line naming line and entry: bad JSON, a missing, repeated or unknown key, wrong
+/// required; or what the command prints as JSON, where the tableau stands under "tableau", or has "family",
+/// "stages" and "digits" besides. Entries are strings as in read_entry, or JSON numbers: integers are exact, others are doubles.
+/// `how` says what decimals mean. Throws unusable_input, one line naming line and entry: bad JSON, a missing, repeated or unknown key, wrong
 /// sizes, and whatever read_entry refuses.
-inline tableau_file read_tableau(std::string_view text) {
+inline tableau_file read_tableau(std::string_view text, const reading& how = {}) {
     using json_reader::reject;
     const auto d = json_reader::parse(text);
     if (!d.root.is_object()) throw unusable_input("line 1: a tableau must be a JSON object");
-    static const std::set<std::string> known{"name", "source", "note", "A", "b", "c", "b_embedded", "claims"};
+    if (d.root.contains("tableau")) return read_tableau(d.root["tableau"].dump(), how);
+    static const std::set<std::string> known{"name",       "source", "note",   "A",      "b",     "c",
+                                             "b_embedded", "claims", "family", "stages", "digits"};
     for (const auto& [key, value] : d.root.items())
         if (!known.contains(key)) reject(text, "/" + key, json_reader::in_quotes(key), "unknown key");
     for (const char* required : {"A", "b"})
@@ -380,16 +293,32 @@ inline tableau_file read_tableau(std::string_view text) {
     file.claims = json_reader::read_claims(d);
     if (file.claims.embedded_order && file.b_embedded.empty())
         reject(text, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
+    apply(how, file);
     return file;
 }
 
-/// Reads the file at `path`. Throws unusable_input that names it, also where it cannot be opened.
-inline tableau_file read_tableau_file(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
+/// The text of a file, "-" for standard input. Throws unusable_input that names it where it cannot be read,
+/// and for pipes and devices, which might block or never end.
+inline std::string text_of_file(const std::string& path) {
     std::ostringstream text;
+    if (path == "-") {
+        text << std::cin.rdbuf();
+        return text.str();
+    }
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (std::filesystem::is_other(status))
+        throw unusable_input("cannot read " + path + ": neither a file nor '-' for standard input");
+    std::ifstream in(path, std::ios::binary);
     if (!in || !(text << in.rdbuf())) throw unusable_input("cannot read " + path);
+    return text.str();
+}
+
+/// Reads the file at `path` (text_of_file). Throws unusable_input that names it.
+inline tableau_file read_tableau_file(const std::string& path, const reading& how = {}) {
+    const std::string text = text_of_file(path);
     try {
-        return read_tableau(text.str());
+        return read_tableau(text, how);
     } catch (const unusable_input& e) {
         throw unusable_input(path + ": " + e.what());
     }

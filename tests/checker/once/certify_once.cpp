@@ -14,9 +14,10 @@ stagecraft::theory::file_certificate certify_file(const std::string& path) {
     return stagecraft::theory::certify(stagecraft::tableaux::read_tableau_file(path));
 }
 
-int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err) {
+int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err,
+              const stagecraft::tableaux::reading& how) {
     std::ostringstream o, e;
-    const int code = stagecraft::theory::certify_text(text, as_json, o, e);
+    const int code = stagecraft::theory::certify_text(text, as_json, o, e, how);
     out = o.str();
     err = e.str();
     return code;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/tableaux/reading.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@ stagecraft::theory::file_certificate certify(std::string_view text);
 /// The same for a file.
 stagecraft::theory::file_certificate certify_file(const std::string& path);
 /// theory::certify_text: what the command prints, and its exit code.
-int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err);
+int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err,
+              const stagecraft::tableaux::reading& how = {});
 
 }  // namespace certify_once

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stagecraft/tableaux/tableau_json.hpp>
 #include <stagecraft/theory/judging/spectrum_json.hpp>
 #include <stagecraft/theory/judging/verdict_json.hpp>
 #include <stagecraft/theory/statements/verdict.hpp>
@@ -11,6 +13,19 @@
 #include <vector>
 
 namespace stagecraft::theory {
+
+/// The order that the conditions have but for small residuals.
+struct numerical_order {
+    int order = 0;
+    std::string residual;  ///< the largest
+    int digits = 0;        ///< decimals to which everything agrees
+};
+
+/// "order 5 up to 1.3e-26, what rounding to 26 digits explains".
+inline std::string in_words(const numerical_order& n) {
+    return "numerically order " + std::to_string(n.order) + " up to " + n.residual + ", what rounding to " +
+           std::to_string(n.digits) + " digits explains";
+}
 
 /// What the checker found of one statement on a tableau file. `truth` is the verdict on the statement itself,
 /// `judgement` the one on the claim, which is the negation where the file claims that it does not hold; empty
@@ -21,6 +36,7 @@ struct finding {
     std::optional<int> value;  ///< for orders: the true one, for rounded data the largest not refuted
     std::optional<verdict> truth;
     std::optional<verdict> judgement;
+    std::optional<numerical_order> numerical;  ///< for orders, where it exceeds the exact one
 };
 
 /// A condition that fails.
@@ -56,21 +72,26 @@ struct file_certificate {
     std::vector<failure> failures;
     std::vector<suspect> suspects;
     std::string suspects_note;
+    std::vector<std::string> notes;  ///< how the file was read, and what is remarkable
     std::optional<nearest_family> nearest;
     theory::spectra spectra;
+    tableaux::tableau_file file;  ///< what was judged
 
-    /// Refuted where any claim is, proved where all are, consistent otherwise.
+    /// Refuted where any claim is, else inconclusive where any is, proved where all are, consistent otherwise.
     standing overall() const {
-        bool open = false;
-        for (const finding& f : findings) {
-            if (!f.judgement) continue;
-            if (f.judgement->is_refuted()) return standing::refuted;
-            open = open || f.judgement->is_consistent();
-        }
-        return open ? standing::consistent : standing::proved;
+        const auto any = [&](standing s) {
+            return std::any_of(findings.begin(), findings.end(),
+                               [&](const finding& f) { return f.judgement && f.judgement->standing() == s; });
+        };
+        for (const standing s : {standing::refuted, standing::inconclusive, standing::consistent})
+            if (any(s)) return s;
+        return standing::proved;
     }
-    /// 1 when something claimed is refuted, 0 otherwise.
-    int exit_code() const { return overall() == standing::refuted ? 1 : 0; }
+    /// 0 nothing claimed is refuted, 1 something is, 3 something could not be tested (2 is unusable input).
+    int exit_code() const {
+        const standing s = overall();
+        return s == standing::refuted ? 1 : s == standing::inconclusive ? 3 : 0;
+    }
 
     const finding* find(std::string_view finding_name) const {
         for (const finding& f : findings)
@@ -81,7 +102,8 @@ struct file_certificate {
 
 /// The certificate as JSON: name, source, data, stages, verdict; one object for each finding with `value` for
 /// orders, `verdict` on the statement (for orders: on the one claimed), `claimed` and the verdict `claim` on
-/// that; eigenvalues of A, poles of R and spectrum_note; failures, suspects and nearest.
+/// that; eigenvalues of A, poles of R and spectrum_note; failures, suspects and nearest; the tableau as it was
+/// read, so that this JSON is a tableau file as well.
 inline nlohmann::ordered_json to_json(const file_certificate& c) {
     nlohmann::ordered_json j{{"name", c.name},
                              {"source", c.source},
@@ -95,6 +117,10 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
             entry.update(to_json(*f.truth));
         else if (f.judgement)
             entry.update(to_json(*f.judgement));
+        if (f.numerical)
+            entry["numerical"] = {{"order", f.numerical->order},
+                                  {"residual", f.numerical->residual},
+                                  {"digits", f.numerical->digits}};
         if (f.claimed) {
             entry["claimed"] = nlohmann::ordered_json::parse(*f.claimed);
             entry["claim"] = name(f.judgement->standing());
@@ -109,11 +135,13 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
     for (const suspect& s : c.suspects)
         j["suspects"].push_back({{"entry", s.entry}, {"written", s.written}, {"suggest", s.suggest}});
     if (!c.suspects_note.empty()) j["suspects_note"] = c.suspects_note;
+    if (!c.notes.empty()) j["notes"] = c.notes;
     if (c.nearest)
         j["nearest"] = {{"family", c.nearest->family},
                         {"stages", c.nearest->stages},
                         {"error", c.nearest->error},
                         {"entry", c.nearest->entry}};
+    if (c.file.stages() > 0) j["tableau"] = tableaux::to_json(c.file);
     return j;
 }
 
@@ -128,6 +156,7 @@ inline std::string to_text(const file_certificate& c) {
     if (!c.source.empty()) out += "  source: " + c.source + "\n";
     out +=
         "  data: " + c.data + ", " + std::to_string(c.stages) + " stage" + (c.stages == 1 ? "" : "s") + "\n";
+    for (const std::string& note : c.notes) out += "  " + note + "\n";
     for (const finding& f : c.findings) {
         out += "  " + f.name + ":";
         if (f.value) out += " " + std::to_string(*f.value);

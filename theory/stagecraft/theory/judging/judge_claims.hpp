@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
@@ -31,6 +32,11 @@ bool claims_row_sums(const subject<K>& s, const tableaux::claims& claims) {
 
 namespace detail {
 
+/// Decimal digits to which quantities of size one agree.
+inline int matching_digits(tableaux::bound residual) {
+    return residual > 0 ? static_cast<int>(std::floor(-std::log10(residual))) : 0;
+}
+
 /// The finding on one set of weights, and its failures.
 template <class K, class Weights>
 finding judge_order(const subject<K>& s, const Weights& weights, const std::string& which,
@@ -38,9 +44,14 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
     auto found = find_order(s, weights, search_limit(s, claimed));
     finding f;
     f.name = which == "b" ? "order" : "embedded_order";
-    f.value = found.order;
-    if (row_sums_fail && found.order > 1)
-        f.value = std::min(found.order, non_autonomous_order(s, weights, std::min(found.order, 8)));
+    f.value = exact_scalar<K> ? found.order : std::min(found.order, found.tested);
+    int refuted_from = found.order + 1;  // the first order that certainly fails
+    if (row_sums_fail && found.order > 1) {
+        const int searched = std::min(found.order, 8);
+        const int order = non_autonomous_order(s, weights, searched);
+        if (order < searched) refuted_from = order + 1;
+        f.value = std::min(*f.value, order);
+    }
     const std::size_t first = failures.size();
     for (const auto& [tree, residual] : found.failing) {
         std::string condition = condition_text(tree);
@@ -50,19 +61,30 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
     if (claimed) f.claimed = std::to_string(*claimed);
     auto& judged = claimed ? f.judgement : f.truth;
     const int order = claimed.value_or(*f.value);
-    if (*f.value < order) {
-        std::string why = "order " + std::to_string(*f.value);
-        if (*f.value < found.order)
+    const auto& size = found.up_to(order);
+    if (refuted_from <= order) {
+        std::string why = "order " + std::to_string(refuted_from - 1);
+        if (refuted_from <= found.order)
             why += ": c is not A*1, and a non-autonomous problem sees it";
         else if (found.failing.empty())
             why += ", the most that " + std::to_string(s.stages()) + " stages can have";
         else
             why += ": " + failures[first].condition + " leaves " + failures[first].in_words;
+        if (found.numerical > *f.value) {
+            const auto left = found.up_to(found.numerical).residual;
+            f.numerical = numerical_order{found.numerical, brief(left), matching_digits(left)};
+            why += "; " + in_words(*f.numerical);
+        }
         judged = verdict::refuted(std::move(why));
     } else if constexpr (exact_scalar<K>) {
-        judged = verdict::proved("every condition up to order " + std::to_string(order) + " holds");
+        std::string why = "every condition up to order " + std::to_string(order) + " holds";
+        if (*f.value > order) why += ", and the order is " + std::to_string(*f.value);
+        judged = verdict::proved(std::move(why));
+    } else if (order > found.tested) {
+        judged = verdict::inconclusive(brief(size.residual), brief(size.bound),
+                                       "too few digits to refute order " + std::to_string(found.tested + 1));
     } else {
-        judged = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
+        judged = verdict::consistent(brief(size.residual), brief(size.bound), data_reason);
     }
     return f;
 }
@@ -74,13 +96,15 @@ finding judge_row_sums(const subject<K>& s, const tableaux::claims& claims, std:
     for (int i = 0; i < s.stages(); ++i) {
         const K& defect = defects[static_cast<std::size_t>(i)];
         const std::string row = std::to_string(i + 1);
-        v = both(v, vanishes(defect, "row " + row + " of A*1 = c", data_reason));
+        tableaux::bound scale = size_of(K(s.t.c(i)));
+        for (int j = 0; j < s.stages(); ++j) scale = std::max(scale, size_of(K(s.t.A(i, j))));
+        v = both(v, vanishes(defect, scale, "row " + row + " of A*1 = c", data_reason));
         if (certainly_nonzero(defect))
             failures.push_back(
                 {"sum(A[" + row + "]) == c[" + row + "]", "", shown(defect), in_words(defect)});
     }
     if (v.is_proved()) v = verdict::proved("A*1 = c");
-    finding f{"row_sums", std::nullopt, std::nullopt, v, std::nullopt};
+    finding f{"row_sums", std::nullopt, std::nullopt, v, std::nullopt, {}};
     if (claims_row_sums(s, claims)) {
         f.claimed = "true";
         f.judgement = v;
@@ -110,6 +134,8 @@ finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::
         f.judgement = verdict::refuted(failures.back().condition + " leaves " + failures.back().in_words);
     } else if constexpr (exact_scalar<K>) {
         f.judgement = verdict::proved("B(" + *f.claimed + ") and C(" + *f.claimed + ") hold");
+    } else if (says_nothing(found.relative_bound, 1)) {
+        f.judgement = verdict::inconclusive(brief(found.residual), brief(found.bound), "too few digits");
     } else {
         f.judgement = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
     }
@@ -128,6 +154,14 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
         row_sums_fail = certificate.findings.back().truth->is_refuted();
     }
     certificate.findings.push_back(detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, failures));
+    const auto& order = certificate.findings.back();
+    if (row_sums_fail && !claims.stage_order && order.judgement && !order.judgement->is_refuted()) {
+        finding& row_sums = certificate.findings.front();  // no claim of its own: the order holds without it
+        row_sums.claimed.reset();
+        row_sums.judgement.reset();
+        certificate.notes.push_back(
+            "c is not A*1, and the order claimed holds for y' = f(t, y) all the same");
+    }
     if (s.t.b_embedded.size() > 0)
         certificate.findings.push_back(detail::judge_order(s, s.t.b_embedded, "b_embedded",
                                                            claims.embedded_order, row_sums_fail, failures));
@@ -146,14 +180,22 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
     }
 }
 
-/// Whether a claim that is a polynomial identity in the entries (row sums, orders, stage order) certainly
-/// fails.
+/// Whether the author takes c = A*1: at most a third of the rows fail. Others mean the stages' times to differ.
 template <class K>
-bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims) {
+bool mostly_row_sums(const subject<K>& s) {
+    int failing = 0;
+    for (const K& defect : row_sum_defects(s)) failing += certainly_nonzero(defect) ? 1 : 0;
+    return 3 * failing <= std::max(s.stages(), 3);
+}
+
+/// Whether a claim that is a polynomial identity in the entries (row sums where needed, orders, stage order)
+/// certainly fails.
+template <class K>
+bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims, bool row_sums_needed) {
     bool row_sums_fail = false;
     if (s.nodes_given)
         for (const K& defect : row_sum_defects(s)) row_sums_fail = row_sums_fail || certainly_nonzero(defect);
-    if (row_sums_fail && claims_row_sums(s, claims)) return true;
+    if (row_sums_fail && row_sums_needed && claims_row_sums(s, claims)) return true;
     const auto falls_short = [&](const auto& weights, int claimed) {
         if (claimed < 1) return false;
         if (find_order(s, weights, claimed).order < claimed) return true;
@@ -168,8 +210,8 @@ bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims) {
 
 /// Whether some claim certainly fails: what judge() would refute, found with less work.
 template <class K>
-bool refutes_a_claim(const subject<K>& s, const tableaux::claims& claims) {
-    if (refutes_a_condition(s, claims)) return true;
+bool refutes_a_claim(const subject<K>& s, const tableaux::claims& claims, bool row_sums_needed) {
+    if (refutes_a_condition(s, claims, row_sums_needed)) return true;
     for (const auto& [property, member] : tableaux::yes_no_claims) {
         if (!(claims.*member)) continue;
         const verdict v = property_of(s, property);

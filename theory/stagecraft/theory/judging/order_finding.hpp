@@ -24,16 +24,52 @@ std::vector<K> row_sum_defects(const subject<K>& s) {
     return defects;
 }
 
+/// What the order conditions with at most n vertices leave, at most: residual and bound as they stand, and
+/// both times the density, that is relative to the 1/gamma that each condition asks for.
+struct condition_sizes {
+    tableaux::bound residual = 0;
+    tableaux::bound bound = 0;
+    tableaux::bound relative_residual = 0;
+    tableaux::bound relative_bound = 0;
+};
+
 /// The order of one set of weights: `order` is the largest order no condition of which certainly fails;
-/// `failing` the conditions of the next order that do, empty where the search ended first.
-/// `residual` and `bound` are the largest over the conditions that hold (zero over exact fields).
+/// `failing` the conditions of the next order that do, empty where the search ended first. Over enclosures
+/// `tested` is the largest order up to which every bound is small enough to refute. `numerical` is the largest
+/// order up to which no condition leaves more than `rounding_level` of its 1/gamma.
 template <class K>
 struct order_finding {
     int order = 0;
+    int tested = 0;
+    int numerical = 0;
     std::vector<tree_residual<K>> failing;
-    tableaux::bound residual = 0;
-    tableaux::bound bound = 0;
+    std::vector<condition_sizes> sizes{1};  ///< sizes[n]: up to order n, as far as was looked
+
+    const condition_sizes& up_to(int n) const {
+        return sizes[std::min(static_cast<std::size_t>(n), sizes.size() - 1)];
+    }
 };
+
+/// Residuals of conditions beyond this part of 1/gamma are no rounding errors, but a lower order.
+inline constexpr tableaux::bound rounding_level = 1e-6L;
+
+/// |x|: of an enclosure, of its middle.
+template <class K>
+tableaux::bound size_of(const K& x) {
+    if constexpr (requires { x.radius(); })
+        return x.magnitude();
+    else if constexpr (exact_scalar<K>)
+        return std::abs(x.template to<tableaux::bound>());
+    else  // a residue has no size
+        return certainly_nonzero(x) ? 1 : 0;
+}
+template <class K>
+tableaux::bound uncertainty_of(const K& x) {
+    if constexpr (requires { x.radius(); })
+        return x.radius();
+    else
+        return 0;
+}
 
 /// No method with s stages exceeds order 2s (lecture, Lemma 2.6), no explicit one order s
 /// (Hairer-Norsett-Wanner I.II.5), because the tall tree's condition b^T A^{p-1} 1 = 1/p! fails.
@@ -42,22 +78,59 @@ int order_barrier(const subject<K>& s) {
     return s.strictly_lower ? s.stages() : 2 * s.stages();
 }
 
-/// Order conditions of autonomous systems for A and `weights`, up to order `most`.
+namespace detail {
+
+/// Looks at the conditions of the walk's order: whether the search goes on.
+template <class K>
+bool look_at_order(const tree_weights<matrix_model<K>>& walk, const tree_view& trees,
+                   order_finding<K>& found) {
+    const int n = walk.order();
+    condition_sizes size = found.sizes.back();
+    const bool holds_so_far = found.failing.empty();
+    for (std::size_t i = 0; i < walk.weights().size(); ++i) {
+        const std::uint32_t row = walk.first_row() + static_cast<std::uint32_t>(i);
+        const K defect = walk.defect(i);
+        const auto gamma = static_cast<tableaux::bound>(trees.rows[row].density);
+        const bool fails = certainly_nonzero(defect);
+        if (fails && holds_so_far) found.failing.push_back({trees.tree(row), walk.residual(i)});
+        if constexpr (exact_scalar<K>)
+            if (!fails) continue;
+        const auto left = size_of(defect), bound = uncertainty_of(defect);
+        size.relative_residual = std::max(size.relative_residual, left);
+        size.residual = std::max(size.residual, left / gamma);
+        if (fails) continue;
+        size.relative_bound = std::max(size.relative_bound, bound);
+        size.bound = std::max(size.bound, bound / gamma);
+    }
+    if (found.failing.empty()) found.order = n;
+    if (found.order == n && found.tested == n - 1 && !says_nothing(size.relative_bound, 1)) found.tested = n;
+    if (found.numerical == n - 1 && size.relative_residual <= rounding_level) found.numerical = n;
+    found.sizes.push_back(size);
+    return found.failing.empty() || found.numerical == n;
+}
+
+}  // namespace detail
+
+/// Order conditions of autonomous systems for A and `weights`, up to order `most`. Stops at the first order
+/// with a condition that fails by more than rounding.
 template <class K, class Weights>
 order_finding<K> find_order(const subject<K>& s, const Weights& weights, int most) {
     order_finding<K> found;
-    const auto fails = [&](const K& residual) {
-        if constexpr (requires { residual.radius(); }) {
-            if (!certainly_nonzero(residual)) {
-                found.residual = std::max(found.residual, residual.magnitude());
-                found.bound = std::max(found.bound, residual.radius());
-            }
-        }
-        return certainly_nonzero(residual);
-    };
-    auto result = order_of(matrix_model<K>(s.t, weights), most, fails);
-    found.order = std::min(result.order, order_barrier(s));
-    found.failing = std::move(result.failing);
+    const matrix_model<K> model(s.t, weights);
+    bool go_on = most > 0;
+    // Tables grow three-fold per order: begin small, and begin again when the method turns out better.
+    for (int reach = std::min(most, 6); go_on; reach = std::min(most, reach + 4)) {
+        const tree_table trees(reach);
+        tree_weights<matrix_model<K>> walk(model, trees.view(), reach);
+        while (go_on && walk.advance())
+            if (walk.order() == static_cast<int>(found.sizes.size()))
+                go_on = detail::look_at_order(walk, trees.view(), found);
+        go_on = go_on && reach < most;
+    }
+    const int barrier = order_barrier(s);
+    found.order = std::min(found.order, barrier);
+    found.tested = std::min(found.tested, barrier);
+    found.numerical = std::min(found.numerical, barrier);
     return found;
 }
 
@@ -88,6 +161,7 @@ struct stage_order_finding {
     std::vector<simplifying_failure<K>> failing;
     tableaux::bound residual = 0;
     tableaux::bound bound = 0;
+    tableaux::bound relative_bound = 0;  ///< to 1/k for B, to the largest c_i^k/k for C
 };
 
 /// B(k): b^T c^{k-1} = 1/k and C(k): A c^{k-1} = c^k/k for k = 1, ..., most (Hairer-Wanner II, section IV.5),
@@ -97,6 +171,8 @@ stage_order_finding<K> find_stage_order(const subject<K>& s, int most) {
     stage_order_finding<K> found;
     node_power<K> power(s.stages());
     int row = -1;
+    tableaux::bound largest = 0, scale = 1;
+    for (int i = 0; i < s.stages(); ++i) largest = std::max(largest, size_of(K(s.t.c(i))));
     const auto equal = [&](const K& left, const K& right) {
         const K residual = (left - right) / K(power.k());
         if (certainly_nonzero(residual)) {
@@ -104,12 +180,17 @@ stage_order_finding<K> find_stage_order(const subject<K>& s, int most) {
         } else if constexpr (requires { residual.radius(); }) {
             found.residual = std::max(found.residual, residual.magnitude());
             found.bound = std::max(found.bound, residual.radius());
+            if (residual.radius() > 0)
+                found.relative_bound = std::max(
+                    found.relative_bound,
+                    residual.radius() * static_cast<tableaux::bound>(power.k()) / (row < 0 ? 1 : scale));
         }
         ++row;
         return true;
     };
     for (; power.k() <= most; power.advance(s.t.c)) {
         row = -1;
+        scale *= largest;
         satisfies_quadrature(s.t, power, equal);
         satisfies_stages(s.t, power, equal);
         if (!found.failing.empty()) break;

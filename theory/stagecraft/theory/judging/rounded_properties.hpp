@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stagecraft/theory/judging/order_finding.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/statements/certainty.hpp>
@@ -28,20 +29,23 @@ namespace detail {
 /// The parts of a conjunction of equalities, the first certain failure deciding.
 class equalities {
   public:
-    void add(const ball& defect, const std::string& name) {
+    /// `scale`: the size of the quantities whose difference `defect` is.
+    void add(const ball& defect, bound scale, const std::string& name) {
+        scale_ = std::max(scale_, scale);
         if (failure_.empty() && certainly_nonzero(defect)) failure_ = name + " leaves " + shown(defect);
         residual_ = std::max(residual_, defect.magnitude());
         radius_ = std::max(radius_, defect.radius());
     }
     theory::verdict verdict() const {
         if (!failure_.empty()) return theory::verdict::refuted(failure_);
-        return theory::verdict::consistent(brief(residual_), brief(radius_), data_reason);
+        return open_case(residual_, radius_, scale_, data_reason);
     }
 
   private:
     std::string failure_;
     bound residual_ = 0;
     bound radius_ = 0;
+    bound scale_ = 0;
 };
 
 inline ball stability_matrix_entry(const tableau<ball>& t, int i, int j) {
@@ -104,11 +108,30 @@ struct enclosed_stability_function {
     std::vector<ball> denominator;
 };
 
+/// P = Q (1 + sum_j b^T A^{j-1} 1 z^j), cut off at degree s: the moments b^T A^{j-1} 1 are close to 1/j! and
+/// widen far less than det(I - z (A - 1 b^T)) does.
 inline enclosed_stability_function stability_function_of(const tableau<ball>& t) {
-    Eigen::Matrix<ball, -1, -1> shifted = t.A;
-    for (int i = 0; i < t.A.rows(); ++i)
-        for (int j = 0; j < t.A.cols(); ++j) shifted(i, j) -= t.b(j);
-    return {determinant_of_one_minus_z(shifted), determinant_of_one_minus_z(t.A)};
+    const int s = t.stages();
+    std::vector<ball> moments{ball(1)};
+    Eigen::Matrix<ball, -1, 1> v(s), next(s);
+    for (int i = 0; i < s; ++i) v(i) = ball(1);
+    for (int j = 1; j <= s; ++j) {
+        ball moment(0);
+        for (int i = 0; i < s; ++i) {
+            moment += t.b(i) * v(i);
+            next(i) = ball(0);
+            for (int k = 0; k < s; ++k) next(i) += t.A(i, k) * v(k);
+        }
+        moments.push_back(moment);
+        v = next;
+    }
+    enclosed_stability_function r{{}, determinant_of_one_minus_z(t.A)};
+    for (std::size_t k = 0; k < moments.size(); ++k) {
+        ball sum(0);
+        for (std::size_t j = 0; j <= k; ++j) sum += r.denominator[k - j] * moments[j];
+        r.numerator.push_back(sum);
+    }
+    return r;
 }
 
 /// |p(iy)|^2.
@@ -128,6 +151,19 @@ inline ball at(const std::vector<ball>& p, const ball& x) {
     return sum;
 }
 
+/// Symmetric and symplectic methods have R(z) R(-z) = 1, so |R(iy)| = 1 (Hairer-Lubich-Wanner, sections V.1
+/// and VI.4): refuted where R is a polynomial and not constant, and by y = 1 or 4.
+inline std::optional<verdict> not_unitary(const subject<ball>& s) {
+    if (s.strictly_lower && certainly_nonzero(s.t.b.sum()))
+        return verdict::refuted("explicit: R is a polynomial and not constant, so R(z) R(-z) is not 1");
+    const auto r = stability_function_of(s.t);
+    for (const int y : {1, 4}) {
+        const ball gap = squared_on_axis(r.numerator, ball(y)) - squared_on_axis(r.denominator, ball(y));
+        if (certainly_nonzero(gap)) return verdict::refuted("|R(iy)| is not 1 at y = " + std::to_string(y));
+    }
+    return std::nullopt;
+}
+
 }  // namespace detail
 
 /// The last row of A against b.
@@ -135,27 +171,29 @@ inline verdict rounded_stiffly_accurate(const subject<ball>& s) {
     detail::equalities all;
     const int last = s.stages() - 1;
     for (int j = 0; j <= last; ++j)
-        all.add(s.t.A(last, j) - s.t.b(j),
+        all.add(s.t.A(last, j) - s.t.b(j), s.t.b(j).magnitude(),
                 place{part::A, last, j}.name() + " = " + place{part::b, j, 0}.name());
     return all.verdict();
 }
 
 /// M = 0; necessary for irreducible methods only.
 inline verdict rounded_symplectic(const subject<ball>& s) {
+    if (const auto damped = detail::not_unitary(s)) return *damped;
     detail::equalities all;
     for (int i = 0; i < s.stages(); ++i)
         for (int j = 0; j <= i; ++j)
-            all.add(detail::stability_matrix_entry(s.t, i, j),
+            all.add(detail::stability_matrix_entry(s.t, i, j), (s.t.b(i) * s.t.b(i)).magnitude(),
                     "M[" + std::to_string(i + 1) + "][" + std::to_string(j + 1) + "] = 0");
     const auto v = all.verdict();
     if (v.is_refuted() && !detail::certainly_irreducible(s.t))
-        return verdict::consistent("nonzero", "none", "M is not 0, but the method may be reducible");
+        return verdict::inconclusive("nonzero", "none", "M is not 0, but the method may be reducible");
     return v;
 }
 
 /// b_sigma(i) = b_i, a_ij + a_sigma(i)sigma(j) = b_j for the numbering sigma with c_i + c_sigma(i) = 1, where
 /// the nodes determine it.
 inline verdict rounded_symmetric(const subject<ball>& s) {
+    if (const auto damped = detail::not_unitary(s)) return *damped;
     const auto& t = s.t;
     std::vector<int> sigma;
     bool unique = detail::certainly_irreducible(t);
@@ -170,12 +208,12 @@ inline verdict rounded_symmetric(const subject<ball>& s) {
         sigma.push_back(mirror);
     }
     if (!unique)
-        return verdict::consistent("not computed", "none",
-                                   "the nodes do not determine the stages' mirror images");
+        return verdict::inconclusive("not computed", "none",
+                                     "the nodes do not determine the stages' mirror images");
     detail::equalities all;
     for (int i = 0; i < s.stages(); ++i)
         for (int j = 0; j < s.stages(); ++j)
-            all.add(t.A(i, j) + t.A(sigma[i], sigma[j]) - t.b(j),
+            all.add(t.A(i, j) + t.A(sigma[i], sigma[j]) - t.b(j), t.b(j).magnitude(),
                     place{part::A, i, j}.name() + " + " + place{part::A, sigma[i], sigma[j]}.name() + " = " +
                         place{part::b, j, 0}.name());
     return all.verdict();
@@ -192,7 +230,7 @@ inline verdict rounded_algebraically_stable(const subject<ball>& s) {
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(detail::middle(m));
     if (eigen.info() != Eigen::Success || !eigen.eigenvectors().allFinite())
-        return verdict::consistent("not computed", "none", data_reason);
+        return verdict::inconclusive("not computed", "none", data_reason);
     const Eigen::VectorXd v = eigen.eigenvectors().col(0);
     ball form(0);
     for (int i = 0; i < n; ++i)
@@ -202,7 +240,9 @@ inline verdict rounded_algebraically_stable(const subject<ball>& s) {
         for (int i = 0; i < n; ++i) text += (i ? ", " : "") + brief(v(i));
         return verdict::refuted("v^T M v = " + shown(form) + " for v = (" + text + ")");
     }
-    return verdict::consistent(brief(form.magnitude()), brief(form.radius()), data_reason);
+    bound scale = 0;
+    for (int i = 0; i < n; ++i) scale = std::max(scale, (s.t.b(i) * s.t.b(i)).magnitude());
+    return open_case(form.magnitude(), form.radius(), scale, data_reason);
 }
 
 /// |R(z)| <= 1 for Re z <= 0: refuted for explicit methods, and by a z on the imaginary or the negative real
@@ -232,7 +272,7 @@ inline verdict rounded_a_stable(const subject<ball>& s) {
         if (certainly_negative(right * right - left * left))
             return verdict::refuted("|R(x)| > 1 at x = " + brief(-y));
     }
-    return verdict::consistent(brief(gap), brief(radius), data_reason);
+    return open_case(gap, radius, 1, data_reason);
 }
 
 /// A-stable with R(infinity) = 0, that is degree P < degree Q.
@@ -245,7 +285,7 @@ inline verdict rounded_l_stable(const subject<ball>& s) {
     if (certainly_nonzero(p))
         return verdict::refuted("R(inf) is not 0: the leading coefficient of P is " + shown(p));
     if (!certainly_nonzero(q)) return a;
-    return verdict::consistent(brief(p.magnitude()), brief(p.radius()), data_reason);
+    return both(a, open_case(p.magnitude(), p.radius(), q.magnitude(), data_reason));
 }
 
 }  // namespace stagecraft::theory

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/reading.hpp>
 #include <stagecraft/tableaux/rough_ball.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/judge_claims.hpp>
@@ -141,13 +141,14 @@ template <class K>
 std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims& claims,
                                     const std::vector<place>& candidates) {
     std::vector<repair<K>> repairs;
+    const bool row_sums = !s.nodes_given || mostly_row_sums(s);
     const tree_table table(std::max({claims.order.value_or(1), claims.embedded_order.value_or(1), 1}));
     const tree_view& trees = table.view();
     const auto try_in = [&](auto probe, const place& p, const detail::determination& d) {
         const auto value = detail::determined_value(probe, p, d, trees);
         if (!value) return false;
         put(probe, p, *value);
-        return !refutes_a_condition(probe, claims);
+        return !refutes_a_condition(probe, claims, row_sums);
     };
     const auto residues = exact_scalar<K> ? reduced_modulo_prime(s) : std::nullopt;
     subject<tableaux::rough_ball> rough;
@@ -163,11 +164,11 @@ std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims&
         if constexpr (!exact_scalar<K>) {
             auto probe = rough;
             put(probe, p, tableaux::rough_ball(*value));
-            if (refutes_a_condition(probe, claims)) continue;
+            if (refutes_a_condition(probe, claims, row_sums)) continue;
         }
         subject<K> changed = s;
         put(changed, p, *value);
-        if (!refutes_a_claim(changed, claims)) repairs.push_back({p, std::move(*value)});
+        if (!refutes_a_claim(changed, claims, row_sums)) repairs.push_back({p, std::move(*value)});
     }
     return repairs;
 }
@@ -193,20 +194,34 @@ inline std::string decimal(const tableaux::rational& x, int digits) {
     return (x < 0 && n != 0 ? "-" : "") + text;
 }
 
+/// x rounded to so many decimals, as a number.
+inline tableaux::rational decimal_value(const tableaux::rational& x, int digits) {
+    const tableaux::rational unit = tableaux::expression_grammar::power_of_ten(-digits);
+    return tableaux::rational(floor(x / unit + tableaux::rational(1, 2))) * unit;
+}
+
+/// Digits after the point that a repair shows at most: those of the enclosures.
+inline constexpr int most_digits = 110;
+
 /// The repaired value as text: exactly; or, for an enclosure, with the digits that the entry had, or the
 /// simplest fraction inside where the entry was one and the enclosure leaves hardly another.
 inline std::string suggestion(const tableaux::rational& x, const tableaux::entry&) { return x.str(); }
 inline std::string suggestion(const tableaux::quadratic& x, const tableaux::entry&) { return x.str(); }
 inline std::string suggestion(const tableaux::ball& x, const tableaux::entry& old) {
     const tableaux::range r = to_range(x);
+    int digits = 0;
     if (!old.rounded) {
         const auto simple = simplest_in(r);
         const auto d = tableaux::rational(simple.denominator());
-        if (r.width() * d * d * tableaux::rational(1000) < 1) return simple.str();
+        if (r.width() * d * d * tableaux::rational(1000) < 1) {
+            if (old.digits == 0 || !tableaux::detail::terminates(simple)) return simple.str();
+            while (decimal_value(simple, digits) != simple) ++digits;
+            return decimal(simple, std::max(digits, 1));
+        }
     }
-    const auto unit = old.rounded ? old.uncertainty() + old.uncertainty() : r.width();
-    int digits = 0;
-    for (tableaux::rational u = unit; u < 1 && digits < 60; u *= tableaux::rational(10)) ++digits;
+    // The digits that the entry had, and no more than the conditions determine.
+    const auto unit = std::max(old.uncertainty() + old.uncertainty(), r.width());
+    for (tableaux::rational u = unit; u < 1 && digits < most_digits; u *= tableaux::rational(10)) ++digits;
     return decimal(r.middle(), digits);
 }
 
@@ -228,14 +243,46 @@ inline int misprint_distance(const std::string& x, const std::string& y) {
     return d[n][m];
 }
 
-/// Appends the repairs as suspects.
+/// Changes of so many units of the last digit are corrections of rounding, not of misprints.
+inline constexpr int units_of_rounding = 4;
+
+/// Whether the file's fractions are rounded numbers in disguise: more than half of them have denominators
+/// beyond 10^6.
+inline bool has_rounded_fractions(const tableaux::tableau_file& file) {
+    int fractions = 0, enormous = 0;
+    file.for_each_entry([&](const tableaux::entry& e) {
+        if (!e.exact || !e.exact->is_rational()) return;
+        const auto d = e.exact->rational_part().denominator();
+        fractions += d > 1 ? 1 : 0;
+        enormous += d > 1000000 ? 1 : 0;
+    });
+    return 2 * enormous > fractions;
+}
+
+/// Whether the change from the entry to `value` is at the level of rounding.
+inline bool only_rounding(const tableaux::entry& old, const tableaux::range& value, bool rounded_fractions) {
+    const auto change = abs(value.middle() - old.enclosure.middle());
+    if (old.rounded) return change <= tableaux::rational(2 * units_of_rounding) * old.uncertainty();
+    return rounded_fractions && change <= tableaux::expression_grammar::power_of_ten(-12);
+}
+inline tableaux::range range_of(const tableaux::ball& x) { return to_range(x); }
+inline tableaux::range range_of(const tableaux::quadratic& x) { return tableaux::to_range(x); }
+
+/// Appends the repairs as suspects, but those at the level of rounding; whether there were such.
 template <class K>
-void append_suspects(const tableaux::tableau_file& file, const std::vector<repair<K>>& repairs,
+bool append_suspects(const tableaux::tableau_file& file, const std::vector<repair<K>>& repairs,
                      std::vector<suspect>& suspects) {
+    const bool rounded_fractions = has_rounded_fractions(file);
+    bool dropped = false;
     for (const auto& [p, value] : repairs) {
         const auto& old = entry_at(file, p);
+        if (only_rounding(old, range_of(value), rounded_fractions)) {
+            dropped = true;
+            continue;
+        }
         suspects.push_back({p.name(), old.text, suggestion(value, old)});
     }
+    return dropped;
 }
 
 /// The likelier misprint first: not a lone zero, then the smaller difference in print.

@@ -6,10 +6,11 @@
 
 namespace stagecraft::theory {
 
-/// {"verdict": "proved" | "refuted" | "consistent", "reason": ...}, with residual and bound where consistent.
+/// {"verdict": "proved" | "refuted" | "consistent" | "inconclusive", "reason": ...}, with residual and bound in
+/// the open cases.
 inline nlohmann::ordered_json to_json(const verdict& v) {
     nlohmann::ordered_json j{{"verdict", name(v.standing())}};
-    if (v.is_consistent()) {
+    if (v.is_consistent() || v.is_inconclusive()) {
         j["residual"] = v.residual();
         j["bound"] = v.bound();
     }

@@ -26,8 +26,8 @@ inline bool certainly_nonzero(const tableaux::residue& x) { return !(x == tablea
 inline bool certainly_negative(const tableaux::rational& x) { return x < 0; }
 inline bool certainly_negative(const tableaux::quadratic& x) { return sign(x) < 0; }
 
-/// Bits of the enclosures used for data that no exact field holds: 77 decimal digits.
-inline constexpr int checker_bits = 256;
+/// Bits of the enclosures used for data that no exact field holds: 115 decimal digits.
+inline constexpr int checker_bits = 384;
 
 /// A ball around the interval: its middle to checker_bits bits, its radius rounded up.
 inline tableaux::ball to_ball(const tableaux::range& r) {
@@ -75,21 +75,34 @@ std::string in_words(const K& x) {
     return exact;
 }
 
-/// Verdict on "defect = 0". Over an exact field it is decided; an enclosure refutes it or finds it consistent
-/// for `reason`. `name` says what the defect is.
+/// A bound can refute something only where it is small against the quantities compared, whose size is
+/// `scale`: beyond a tenth of it a verdict is inconclusive.
+inline bool says_nothing(tableaux::bound bound, tableaux::bound scale) { return !(bound <= scale / 10); }
+
+/// What is open: consistent for `reason`, or inconclusive where the bound could not have refuted.
+inline verdict open_case(tableaux::bound residual, tableaux::bound bound, tableaux::bound scale,
+                         const std::string& reason) {
+    if (!says_nothing(bound, scale)) return verdict::consistent(brief(residual), brief(bound), reason);
+    return verdict::inconclusive(brief(residual), brief(bound),
+                                 reason + ", too few digits to refute anything of size " + brief(scale));
+}
+
+/// Verdict on "defect = 0", the difference of quantities of size `scale`. Over an exact field it is decided;
+/// an enclosure refutes it or leaves it open for `reason`. `name` says what the defect is.
 template <class K>
-verdict vanishes(const K& defect, const std::string& name, const std::string& reason) {
+verdict vanishes(const K& defect, tableaux::bound scale, const std::string& name, const std::string& reason) {
     if (certainly_nonzero(defect)) return verdict::refuted(name + " leaves " + in_words(defect));
     if constexpr (exact_scalar<K>)
         return verdict::proved(name);
     else
-        return verdict::consistent(brief(defect.magnitude()), brief(defect.radius()), reason);
+        return open_case(defect.magnitude(), defect.radius(), scale, reason);
 }
 
-/// The conjunction: refuted where one part is, proved where all are, otherwise the first open one.
+/// The conjunction: refuted where one part is, proved where all are, otherwise the weakest open one.
 inline verdict both(const verdict& x, const verdict& y) {
     if (x.is_refuted()) return x;
     if (y.is_refuted()) return y;
+    if (y.is_inconclusive()) return x.is_inconclusive() ? x : y;
     return x.is_proved() ? y : x;
 }
 

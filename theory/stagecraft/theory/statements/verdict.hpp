@@ -8,9 +8,10 @@
 namespace stagecraft::theory {
 
 /// What is known of a statement. Only exact arithmetic proves or refutes an equality; an enclosure refutes
-/// equalities and decides inequalities; whatever is left is consistent, never "true up to a tolerance". A
-/// statement that nobody has looked at is unexamined: it claims nothing.
-enum class standing { proved, refuted, consistent, unexamined };
+/// equalities and decides inequalities; whatever is left is consistent, never "true up to a tolerance", and
+/// inconclusive where the data are so coarse that nothing could have been refuted. A statement that nobody has
+/// looked at is unexamined: it claims nothing.
+enum class standing { proved, refuted, consistent, inconclusive, unexamined };
 
 constexpr std::string_view name(standing s) {
     switch (s) {
@@ -20,14 +21,16 @@ constexpr std::string_view name(standing s) {
             return "refuted";
         case standing::consistent:
             return "consistent";
+        case standing::inconclusive:
+            return "inconclusive";
         case standing::unexamined:
             break;
     }
     return "not examined";
 }
 
-/// The outcome for one statement: proved | refuted with a witness | consistent with residual, bound, reason;
-/// unexamined before.
+/// The outcome for one statement: proved | refuted with a witness | consistent with residual, bound, reason |
+/// inconclusive, the bound being as large as what it should bound; unexamined before.
 class verdict {
   public:
     /// Decided true. `argument` names the theorem or computation that decides it.
@@ -48,6 +51,14 @@ class verdict {
         return v;
     }
 
+    /// Undecided and untested: `bound` reaches the size of the quantities compared, so no residual could have
+    /// refuted the statement.
+    static verdict inconclusive(std::string residual, std::string bound, std::string reason) {
+        verdict v = consistent(std::move(residual), std::move(bound), std::move(reason));
+        v.standing_ = theory::standing::inconclusive;
+        return v;
+    }
+
     /// Not looked at.
     static verdict unexamined() { return {theory::standing::unexamined, {}}; }
 
@@ -55,16 +66,17 @@ class verdict {
     bool is_proved() const { return standing_ == theory::standing::proved; }
     bool is_refuted() const { return standing_ == theory::standing::refuted; }
     bool is_consistent() const { return standing_ == theory::standing::consistent; }
+    bool is_inconclusive() const { return standing_ == theory::standing::inconclusive; }
 
     /// The argument of a proof, the witness of a refutation, the reason of an open case.
     const std::string& reason() const { return reason_; }
-    const std::string& residual() const { return residual_; }  ///< empty unless consistent
-    const std::string& bound() const { return bound_; }        ///< empty unless consistent
+    const std::string& residual() const { return residual_; }  ///< of an open case
+    const std::string& bound() const { return bound_; }        ///< of an open case
 
-    /// "proved: ...", "refuted: ...", "consistent: residual r, bound b: ...".
+    /// "proved: ...", "refuted: ...", "consistent: residual r, bound b: ...", "inconclusive: ...".
     std::string text() const {
         std::string out(name(standing_));
-        if (is_consistent()) out += ": residual " + residual_ + ", bound " + bound_;
+        if (is_consistent() || is_inconclusive()) out += ": residual " + residual_ + ", bound " + bound_;
         if (!reason_.empty()) out += ": " + reason_;
         return out;
     }

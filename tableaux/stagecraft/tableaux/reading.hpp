@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <stagecraft/tableaux/tableau_file.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// What a decimal in a tableau file is: the number as written, a rounded one, or what the other entries make
+/// likely.
+enum class decimals_are { automatic, exact, rounded };
+
+/// The policy of that name: "auto", "exact", "rounded". Throws std::invalid_argument for another.
+inline decimals_are decimals_from_name(std::string_view name) {
+    if (name == "auto") return decimals_are::automatic;
+    if (name == "exact") return decimals_are::exact;
+    if (name == "rounded") return decimals_are::rounded;
+    throw std::invalid_argument("decimals: '" + std::string(name) + "', allowed: auto, exact, rounded");
+}
+
+/// How the numbers of a file are understood.
+struct reading {
+    decimals_are decimals = decimals_are::automatic;
+    /// A rounded entry is uncertain by so many units of its last digit (of a double: in the last place).
+    rational ulps = rational(1, 2);
+    /// Every entry but whole numbers is uncertain by this much besides; for tables computed in floating point.
+    rational tolerance = 0;
+};
+
+namespace detail {
+
+/// Whether a fraction would be a finite decimal.
+inline bool terminates(const rational& x) {
+    integer d = x.denominator();
+    for (const int prime : {2, 5})
+        while (d % prime == 0) d /= prime;
+    return d == 1;
+}
+
+/// Which decimals are read as exact where the policy is automatic. `usual` is the upper quartile of the
+/// numbers of digits, decimals of one or two digits left out: a number that was rounded to 40 digits is not
+/// 0.5, but by chance 1 in 10^20, so what has at most half as many digits, and at most ten, is meant as it
+/// stands. So is everything where no decimal has more than two digits, and where none has more than six and
+/// what is no finite decimal is written as a fraction or a surd.
+inline exact_decimals short_decimals(const tableau_file& file) {
+    std::vector<int> digits, places;
+    bool fractions = false;
+    file.for_each_entry([&](const entry& e) {
+        if (e.digits > 2) {
+            digits.push_back(e.digits);
+            places.push_back(e.places);
+        }
+        fractions =
+            fractions || (e.exact && (!e.exact->is_rational() || !terminates(e.exact->rational_part())));
+    });
+    if (digits.empty()) return exact_decimals::all();
+    const auto quartile = [](std::vector<int>& v) {
+        const auto at = v.begin() + static_cast<std::ptrdiff_t>(3 * v.size() / 4);
+        std::nth_element(v.begin(), at, v.end());
+        return *at;
+    };
+    const int usual = quartile(digits);
+    if (fractions && *std::max_element(digits.begin(), digits.end()) <= 6) return exact_decimals::all();
+    return {std::min(usual / 2, 10), 3 * quartile(places) / 4};
+}
+
+inline range widened(const range& r, const rational& by) { return {r.lower - by, r.upper + by}; }
+
+}  // namespace detail
+
+/// Makes the entries what `how` says they are; counts the decimals read as exact.
+inline void apply(const reading& how, tableau_file& file) {
+    const exact_decimals exact = how.decimals == decimals_are::automatic ? detail::short_decimals(file)
+                                 : how.decimals == decimals_are::exact   ? exact_decimals::all()
+                                                                         : exact_decimals{};
+    const rational further = how.ulps - rational(1, 2);
+    file.for_each_entry([&](entry& e) {
+        if (e.rounded && exact.covers_some(e)) {
+            entry again = read_entry(e.text, exact);
+            if (!again.rounded) {
+                e = std::move(again);
+                ++file.short_decimals;
+            }
+        }
+        if (e.rounded && further != 0)
+            e.enclosure = detail::widened(e.enclosure, further * e.enclosure.width());
+        const bool whole = e.exact && e.exact->is_rational() && e.exact->rational_part().denominator() == 1;
+        if (how.tolerance != 0 && !whole) {
+            e.enclosure = detail::widened(e.enclosure, how.tolerance);
+            e.exact.reset();
+            e.rounded = true;
+        }
+    });
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstdint>
+#include <stagecraft/tableau.hpp>
+#include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/tableaux/entry.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// Where the numbers of a tableau live, which decides what can be proved of it.
+enum class number_kind {
+    rational,   ///< everything is decided
+    quadratic,  ///< likewise, in Q(sqrt d)
+    enclosed,   ///< exact, but in no single quadratic field: equalities can be refuted, not proved
+    rounded     ///< decimals or doubles
+};
+
+constexpr std::string_view name(number_kind k) {
+    return k == number_kind::rational    ? "exact, rational"
+           : k == number_kind::quadratic ? "exact, one quadratic surd"
+           : k == number_kind::enclosed  ? "exact, enclosed"
+                                         : "rounded";
+}
+
+/// A tableau as a file gives it.
+struct tableau_file {
+    std::string name;
+    std::string source;
+    std::vector<std::vector<entry>> A;
+    std::vector<entry> b;
+    std::vector<entry> c;           ///< empty where the file leaves it to the row sums
+    std::vector<entry> b_embedded;  ///< empty where there is none
+    tableaux::claims claims;
+    int short_decimals = 0;  ///< decimals read as exact though written with a point
+
+    int stages() const { return static_cast<int>(b.size()); }
+
+    template <class Visitor>
+    void for_each_entry(Visitor visit) const {
+        for (const auto& row : A)
+            for (const auto& e : row) visit(e);
+        for (const auto* v : {&b, &c, &b_embedded})
+            for (const auto& e : *v) visit(e);
+    }
+    template <class Visitor>
+    void for_each_entry(Visitor visit) {
+        for (auto& row : A)
+            for (auto& e : row) visit(e);
+        for (auto* v : {&b, &c, &b_embedded})
+            for (auto& e : *v) visit(e);
+    }
+
+    number_kind kind() const {
+        bool rounded = false, enclosed = false;
+        std::uint64_t d = 0;
+        for_each_entry([&](const entry& e) {
+            rounded |= e.rounded;
+            enclosed |= !e.exact || (d != 0 && !e.exact->is_rational() && e.exact->radicand() != d);
+            if (e.exact && !e.exact->is_rational()) d = e.exact->radicand();
+        });
+        return rounded    ? number_kind::rounded
+               : enclosed ? number_kind::enclosed
+               : d != 0   ? number_kind::quadratic
+                          : number_kind::rational;
+    }
+};
+
+/// Most stages a file may have.
+inline constexpr int most_stages = 64;
+/// Largest order a file may claim: there are 53,272 conditions up to 14.
+inline constexpr int largest_order = 14;
+
+/// The tableau over Scalar, each entry sent through `convert`; a missing c becomes the row sums.
+template <class Scalar, class Convert>
+tableau<Scalar> to_tableau(const tableau_file& file, Convert convert) {
+    const int s = file.stages();
+    tableau<Scalar> t;
+    t.A.resize(s, s);
+    t.b.resize(s);
+    t.c.resize(s);
+    t.b_embedded.resize(static_cast<int>(file.b_embedded.size()));
+    for (int i = 0; i < s; ++i) {
+        Scalar sum = convert(file.A[i][0]);
+        for (int j = 0; j < s; ++j) {
+            t.A(i, j) = convert(file.A[i][j]);
+            if (j > 0) sum = sum + t.A(i, j);
+        }
+        t.b(i) = convert(file.b[i]);
+        t.c(i) = file.c.empty() ? sum : convert(file.c[i]);
+        if (!file.b_embedded.empty()) t.b_embedded(i) = convert(file.b_embedded[i]);
+    }
+    return t;
+}
+
+/// The exact tableau over Q. Throws std::invalid_argument unless kind() is rational.
+inline tableau<rational> to_rational(const tableau_file& file) {
+    if (file.kind() != number_kind::rational)
+        throw std::invalid_argument("file: the entries are not rational");
+    return to_tableau<rational>(file, [](const entry& e) { return e.exact->rational_part(); });
+}
+
+/// The exact tableau over Q(sqrt d). Throws std::invalid_argument unless the entries lie in one such field.
+inline tableau<quadratic> to_quadratic(const tableau_file& file) {
+    if (file.kind() > number_kind::quadratic)
+        throw std::invalid_argument("file: the entries do not lie in one quadratic field");
+    return to_tableau<quadratic>(file, [](const entry& e) { return *e.exact; });
+}
+
+}  // namespace stagecraft::tableaux

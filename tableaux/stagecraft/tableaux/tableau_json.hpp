@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/tableau_file.hpp>
+#include <string>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// The file as JSON that read_tableau reads: every entry as the text it was written in.
+inline nlohmann::ordered_json to_json(const tableau_file& file) {
+    const auto texts = [](const std::vector<entry>& entries) {
+        auto list = nlohmann::ordered_json::array();
+        for (const entry& e : entries) list.push_back(e.text);
+        return list;
+    };
+    nlohmann::ordered_json j{{"name", file.name}, {"source", file.source}};
+    if (!file.c.empty()) j["c"] = texts(file.c);
+    for (const auto& row : file.A) j["A"].push_back(texts(row));
+    j["b"] = texts(file.b);
+    if (!file.b_embedded.empty()) j["b_embedded"] = texts(file.b_embedded);
+    for (const auto& [key, value] : counted_claims)
+        if (file.claims.*value) j["claims"][std::string(key)] = *(file.claims.*value);
+    for (const auto& [key, value] : yes_no_claims)
+        if (file.claims.*value) j["claims"][std::string(key)] = *(file.claims.*value);
+    return j;
+}
+
+}  // namespace stagecraft::tableaux

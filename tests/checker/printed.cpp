@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE printed
+// Tables as they are printed: catalogue methods in 8, 16 and 40 digits with trailing zeros left out, as
+// fractions, and with a misprint in one of six entries. A good table is not refuted, a misprint is, and its
+// entry is named first. Argument after "--": a file to print misses to.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/entry.hpp>
+#include <string>
+#include <vector>
+
+#include "certify_once.hpp"
+
+namespace {
+
+using nlohmann::json;
+using namespace stagecraft::tableaux;
+
+/// x to so many significant digits, zeros at the end left out: "0.5", "-0.33333333".
+std::string printed(const entry& e, int digits) {
+    const rational x = e.enclosure.middle();
+    if (x == 0 || (e.exact && e.exact->is_rational() && x.denominator() == 1)) return x.str();
+    rational unit = 1;
+    const rational size = x < 0 ? -x : x;
+    int places = 0;
+    for (; size < rational(pow(integer(10), static_cast<unsigned>(digits - 1))) * unit; ++places)
+        unit = unit / rational(10);
+    std::string n = floor(size / unit + rational(1, 2)).str();
+    if (static_cast<int>(n.size()) <= places)
+        n.insert(0, static_cast<std::size_t>(places) + 1 - n.size(), '0');
+    n.insert(n.size() - static_cast<std::size_t>(places), ".");
+    while (n.back() == '0') n.pop_back();
+    return (x < 0 ? "-" : "") + n;
+}
+
+struct slot {
+    std::string name;
+    json::json_pointer at;
+};
+
+/// The entries that are not zero and no whole numbers.
+std::vector<slot> slots(const json& table) {
+    std::vector<slot> all;
+    const auto add = [&](const std::string& name, const std::string& at) {
+        const json::json_pointer p(at);
+        const auto value = read_entry(table[p].get<std::string>()).enclosure.middle();
+        if (value.denominator() != 1) all.push_back({name, p});
+    };
+    const auto index = [](std::size_t i) { return "[" + std::to_string(i + 1) + "]"; };
+    for (std::size_t i = 0; i < table["b"].size(); ++i)
+        for (std::size_t j = 0; j < table["b"].size(); ++j)
+            add("A" + index(i) + index(j), "/A/" + std::to_string(i) + "/" + std::to_string(j));
+    for (const char* key : {"b", "c", "b_embedded"})
+        if (table.contains(key))
+            for (std::size_t i = 0; i < table[key].size(); ++i)
+                add(key + index(i), std::string("/") + key + "/" + std::to_string(i));
+    return all;
+}
+
+json as_printed(const json& table, int digits) {
+    json out = table;
+    for (const slot& s : slots(table))
+        out[s.at] = printed(read_entry(table[s.at].get<std::string>()), digits);
+    return out;
+}
+
+/// The decimal with its third significant digit, or the last before it, changed; a fraction gets 1/1000 more.
+std::string misprinted(const std::string& text) {
+    if (text.find('.') == std::string::npos) return "(" + text + ")*1001/1000";
+    std::string out = text;
+    int significant = 0;
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < out.size() && significant < 3; ++i) {
+        if (out[i] < '0' || out[i] > '9' || (significant == 0 && out[i] == '0')) continue;
+        ++significant;
+        changed = i;
+    }
+    out[changed] = out[changed] == '9' ? '4' : static_cast<char>(out[changed] + 1);
+    return out;
+}
+
+const std::vector<std::string> methods{"classical_rk4",
+                                       "kutta_3_8",
+                                       "dormand_prince_5_4",
+                                       "bogacki_shampine_3_2",
+                                       "cash_karp_5_4",
+                                       "fehlberg_4_5",
+                                       "gauss_2",
+                                       "gauss_3",
+                                       "radau_iia_2",
+                                       "radau_iia_3",
+                                       "lobatto_iiic_3",
+                                       "sdirk_4_3",
+                                       "bogacki_shampine_5_4",
+                                       "verner_6_5",
+                                       "butcher_6_seven_stages_a",
+                                       "england_4_5"};
+
+json method(const std::string& name) {
+    std::ifstream in(std::filesystem::path(STAGECRAFT_SOURCE_DIR) / "tableaux/catalogue" / (name + ".json"));
+    return json::parse(in);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(printed_tables_are_not_refuted_and_misprints_are_with_the_culprit_first) {
+    const auto& suite = boost::unit_test::framework::master_test_suite();
+    std::ofstream misses(suite.argc > 1 ? suite.argv[1] : "/dev/null");
+    int good = 0, wrong = 0, tried = 0, refuted = 0, first = 0, turn = 0;
+    for (const auto& name : methods) {
+        const json exact = method(name);
+        std::vector<json> forms{exact};
+        for (const int digits : {8, 16, 40}) forms.push_back(as_printed(exact, digits));
+        for (const json& form : forms) {
+            const auto c = certify_once::certify(form.dump());
+            ++good;
+            wrong += c.exit_code() != 0;
+            if (c.exit_code() != 0) misses << name << ": exit " << c.exit_code() << "\n" << to_text(c);
+        }
+        const auto places = slots(exact);
+        for (std::size_t k = 0; k < 6; ++k) {
+            const slot& s = places[k * (places.size() - 1) / 5];
+            json table = forms[static_cast<std::size_t>(turn++) % forms.size()];
+            table[s.at] = misprinted(table[s.at].get<std::string>());
+            const auto c = certify_once::certify(table.dump());
+            const bool named = !c.suspects.empty() && c.suspects.front().entry == s.name;
+            ++tried;
+            refuted += c.exit_code() == 1;
+            first += named;
+            if (c.exit_code() != 1 || !named)
+                misses << name << " " << s.name << " = " << table[s.at] << ": exit " << c.exit_code() << "\n"
+                       << to_text(c);
+        }
+    }
+    std::cout << good << " good tables, " << wrong << " with a wrong exit; " << tried << " misprints, "
+              << refuted << " refuted, " << first << " with the culprit first\n";
+    BOOST_TEST(good + tried >= 60);
+    BOOST_TEST(wrong == 0);
+    BOOST_TEST(refuted == tried);
+    BOOST_TEST(10 * first >= 9 * tried);
+}
+
+BOOST_AUTO_TEST_CASE(a_short_decimal_among_long_ones_is_exact_and_said_so) {
+    const json table = as_printed(method("classical_rk4"), 40);
+    const auto c = certify_once::certify(table.dump());
+    BOOST_TEST((c.overall() == stagecraft::theory::standing::consistent));
+    BOOST_REQUIRE(!c.notes.empty());
+    BOOST_TEST(c.notes[0] == "4 short decimals read as exact");
+    json wrong = table;
+    wrong["/A/2/1"_json_pointer] = "0.6";
+    const auto w = certify_once::certify(wrong.dump());
+    BOOST_TEST(w.exit_code() == 1);
+    BOOST_REQUIRE(!w.suspects.empty());
+    BOOST_TEST(w.suspects[0].entry == "A[3][2]");
+    BOOST_TEST(w.suspects[0].suggest == "0.5");
+}
+
+BOOST_AUTO_TEST_CASE(too_few_digits_are_inconclusive_with_an_exit_code_of_their_own) {
+    // Two digits: 0.17 and 0.33 are 1/6 and 1/3, but what order 4 asks of them is 1/24.
+    const std::string text = R"({"A":[["0","0","0","0"],["0.5","0","0","0"],["0","0.5","0","0"],
+        ["0","0","1","0"]],"b":["0.17","0.33","0.33","0.17"],"claims":{"order":4}})";
+    reading how;
+    how.decimals = decimals_are::rounded;
+    std::string out, err;
+    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 3);
+    const auto j = json::parse(out);
+    BOOST_TEST(j["verdict"] == "inconclusive");
+    BOOST_TEST(j["order"]["verdict"] == "inconclusive");
+    how.decimals = decimals_are::exact;
+    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(tables_computed_in_floating_point_have_a_numerical_order_and_no_suspects) {
+    // Doubles with errors of several units in the last place, as a program's output has.
+    json table = as_printed(method("dormand_prince_5_4"), 16);
+    int k = 0;
+    for (const slot& s : slots(table)) {
+        const double x = std::stod(table[s.at].get<std::string>());
+        table[s.at] = x * (1 + (k++ % 5 - 2) * 4e-16);
+    }
+    const std::string text = table.dump();
+    const auto c = certify_once::certify(text);
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_REQUIRE(c.find("order")->numerical.has_value());
+    BOOST_TEST(c.find("order")->numerical->order == 5);
+    BOOST_TEST(c.find("order")->numerical->digits >= 14);
+    BOOST_TEST(c.find("embedded_order")->numerical->order == 4);
+    BOOST_TEST(c.suspects.empty());
+    std::string out, err;
+    reading how;
+    how.ulps = 8;
+    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 0);
+    how = {};
+    how.tolerance = rational(1, 100000000000000);
+    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 0);
+    how.tolerance = rational(1, 10);  // explains anything, so it proves nothing
+    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_fault_in_a_and_one_in_the_embedded_weights_do_not_silence_each_other) {
+    for (const int digits : {0, 16}) {
+        json table = method("dormand_prince_5_4");
+        if (digits > 0) table = as_printed(table, digits);
+        for (const char* at : {"/A/3/1", "/b_embedded/2"}) {
+            const json::json_pointer p(at);
+            table[p] = misprinted(table[p].get<std::string>());
+        }
+        const auto c = certify_once::certify(table.dump());
+        BOOST_TEST(c.exit_code() == 1);
+        BOOST_REQUIRE(c.suspects.size() >= 2u);
+        BOOST_TEST(c.suspects[0].entry == "A[4][2]");
+        BOOST_TEST(c.suspects[1].entry == "b_embedded[3]");
+        BOOST_TEST(c.suspects_note.starts_with("two faults"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(exchanged_and_transposed_parts_are_recognised) {
+    const auto note = [](const json& table) { return certify_once::certify(table.dump()).suspects_note; };
+    json transposed = method("gauss_2");
+    std::swap(transposed["/A/0/1"_json_pointer], transposed["/A/1/0"_json_pointer]);
+    BOOST_TEST(note(transposed) == "A is transposed: undone, every claim is restored");
+    for (const int digits : {0, 16}) {
+        const auto form = [&](const std::string& name) {
+            return digits > 0 ? as_printed(method(name), digits) : method(name);
+        };
+        json weights = form("bogacki_shampine_3_2");
+        std::swap(weights["b"], weights["b_embedded"]);
+        BOOST_TEST(note(weights) == "b and b_embedded are exchanged: undone, every claim is restored");
+        json rows = form("cash_karp_5_4");
+        std::swap(rows["A"][3], rows["A"][4]);
+        BOOST_TEST(note(rows) == "rows [4] and [5] of A are exchanged: undone, every claim is restored");
+        json nodes = form("radau_iia_3");
+        std::swap(nodes["c"][0], nodes["c"][1]);
+        BOOST_TEST(note(nodes) == "entries [1] and [2] of c are exchanged: undone, every claim is restored");
+    }
+}
