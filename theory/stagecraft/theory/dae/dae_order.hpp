@@ -177,129 +177,133 @@ inline order_prediction best_of(const std::vector<order_prediction>& all) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// A theorem as a row of a table: where it stands, what it asks, and what it gives where all of that is
+/// proved.
+struct theorem {
+    std::string citation;
+    std::vector<hypothesis> hypotheses;
+    std::function<void(order_prediction&)> conclusion;
+
+    order_prediction applied() const {
+        order_prediction p;
+        p.theorem = citation;
+        p.hypotheses = hypotheses;
+        if (all_proved(hypotheses)) conclusion(p);
+        return p;
+    }
+    /// For the only theorem on its problem.
+    order_prediction applied_or_none() const {
+        order_prediction p = applied();
+        if (!p.applies()) p.note = "no theorem applies";
+        return p;
+    }
+};
+
+/// The order conditions of index 2 with the convergence theorems, looked at up to `most`.
+template <class K>
+theorem index2_by_conditions(const tableau<K>& t, const dae_traits<K>& m, int most) {
+    theorem row{"order conditions of index 2 (HLR89, section 5 and Theorems 4.4 and 4.6)",
+                {regular(m), damped(m)},
+                [](order_prediction&) {}};
+    const auto n = index2_local_orders_of(t, most);
+    if (!n) return row;
+    const int r = std::min(n->y + 1, n->projected);
+    row.hypotheses.push_back(
+        {"local error of y at least O(h^2)",
+         decided(r >= 1, "conditions of y hold to order " + std::to_string(n->y) + ", of P y to " +
+                             std::to_string(n->projected) + ", of z to " + std::to_string(n->z))});
+    row.conclusion = [n = *n, r, most, stiff = m.stiff](order_prediction& p) {
+        p.y = r;
+        // Theorem 4.6 wants g(y_n) = O(h^{k+1}): exact for stiffly accurate methods
+        p.z = std::min({n.z + 1, r, stiff ? r : n.y});
+        if (n.searched == most && n.y == most)
+            p.note = "conditions searched to order " + std::to_string(most) + " only";
+    };
+    return row;
+}
+
+/// What is published for index 2, but for the order conditions.
+template <class K>
+std::vector<theorem> index2_table(const tableau<K>& t, const dae_traits<K>& m) {
+    const auto& n = m.simplifying;
+    const std::string B = "B(" + std::to_string(n.B) + ")", C = "C(" + std::to_string(n.C) + ")",
+                      D = "D(" + std::to_string(n.D) + ")";
+    const int q = std::min(n.C, n.B - 1);
+    const hypothesis stages{"B(p), C(q), p > q >= 1", decided(q >= 1, B + ", " + C)};
+    const bool alternating = m.r_infinity && *m.r_infinity < K(0);
+    return {
+        {"HLR89, Theorems 4.3, 4.4 and 4.6 (thesis, Theorems 2, 3 and 4)",
+         {regular(m), damped(m), stages},
+         [q](order_prediction& p) {  // local errors O(h^{q+1}), projected O(h^{q+2})
+             p.y = q + 1;
+             p.z = q;
+         }},
+        {"HLR89, Theorems 4.3, 4.4 and 4.6 for collocation (thesis, Corollary 1)",
+         {regular(m),
+          damped(m),
+          is_collocation(m),
+          {"p > s", decided(m.order > m.stages, "p = " + std::to_string(m.order))}},
+         [s = m.stages](order_prediction& p) { p.y = p.z = s; }},
+        {"Hairer-Wanner II, Theorem VII.4.9 (thesis, Theorem 5 and Corollary 2)",
+         {regular(m),
+          is_collocation(m),
+          stiff(m),
+          no_node_at_zero(t),
+          last_node_is_one(t),
+          {"p > 1", decided(n.B > 1, "p = " + std::to_string(n.B))}},
+         [n, s = m.stages](order_prediction& p) {
+             p.y = n.B;
+             p.z = s;
+         }},
+        {"HLR89, section 5 (B(p), C(q), D(r), stiffly accurate: y of order min(p, 2q, q+r+1))",
+         {regular(m),
+          stiff(m),
+          {"B(p), C(q), q >= 1", decided(n.C >= 1 && n.B >= 1, B + ", " + C + ", " + D)}},
+         [n](order_prediction& p) {
+             p.y = std::min({n.B, 2 * n.C, n.C + n.D + 1});
+             p.z = std::min(n.C, *p.y);
+         }},
+        {"HLR89, section 4, |R(inf)| = 1",
+         {regular(m), {"|R(inf)| = 1", decided(modulus(m) == 0, r_text(m))}, stages},
+         [q, alternating](order_prediction& p) {  // -1: local errors cancel from step to step
+             p.y = alternating ? q + 1 : q;
+             p.z = alternating ? q - 1 : q - 2;
+             p.note = "for constant step sizes";
+         }},
+    };
+}
+
+}  // namespace detail
+
 /// y' = f(y, z), 0 = g(y, z) with g_z regular: Hairer-Wanner II, Theorem VI.1.1. y has the classical order p;
 /// z has p for stiffly accurate methods, min(p, q+1) for -1 <= R(inf) < 1, min(p-1, q) for R(inf) = 1, and
 /// diverges for |R(inf)| > 1.
 template <class K>
 order_prediction predict_index1(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
-    order_prediction p;
-    p.theorem = "Hairer-Wanner II, Theorem VI.1.1";
-    p.hypotheses = {detail::regular(m), detail::of_order_one(m),
-                    m.stiff ? detail::stiff(m) : detail::bounded(m)};
-    if (!detail::all_proved(p.hypotheses)) {
-        p.note = "no theorem applies";
-        return p;
-    }
-    p.y = m.order;
-    if (m.stiff) {
-        p.z = m.order;
-    } else if (*m.r_infinity == K(1)) {
-        p.z = std::min(m.order - 1, m.stage_order);
-    } else {
-        p.z = std::min(m.order, m.stage_order + 1);
-    }
-    return p;
+    const detail::theorem row{
+        "Hairer-Wanner II, Theorem VI.1.1",
+        {detail::regular(m), detail::of_order_one(m), m.stiff ? detail::stiff(m) : detail::bounded(m)},
+        [&m](order_prediction& p) {
+            p.y = m.order;
+            p.z = m.stiff                 ? m.order
+                  : *m.r_infinity == K(1) ? std::min(m.order - 1, m.stage_order)
+                                          : std::min(m.order, m.stage_order + 1);
+        }};
+    return row.applied_or_none();
 }
 
 /// Every theorem for y' = f(y, z), 0 = g(y) with g_y f_z regular (index 2), with the verdicts on its
 /// hypotheses. `condition_order`: how far exact order conditions are looked at (0: not at all).
 template <class K>
 std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition_order = 0) {
-    using detail::decided;
     const auto m = dae_traits_of(t);
-    const int q = std::min(m.simplifying.C, m.simplifying.B - 1);  // Theorem 2 wants B(p), C(q), p > q >= 1
-    const hypothesis stages{"B(p), C(q), p > q >= 1",
-                            decided(q >= 1, "B(" + std::to_string(m.simplifying.B) + "), C(" +
-                                                std::to_string(m.simplifying.C) + ")")};
+    auto table = detail::index2_table(t, m);
+    if (condition_order > 0) table.push_back(detail::index2_by_conditions(t, m, condition_order));
     std::vector<order_prediction> all;
-    {
-        order_prediction p;
-        p.theorem = "HLR89, Theorems 4.3, 4.4 and 4.6 (thesis, Theorems 2, 3 and 4)";
-        p.hypotheses = {detail::regular(m), detail::damped(m), stages};
-        if (detail::all_proved(p.hypotheses)) {
-            p.y = q + 1;  // local errors O(h^{q+1}), projected O(h^{q+2})
-            p.z = q;
-        }
-        all.push_back(std::move(p));
-    }
-    {
-        order_prediction p;
-        p.theorem = "HLR89, Theorems 4.3, 4.4 and 4.6 for collocation (thesis, Corollary 1)";
-        p.hypotheses = {detail::regular(m),
-                        detail::damped(m),
-                        detail::is_collocation(m),
-                        {"p > s", decided(m.order > m.stages, "p = " + std::to_string(m.order))}};
-        if (detail::all_proved(p.hypotheses)) p.y = p.z = m.stages;
-        all.push_back(std::move(p));
-    }
-    {
-        order_prediction p;
-        p.theorem = "Hairer-Wanner II, Theorem VII.4.9 (thesis, Theorem 5 and Corollary 2)";
-        p.hypotheses = {detail::regular(m),
-                        detail::is_collocation(m),
-                        detail::stiff(m),
-                        detail::no_node_at_zero(t),
-                        detail::last_node_is_one(t),
-                        {"p > 1", decided(m.simplifying.B > 1, "p = " + std::to_string(m.simplifying.B))}};
-        if (detail::all_proved(p.hypotheses)) {
-            p.y = m.simplifying.B;
-            p.z = m.stages;
-        }
-        all.push_back(std::move(p));
-    }
-    {
-        const auto& n = m.simplifying;
-        order_prediction p;
-        p.theorem = "HLR89, section 5 (B(p), C(q), D(r), stiffly accurate: y of order min(p, 2q, q+r+1))";
-        p.hypotheses = {
-            detail::regular(m),
-            detail::stiff(m),
-            {"B(p), C(q), q >= 1",
-             decided(n.C >= 1 && n.B >= 1, "B(" + std::to_string(n.B) + "), C(" + std::to_string(n.C) +
-                                               "), D(" + std::to_string(n.D) + ")")}};
-        if (detail::all_proved(p.hypotheses)) {
-            p.y = std::min({n.B, 2 * n.C, n.C + n.D + 1});
-            p.z = std::min(n.C, *p.y);
-        }
-        all.push_back(std::move(p));
-    }
-    {
-        order_prediction p;
-        p.theorem = "HLR89, section 4, |R(inf)| = 1";
-        p.hypotheses = {detail::regular(m),
-                        {"|R(inf)| = 1", decided(detail::modulus(m) == 0, detail::r_text(m))},
-                        stages};
-        if (detail::all_proved(p.hypotheses)) {
-            const bool alternating = *m.r_infinity < K(0);  // local errors cancel from step to step
-            p.y = alternating ? q + 1 : q;
-            p.z = alternating ? q - 1 : q - 2;
-            p.note = "for constant step sizes";
-        }
-        all.push_back(std::move(p));
-    }
-    if (condition_order > 0) {
-        const auto n = index2_local_orders_of(t, condition_order);
-        order_prediction p;
-        p.theorem = "order conditions of index 2 (HLR89, section 5 and Theorems 4.4 and 4.6)";
-        p.hypotheses = {detail::regular(m), detail::damped(m)};
-        if (n) {
-            const int r = std::min(n->y + 1, n->projected);
-            p.hypotheses.push_back(
-                {"local error of y at least O(h^2)",
-                 decided(r >= 1, "conditions of y hold to order " + std::to_string(n->y) + ", of P y to " +
-                                     std::to_string(n->projected) + ", of z to " + std::to_string(n->z))});
-            if (detail::all_proved(p.hypotheses)) {
-                p.y = r;
-                // Theorem 4 wants g(y_n) = O(h^{k+1}): exact for stiffly accurate methods
-                p.z = std::min({n->z + 1, r, m.stiff ? r : n->y});
-                if (n->searched == condition_order && n->y == condition_order) {
-                    p.note = "conditions searched to order " + std::to_string(condition_order) + " only";
-                }
-            }
-        }
-        all.push_back(std::move(p));
-    }
+    for (const auto& row : table) all.push_back(row.applied());
     return all;
 }
 
@@ -327,23 +331,21 @@ order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
 template <class K>
 order_prediction predict_index3(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
-    order_prediction p;
-    p.theorem = "HLR89, section 6, stiffly accurate collocation";
-    p.hypotheses = {detail::regular(m),
-                    detail::damped(m),
-                    detail::is_collocation(m),
-                    detail::stiff(m),
-                    detail::no_node_at_zero(t),
-                    detail::last_node_is_one(t),
-                    {"s >= 2", detail::decided(m.stages >= 2, "s = " + std::to_string(m.stages))}};
-    if (!detail::all_proved(p.hypotheses)) {
-        p.note = "no theorem applies";
-        return p;
-    }
-    p.y = p.z = m.stages;
-    p.u = m.stages - 1;
-    p.note = "y: lower bound; up to " + std::to_string(m.simplifying.B) + " is observed, not promised";
-    return p;
+    const detail::theorem row{"HLR89, section 6, stiffly accurate collocation",
+                              {detail::regular(m),
+                               detail::damped(m),
+                               detail::is_collocation(m),
+                               detail::stiff(m),
+                               detail::no_node_at_zero(t),
+                               detail::last_node_is_one(t),
+                               {"s >= 2", detail::decided(m.stages >= 2, "s = " + std::to_string(m.stages))}},
+                              [&m](order_prediction& p) {
+                                  p.y = p.z = m.stages;
+                                  p.u = m.stages - 1;
+                                  p.note = "y: lower bound; up to " + std::to_string(m.simplifying.B) +
+                                           " is observed, not promised";
+                              }};
+    return row.applied_or_none();
 }
 
 /// y' = f(y, lambda), eps lambda' = g(y, lambda) with mu(g_lambda) <= -1: the thesis' Theorem 7
