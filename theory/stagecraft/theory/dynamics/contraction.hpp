@@ -16,7 +16,7 @@
 namespace stagecraft::theory {
 
 /// |x_1 - y_1| <= factor |x_0 - y_0| for every problem with one-sided Lipschitz constant gamma, l = h gamma: the method is
-/// (k, l)-algebraically stable with the weights D, factor = sqrt k (Burrage and Butcher, BIT 20, 1980).
+/// (k, l)-algebraically stable with the weights D, factor = sqrt k (Burrage-Butcher 1980).
 template <class K>
 struct contraction_bound {
     theory::verdict verdict;

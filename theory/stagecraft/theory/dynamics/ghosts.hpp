@@ -161,8 +161,8 @@ polynomial<K> two_cycle_equation(const stability_function<K>& r) {
     return r.numerator + r.denominator;
 }
 
-/// P - Q = c z: linear problems have no ghosts at any step size (Hairer, Iserles and Sanz-Serna
-/// 1990).
+/// P - Q = c z: linear problems have no ghosts at any step size
+/// (Hairer-Iserles-Sanz-Serna 1990).
 template <class K>
 bool no_linear_ghosts(const stability_function<K>& r) {
     const auto p = fixed_point_equation(r);
