@@ -15,7 +15,7 @@ namespace stagecraft {
 ///
 ///     q' = v,   v' = M(q)^-1 (F - G(q)^T lambda),   0 = G(q) v + b
 ///
-/// (thesis (1.10), a Hessenberg form: q and v have index 1, lambda index 2, HLR89 section 1). M is factored
+/// (HLR89, section 1; thesis (1.10); a Hessenberg form: q and v have index 1, lambda index 2). M is factored
 /// once per evaluation, or never where the model brings `solve_mass`. Made by `index_2`.
 template <mechanical_model Model, class Scalar = double>
 class index_2_dae {
@@ -47,9 +47,9 @@ class index_2_dae {
     Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
     std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
-    /// (q, v, lambda) with the multiplier consistent with q and v at time t. Throws std::invalid_argument with
-    /// the size of each violation if the constraints do not hold to rounding, std::domain_error at a singular
-    /// position.
+    /// (q, v, lambda) with the multiplier consistent with q and v at time t. Throws std::invalid_argument
+    /// with the size of each violation if the constraints do not hold to rounding, std::domain_error at a
+    /// singular position.
     Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
                                                  const coordinate_vector<Scalar, Model>& v,
                                                  const Scalar& t = Scalar(0)) const {
@@ -78,9 +78,9 @@ index_2_dae<Model, Scalar> index_2(Model model) {
 /// The ordinary differential equation left when the multiplier is eliminated by the once differentiated
 /// constraint (thesis (3.17), corrected): state (q, v), lambda = (G M^-1 G^T)^-1 (G M^-1 F + (dG/dt) v + r G
 /// v). With r = 0, G v is an invariant that no method keeps exactly: its drift is the price of index
-/// reduction. With r = c/d > 0 the violation obeys u' = -r u (thesis (3.45)). For a holonomic model s g(q) may
-/// be added to r G v, and the violation obeys g'' + r g' + s g = 0 (Baumgarte 1972). Made by `index_reduced`
-/// and `baumgarte`.
+/// reduction. With r = c/d > 0 the violation obeys u' = -r u (thesis (3.45)). For a holonomic model s g(q)
+/// may be added to r G v, and the violation obeys g'' + r g' + s g = 0 (Baumgarte 1972). Made by
+/// `index_reduced` and `baumgarte`.
 template <mechanical_model Model, class Scalar = double>
 class index_reduced_ode {
   public:
@@ -172,11 +172,11 @@ index_reduced_ode<Model, Scalar> index_reduced(Model model, Scalar r = Scalar(0)
     return index_reduced_ode<Model, Scalar>(std::move(model), std::move(r));
 }
 
-/// Baumgarte's stabilisation of a model with position constraints, an ordinary differential equation in
-/// (q, v): the constraint is replaced by g'' + 2 alpha g' + beta^2 g = 0 (J. Baumgarte 1972, Comput. Methods
+/// Baumgarte's stabilisation of a model with position constraints, an ordinary differential equation in (q,
+/// v): the constraint is replaced by g'' + 2 alpha g' + beta^2 g = 0 (J. Baumgarte 1972, Comput. Methods
 /// Appl. Mech. Eng. 1; alpha = beta damps critically). Large values damp the drift fast and make the equation
-/// stiff. For constraints of velocity see `index_reduced` with r. Throws std::invalid_argument if alpha or beta
-/// is negative.
+/// stiff. For constraints of velocity see `index_reduced` with r. Throws std::invalid_argument if alpha or
+/// beta is negative.
 template <class Scalar = double, holonomic_model Model>
 index_reduced_ode<Model, Scalar> baumgarte(Model model, Scalar alpha, Scalar beta) {
     if (!(alpha >= Scalar(0)) || !(beta >= Scalar(0)))

@@ -21,8 +21,8 @@ struct continuous_condition {
     Eigen::Matrix<Scalar, 1, Eigen::Dynamic> right;
 };
 
-/// Column by column the smallest x (Euclidean) that satisfies the conditions; false if they contradict each
-/// other. Conditions that follow from others are left out.
+/// Finds, column by column, the x of least Euclidean norm that satisfies the conditions. False if they
+/// contradict each other. Conditions that follow from others are left out.
 template <class Scalar>
 bool least_solution(const std::vector<continuous_condition<Scalar>>& conditions,
                     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& x) {

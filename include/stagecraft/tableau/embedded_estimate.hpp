@@ -39,13 +39,12 @@ bool blind_to_quadrature(const tableau<Scalar, Stages>& m, const Weights& d) {
 
 /// Whether the estimate h sum_j d_j k_j is to be multiplied by (M - h a J)^-1 M.
 ///
-/// In a stiff component the stages lie on the smooth solution, and y1 with them where it is the last one:
-/// its error is O(1/z), z = h lambda, and an estimate that is O(1) needs the filter to be of its size. Not so
-/// where y1 is no stage: its error is O(1) as the estimate is, and the filter would hide it. Nor where the
-/// estimate is a difference of stages at the same node, as that of two stiffly accurate methods is: it is
-/// O(1/z) already. With w = A_r^-T d_r, A_r being A without a left stage, the estimate is
-/// sum_i w_i z_i + (d_1 - w^T a_1) h k_1, so the second is the case where the w_i of every node sum to zero
-/// and the last factor is zero.
+/// In a stiff component the stages lie on the smooth solution. If y1 is the last stage, so does y1: its error
+/// is O(1/z) with z = h lambda, and an estimate that is O(1) needs the filter to become as small. There are
+/// two exceptions. If y1 is no stage, its error is O(1) like the estimate, and the filter would hide it. If
+/// the estimate is a difference of stages at the same node, as for two stiffly accurate methods, it is O(1/z)
+/// already. With w = A_r^-T d_r, A_r being A without a left stage, the estimate is sum_i w_i z_i + (d_1 - w^T
+/// a_1) h k_1; the second exception holds if the w_i of every node sum to zero and d_1 - w^T a_1 is zero.
 template <class Scalar, int Stages, class Weights>
 bool needs_filter(const tableau<Scalar, Stages>& m, const tableau_structure& is, const Weights& d) {
     using std::abs;

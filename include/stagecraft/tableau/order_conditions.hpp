@@ -19,8 +19,9 @@ inline constexpr int largest_tree_order = 8;
 
 namespace detail {
 
-/// Rounding and the first failing condition lie far on either side of it: sqrt(eps), and 1e-8 for wide types,
-/// whose tableaux may hold decimals of fewer digits.
+/// The tolerance for order conditions in floating point: sqrt(eps), and 1e-8 for wide types, whose tableaux
+/// may hold decimals of fewer digits. Rounding errors lie far below it, the first failing condition far
+/// above.
 template <class Scalar>
 Scalar condition_tolerance() {
     using std::sqrt;

@@ -8,8 +8,8 @@
 
 namespace stagecraft {
 
-/// The method that takes two half steps of m and estimates their error by a whole one (lecture 2.4.1;
-/// Hairer-Norsett-Wanner I.II.4): for a method without embedded weights.
+/// The method that takes two half steps of m and estimates their error by a whole one (Hairer-Norsett-Wanner
+/// I.II.4; lecture 2.4.1): for a method without embedded weights.
 ///
 /// The result is a tableau of 3 s stages, those of the whole step first, and 3 s - 1 where the first stage of
 /// m is f(t, y), which the whole and the first half step share; 3 s - 2 where the last stage is that of the

@@ -12,7 +12,7 @@
 
 namespace stagecraft {
 
-/// What the zeros of a tableau say about how its stages are solved.
+/// How the stages of a tableau can be solved, from the zeros among its entries.
 struct tableau_structure {
     bool lower = true;        ///< A is lower triangular: explicit, DIRK, SDIRK, ESDIRK
     bool left_stage = false;  ///< the first stage is the left end of the step (first row of A, c_1 zero)
@@ -23,8 +23,8 @@ struct tableau_structure {
     bool first_same_as_last() const { return left_stage && stiffly_accurate; }
 };
 
-/// Looks at the entries; zero means zero. `carry` takes 1, -A_r^-1 a_1 where there is a left stage, a_1 being
-/// the rest of the first column and A_r that of A, and A_r is regular, else zeros.
+/// Examines the entries; zero means exactly zero. If there is a left stage, let a_1 be the rest of the first
+/// column and A_r the rest of A: `carry` becomes (1, -A_r^-1 a_1) if A_r is regular, else zeros.
 template <class Scalar, int Stages>
 tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<Scalar, Stages, 1>& carry) {
     using std::abs;
@@ -73,8 +73,8 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
     return is;
 }
 
-/// The method itself, if its parts fit together, its entries are finite and its weights those of a consistent
-/// method; otherwise std::invalid_argument that names the part.
+/// Returns the method itself if its parts fit together, its entries are finite and its weights are those of a
+/// consistent method. Otherwise throws std::invalid_argument that names the part.
 template <class Scalar, int Stages>
 const tableau<Scalar, Stages>& checked(const tableau<Scalar, Stages>& m) {
     const auto demand = [](bool good, const char* what) {

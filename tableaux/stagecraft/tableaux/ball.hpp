@@ -142,8 +142,8 @@ class ball {
     bound upper_magnitude() const { return upward(magnitude() + r_); }
     bound lower_magnitude() const { return downward(magnitude_below() - r_); }
 
-    /// Order of all points of a and all points of b; unordered where the balls overlap, unless both are the
-    /// same single point. So certain statements only.
+    /// The order that holds between all points of a and all points of b; unordered if the balls overlap,
+    /// unless both are the same single point. What it says is certain.
     friend std::partial_ordering compare(const ball& a, const ball& b) {
         const ball d = exact_difference(a, b);
         const bound r = a.r_ == 0 && b.r_ == 0 ? 0 : upward(a.r_ + b.r_);

@@ -7,9 +7,9 @@
 
 namespace stagecraft::tableaux {
 
-/// What a tableau file says of its method. Only what is stated is judged; `order` = p claims every order
-/// condition up to p, not that p + 1 fails. `stage_order` = q claims B(q) and C(q); a file that gives c
-/// claims c = A*1 with it, unless it states stage_order 0.
+/// What a tableau file claims about its method. Only what is stated is judged. `order` = p claims every order
+/// condition up to p, but not that order p + 1 fails. `stage_order` = q claims B(q) and C(q); a file that
+/// gives c claims c = A*1 with it, unless it states stage_order 0.
 struct claims {
     std::optional<int> order;
     std::optional<int> embedded_order;

@@ -18,10 +18,10 @@ struct lagrange_form {
     std::vector<ball> shape;
 };
 
-/// The Lagrange polynomials of all nodes; p holds the values P_k(c_j), k <= s. A family's: shape[k] =
+/// The Lagrange polynomials of all nodes; p holds the values P_k(c_j), k <= s. For a family: shape[k] =
 /// P_k(c_j) / G_k with the Gram entries G_k = 1/(2k+1) of b^T(uv), the last one 1/(s-1) for Lobatto, and
-/// factor = b_j = 1 / sum P_k(c_j)^2 / G_k. Anybody's: w / (x - c_j) by back substitution in the three-term
-/// recurrence, scaled to 1 at c_j. O(s^2).
+/// factor = b_j = 1 / sum P_k(c_j)^2 / G_k. For other nodes: w / (x - c_j) by back substitution in the
+/// three-term recurrence, scaled to 1 at c_j. O(s^2).
 inline std::vector<lagrange_form> lagrange_forms(const nodal_polynomial& w, const std::vector<ball>& nodes,
                                                  const std::vector<std::vector<ball>>& p, int bits) {
     const int s = w.degree();

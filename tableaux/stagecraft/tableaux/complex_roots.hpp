@@ -35,8 +35,8 @@ inline std::pair<complex_ball, complex_ball> horner(const std::vector<ball>& a, 
 }
 
 /// Approximations of all roots of a monic polynomial by the Ehrlich-Aberth iteration in long double, from a
-/// circle whose radius is the geometric mean of the moduli. They may be poor; the circle itself where the
-/// iteration leaves the range of the numbers or runs two of them together.
+/// circle whose radius is the geometric mean of the moduli. They may be poor. Points of the circle itself
+/// are returned if the iteration overflows or makes two approximations coincide.
 inline std::vector<std::complex<bound>> rough(const std::vector<ball>& a) {
     using complex = std::complex<bound>;
     const auto n = a.size() - 1;
@@ -107,10 +107,10 @@ inline std::vector<complex_ball> approximate(const std::vector<ball>& a, int bit
 
 /// Enclosures of all roots of p, which must be simple and non-zero. The proof: by Smith's theorem (1970) the
 /// discs |z - z_i| <= n |p(z_i)| / |prod_{j != i} (z_i - z_j)| of a monic p contain all roots, one each where
-/// they are disjoint; a disc around a real z_i then holds a real root, for the conjugate of a root is one.
-/// `a` are the coefficients of p, ascending, the last one 1; where they are not exact, the enclosures hold
-/// the roots of every p among them. O(n^2) operations a sweep. Throws undecided where `bits` is too small,
-/// the coefficients too uncertain, or p has a multiple root. In no order.
+/// they are disjoint; a disc around a real z_i then holds a real root, because the conjugate of a root is a
+/// root. `a` are the coefficients of p, ascending, the last one 1; where they are not exact, the enclosures
+/// hold the roots of every p among them. O(n^2) operations a sweep. Throws undecided where `bits` is too
+/// small, the coefficients too uncertain, or p has a multiple root. The order of the result is arbitrary.
 inline root_enclosures locate_roots(const std::vector<ball>& a, int bits) {
     const int n = static_cast<int>(a.size()) - 1;
     const int start = std::min(bits, 64 + 6 * n);

@@ -26,9 +26,9 @@ std::optional<polynomial<residue>> residue_of(const polynomial<K>& p) {
 }  // namespace detail
 
 /// True only where p and q have no common root, shown by Euclid's algorithm modulo 2^61 - 1: a common factor
-/// of p and q would divide both images, as long as the leading coefficient of p keeps an inverse. False says
-/// nothing. Costs O(deg^2) word operations, where Euclid's algorithm over the field meets fractions thousands
-/// of digits long.
+/// of p and q would divide both images, as long as the leading coefficient of p keeps an inverse. False means
+/// "not shown". Costs O(deg^2) word operations, where Euclid's algorithm over the field meets fractions
+/// thousands of digits long.
 template <class K>
 requires requires(const K& a) { residue_of(a); }
 bool coprime_by_residues(const polynomial<K>& p, const polynomial<K>& q) {

@@ -134,7 +134,7 @@ inline std::string decimal_text(const rational& q, int digits) {
     return to_text(nearest_decimal(abs(q).numerator(), q.denominator(), digits), q < 0);
 }
 
-/// Likewise every number of the ball, or nothing where its ends round differently.
+/// The decimal to which every number of the ball rounds, or nothing if its ends round differently.
 inline std::optional<std::string> decimal_text(const ball& x, int digits) {
     if (x.exactly_zero()) return "0";
     if (!certainly_nonzero(x)) return {};

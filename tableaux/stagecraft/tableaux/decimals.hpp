@@ -35,9 +35,9 @@ decimal_tableau texts(const Table& t, Text text) {
 
 }  // namespace rounding
 
-/// The decimal tableau of a method. Where the nodes lie in a quadratic field the numbers are exact before
-/// they are rounded, so that 1/4 to one digit is a tie and no endless question; elsewhere from enclosures,
-/// widened until all ends agree. Cost: that of `enclose` and two conversions an entry. Throws
+/// The decimal tableau of a method. If the nodes lie in a quadratic field the numbers are exact before they
+/// are rounded, so that 1/4 to one digit is recognised as a tie. Otherwise they come from enclosures, whose
+/// precision is increased until all ends agree. Cost: that of `enclose` and two conversions per entry. Throws
 /// std::invalid_argument for digits < 1 and undecided where a rounding stays undecided.
 inline decimal_tableau decimals(const nodal_polynomial& w, construction rule, int digits) {
     if (digits < 1) throw std::invalid_argument("digits: at least 1 needed, got " + std::to_string(digits));

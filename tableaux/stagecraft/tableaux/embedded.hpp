@@ -65,8 +65,8 @@ std::optional<weight_family<K>> weights_of_order(const stagecraft::tableau<K>& t
 }
 
 /// Embedded weights of the given order that differ from b: the member of `weights_of_order` with zeros in the
-/// free entries or, where that is b, b plus a quarter of the first direction (an author who wants another
-/// scaling of the error estimate takes another member). Nothing where no weights other than b have the order.
+/// free entries, or b plus a quarter of the first direction if that member is b. (For another scaling of the
+/// error estimate take another member.) Nothing if b alone has the order.
 template <class K>
 std::optional<column<K>> embedded_weights(const stagecraft::tableau<K>& t, int order) {
     const auto family = weights_of_order(t, order);

@@ -10,9 +10,9 @@ namespace stagecraft::tableaux {
 
 __extension__ using int128 = __int128;
 
-/// An exact rational over 128-bit integers for proofs at compile time. Every operation is checked: what does
-/// not fit is a compile error in a constant expression and std::overflow_error at run time, never a wrapped
-/// number. Always in lowest terms, denominator positive. No floating-point number converts to it.
+/// An exact rational over 128-bit integers for proofs at compile time. Every operation is checked: overflow
+/// is a compile error in a constant expression and std::overflow_error at run time; numbers never wrap
+/// around. Always in lowest terms, denominator positive. No floating-point number converts to it.
 class fixed_rational {
   public:
     constexpr fixed_rational()
@@ -38,8 +38,7 @@ class fixed_rational {
     constexpr int128 denominator() const { return denominator_; }
 
     constexpr fixed_rational operator-() const { return lowest(negated(numerator_), denominator_); }
-    // Compilers spend most of a compile-time proof in these: zeros leave early, nothing is called for
-    // nothing.
+    // Compilers spend most of a compile-time proof in these, so zeros return early and no call is wasted.
     constexpr fixed_rational& operator+=(const fixed_rational& o) {
         if (o.numerator_ == 0) return *this;
         if (numerator_ == 0) return *this = o;

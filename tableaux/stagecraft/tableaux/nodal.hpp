@@ -47,15 +47,16 @@ constexpr std::vector<K> nodal_legendre(family f, int s) {
 /// Immutable. Scaled so that its leading shifted Legendre coordinate is 1.
 class nodal_polynomial {
   public:
-    /// A family's. Its roots need no proof here: they are those of classical orthogonal polynomials, times
-    /// the end points. Throws std::invalid_argument where the family has no member with s stages.
+    /// The nodal polynomial of a family. Its roots need no proof here, being those of classical orthogonal
+    /// polynomials and the end points. Throws std::invalid_argument where the family has no member with s
+    /// stages.
     nodal_polynomial(tableaux::family f, int s)
         : legendre_(nodal_legendre<rational>(f, s)),
           monomial_(from_legendre(legendre_)),
           family_(f),
           name_(tableaux::name(f)) {}
 
-    /// A user's own, from the coefficients of 1, x, x^2, ... (any scaling). Throws std::invalid_argument
+    /// From the coefficients of 1, x, x^2, ... in any scaling. Throws std::invalid_argument
     /// unless Sturm's theorem proves all roots real, distinct and in [0, 1].
     static nodal_polynomial from_coefficients(std::vector<rational> ascending, std::string name = "nodal") {
         polynomial<rational> p(std::move(ascending));
@@ -70,7 +71,7 @@ class nodal_polynomial {
         return {p, std::move(name)};
     }
 
-    /// A user's own, from distinct rational nodes in [0, 1], in any order. Throws std::invalid_argument.
+    /// From distinct rational nodes in [0, 1], in any order. Throws std::invalid_argument if they are not so.
     static nodal_polynomial from_nodes(const std::vector<rational>& nodes, std::string name = "nodal") {
         if (nodes.empty()) throw std::invalid_argument("nodes: at least one node needed");
         polynomial<rational> p(1);
@@ -90,7 +91,7 @@ class nodal_polynomial {
     const std::vector<rational>& legendre() const { return legendre_; }
     /// The same polynomial in powers of x; its leading coefficient is binom(2s, s).
     const polynomial<rational>& monomial() const { return monomial_; }
-    /// The family, empty for a user's own.
+    /// The family, empty for other nodes.
     std::optional<tableaux::family> family() const { return family_; }
     const std::string& name() const { return name_; }
 

@@ -5,8 +5,8 @@
 
 namespace stagecraft::tableaux {
 
-/// What Eigen is told of a number class that is exact or carries its own error bound: signed, without a
-/// rounding unit, operations dear. Eigen::NumTraits<T> derives from it.
+/// What Eigen is told about a number class that is exact or carries its own error bound: signed, without a
+/// rounding unit, with expensive operations. Eigen::NumTraits<T> derives from it.
 template <class T>
 struct number_traits : Eigen::GenericNumTraits<T> {
     enum { IsSigned = 1, ReadCost = 10, AddCost = 100, MulCost = 100 };

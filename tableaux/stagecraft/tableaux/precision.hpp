@@ -21,15 +21,15 @@ constexpr int bits_for_digits(int digits) { return digits * 3322 / 1000 + 2; }
 using bound = long double;
 static_assert(std::numeric_limits<bound>::max_exponent >= 16384, "error bounds need the range of x87");
 
-/// An upper bound of what a few (at most 32) roundings and underflows made of a non-negative expression.
-/// Infinity means that nothing is known.
+/// An upper bound of a non-negative expression whose computed value x has been through at most 32 roundings
+/// and underflows. Infinity means that nothing is known.
 inline bound upward(bound r) {
     constexpr bound grow = 1 + 64 * std::numeric_limits<bound>::epsilon();
     if (!(r <= std::numeric_limits<bound>::max() / 2)) return std::numeric_limits<bound>::infinity();
     return r * grow + std::numeric_limits<bound>::min();
 }
 
-/// Likewise a lower bound, 0 at least.
+/// A lower bound in the same sense, at least 0.
 inline bound downward(bound r) {
     constexpr bound shrink = 1 - 64 * std::numeric_limits<bound>::epsilon();
     if (r > std::numeric_limits<bound>::max() / 2) return std::numeric_limits<bound>::max() / 4;

@@ -90,13 +90,13 @@ tableau<Real> rounded(const nodal_polynomial& w, construction rule, const stagec
     });
 }
 
-/// Likewise the s-stage member of a family. Throws std::invalid_argument where it has none.
+/// The same for the s-stage member of a family. Throws std::invalid_argument if it has none.
 template <class Real = double>
 tableau<Real> rounded(family f, int s, const stagecraft::facts& known = {}) {
     return rounded<Real>(nodal_polynomial(f, s), construction_of(f), known);
 }
 
-/// The tableau together with A^-1, its eigenvalues and the transformation T, rounded likewise. A must be
+/// The tableau together with A^-1, its eigenvalues and the transformation T, all rounded as above. A must be
 /// regular: Gauss, Radau IA and IIA, Lobatto IIIC, and collocation on a user's nodes without 0; otherwise
 /// std::invalid_argument.
 template <class Real = double>

@@ -19,9 +19,9 @@ Real nearest(const rational& q) {
 }
 
 /// The method of a tableau file in the numbers a stepper computes with, each entry rounded once: exact
-/// entries to the nearest double or long double, decimals from the number as it is written. Facts are what
-/// the file claims, which `stagecraft check` proves or refutes, and stiff accuracy as seen in the entries;
-/// what is not claimed stays 0 or false, R(inf) NaN.
+/// entries to the nearest double or long double, decimals from the number as it is written. The facts are
+/// what the file claims (`stagecraft certify` proves or refutes it), and stiff accuracy as the entries show
+/// it. What the file does not claim is 0 or false, R(inf) is NaN.
 template <class Real = double>
 tableau<Real> rounded(const tableau_file& file) {
     auto t = to_tableau<Real>(file, [](const entry& e) {

@@ -42,7 +42,8 @@ struct epsilon_term {
     friend bool operator==(const epsilon_term&, const epsilon_term&) = default;
 };
 
-/// The thesis' Theorem 7 for a method: y and lambda errors are sums of the terms.
+/// Hairer-Wanner II, Corollary VI.3.10 (thesis, Theorem 7) for a method: the errors of y and lambda are sums
+/// of these terms.
 struct epsilon_prediction {
     std::string theorem;
     std::vector<hypothesis> hypotheses;
@@ -348,7 +349,7 @@ order_prediction predict_index3(const tableau<K>& t) {
     return row.applied_or_none();
 }
 
-/// y' = f(y, lambda), eps lambda' = g(y, lambda) with mu(g_lambda) <= -1: the thesis' Theorem 7
+/// y' = f(y, lambda), eps lambda' = g(y, lambda) with mu(g_lambda) <= -1: thesis, Theorem 7
 /// (Hairer-Wanner II, Corollary VI.3.10). y: O(h^p) + O(eps h^{q+1}); lambda: O(h^{q+1}), stiffly accurate
 /// methods O(h^p) + O(eps h^q).
 template <class K>

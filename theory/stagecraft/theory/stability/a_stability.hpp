@@ -65,7 +65,7 @@ verdict strongly_a_stable(const stability_function<K>& r) {
     return verdict::refuted("R(inf) = " + limit.str());
 }
 
-/// A-stable with R(infinity) = 0 (lecture, Definition 2.21).
+/// A-stable with R(infinity) = 0 (Hairer-Wanner II.IV.3; lecture, Definition 2.21).
 template <class K>
 verdict l_stable(const stability_function<K>& r) {
     const auto a = a_stable(r);

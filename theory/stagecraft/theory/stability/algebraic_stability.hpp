@@ -67,7 +67,7 @@ tableaux::inertia stability_matrix_inertia(const tableau<K>& t) {
 }
 
 /// b >= 0 and M positive semidefinite, by exact L D L^T; refuted with a negative weight or a vector v with
-/// v^T M v < 0 (lecture, section 2.1.1; Hairer-Wanner II, section IV.12).
+/// v^T M v < 0 (Hairer-Wanner II, section IV.12; lecture, section 2.1.1).
 template <class K>
 verdict algebraically_stable(const tableau<K>& t) {
     require_shape(t);
@@ -159,8 +159,8 @@ verdict regular_matrix(const tableau<K>& t) {
     return d == K(0) ? verdict::refuted("det A = 0") : verdict::proved("det A = " + d.str());
 }
 
-/// Every eigenvalue of A has a positive real part (the assumption of the thesis' Theorem 7): half-plane count
-/// of the characteristic polynomial, exact.
+/// Every eigenvalue of A has a positive real part (assumed in Hairer-Wanner II, Corollary VI.3.10; thesis,
+/// Theorem 7): half-plane count of the characteristic polynomial, exact.
 template <class K>
 verdict eigenvalues_in_right_half_plane(const tableau<K>& t) {
     require_shape(t);

@@ -13,10 +13,10 @@
 ///     constexpr auto t53 = dot(b, c * (A * (c * c))) == 1 / 15_q;
 ///     static_assert(holds(t53, gauss_3));
 ///
-/// Four sorts: maps (A, transposed(A), P), stage vectors (one, c, A*v, u*v pointwise, pow<n>(v), P*v),
-/// rows, that is functionals (b, b*v, transposed(A)*b, last), and numbers (dot(row, vector)). u and v stand
-/// for arbitrary stage vectors; an equation with them holds when it holds for all. What could be read in two
-/// ways does not compile, and says how to write what is meant.
+/// Four sorts: maps (A, transposed(A), P), stage vectors (one, c, A*v, u*v pointwise, pow<n>(v), P*v), rows,
+/// that is functionals (b, b*v, transposed(A)*b, last), and numbers (dot(row, vector)). u and v stand for
+/// arbitrary stage vectors; an equation with them holds if it holds for all. An expression that could be read
+/// in two ways does not compile, and the message says how to write what is meant.
 namespace stagecraft::theory {
 
 template <expression L, expression R>
@@ -112,7 +112,7 @@ constexpr auto operator/(E e, K k) {
     return multiple<constant, E>{{exact_number(1) / exact_number(k)}, e};
 }
 
-/// A right-hand side. A plain integer is taken for what it says, except 0, which is what 1/15 means in C++.
+/// A right-hand side. A plain integer is accepted, except 0: that is the value of 1/15 in C++.
 struct right_hand_side {
     exact_number value;
     constexpr right_hand_side(const exact_number& q) : value(q) {}  // NOLINT: 1/15_q is a right-hand side
@@ -159,9 +159,9 @@ constexpr auto evaluate(const E& e, const M& m) {
     return e.in(m, bindings<M>{});
 }
 
-/// Calls f with every scalar that must vanish for the equation to hold: left - right itself, or its
-/// components as a stage vector of the model, for u and v through a basis (equations are linear in each, so
-/// that settles them for all). The order is fixed by the model.
+/// Calls f with every scalar that must vanish for the equation to hold: left - right, or the components of
+/// that stage vector in the model. u and v run through a basis, which is enough because equations are linear
+/// in each. The model fixes the order of the calls.
 template <class L, class R, stage_algebra M, class F>
 constexpr void for_each_residual(const equation<L, R>& e, const M& m, F&& f) {
     const auto visit = [&](const bindings<M>& any) {

@@ -13,7 +13,7 @@
 
 namespace stagecraft::theory {
 
-/// An order condition and what it leaves: elementary weight minus 1/gamma.
+/// An order condition and its residual: elementary weight minus 1/gamma.
 template <class K>
 struct tree_residual {
     rooted_tree tree;
@@ -29,9 +29,9 @@ struct not_zero {
     }
 };
 
-/// Whether a residual certainly differs from zero: exactly so over exact fields, and where the scalar brings
-/// `certainly_nonzero` (enclosures) by that. Floating scalars have no such criterion by themselves; pass one
-/// that says what rounding explains. What does not fail certainly is not refuted, and no more than that.
+/// Whether a residual certainly differs from zero. Exact fields decide it; scalars with `certainly_nonzero`
+/// (enclosures) decide it by that. Floating-point scalars have no such criterion: pass one that says how much
+/// rounding explains. A condition that does not certainly fail is not refuted, but not proved either.
 struct certainly_fails {
     template <class K>
     constexpr bool operator()(const K& residual) const {
@@ -104,9 +104,9 @@ struct order_result {
 
 /// The order of a method by its tree conditions, looked for up to `max_order`; it stops at the first order
 /// with a failing condition. `fails` as in `failing_conditions`. A method with s stages and real nodes has
-/// order at most 2s (lecture, Lemma 2.6), so `max_order` = 2s + 1 settles the order. The conditions are those
-/// of autonomous systems; others need the row sums A 1 = c besides.
-/// Throws std::invalid_argument for `max_order` outside 1..20.
+/// order at most 2s (Hairer-Norsett-Wanner I.II.7; lecture, Lemma 2.6), so `max_order` = 2s + 1 settles the
+/// order. The conditions are those of autonomous systems; others need the row sums A 1 = c as well. Throws
+/// std::invalid_argument for `max_order` outside 1..20.
 template <stage_algebra M, class Fails = certainly_fails>
 order_result<scalar_of<M>> order_of(const M& model, int max_order, Fails fails = {}) {
     if (max_order < 1 || max_order > rooted_tree::max_order)

@@ -83,7 +83,7 @@ class tree_weights {
     /// gamma times elementary weight, minus 1, for tree number i of `order()`: zero where its condition
     /// holds.
     constexpr scalar defect(std::size_t i) const { return weights_[i] * scalar(order_) - scalar(1); }
-    /// Elementary weight minus 1/gamma: what the order condition leaves.
+    /// Elementary weight minus 1/gamma: the residual of the order condition.
     constexpr scalar residual(std::size_t i) const {
         return defect(i) / scalar(trees_.rows[first_row() + i].density);
     }
