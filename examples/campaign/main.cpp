@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSL-1.0
+// build/campaign [CLASS ...] [--seed N] [--runs N]: random problems of every class, each at four tolerances with
+// the integrators of fixed and variable order, beside RADAU5 where it is installed. Counts failures, and false
+// successes: runs that end in success with an accepted step whose error exceeds 1,000 tolerances, component by
+// component, those of index 2 and 3 times |h| and h^2.
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <vector>
+
+#include "problem.hpp"
+
+namespace {
+
+using namespace campaign;
+
+struct entrant {
+    std::string name;
+    int stages;  // 0: variable order, -1: RADAU5, -2: the run that looks for events
+};
+
+struct counts {
+    long runs = 0, failures = 0, false_successes = 0, steps = 0;
+    double worst = 0;
+    std::map<std::string, long> reasons;
+
+    void add(const outcome& o) {
+        ++runs;
+        steps += o.steps;
+        if (!o.success) {
+            ++failures;
+            ++reasons[o.status];
+        } else {
+            worst = std::max(worst, o.worst);
+            if (o.worst > 1000) ++false_successes;
+        }
+    }
+};
+
+void print_row(const std::string& kind, const std::string& name, const counts& c) {
+    std::cout << std::left << std::setw(13) << kind << std::setw(10) << name << std::right << std::setw(7)
+              << c.runs << std::setw(10) << c.failures << std::setw(8) << c.false_successes << std::setw(11)
+              << std::setprecision(2) << std::scientific << c.worst << std::setw(10) << c.steps;
+    for (const auto& [why, times] : c.reasons) std::cout << "  " << why << ' ' << times;
+    std::cout << '\n';
+}
+
+const std::map<std::string, problem (*)(dice)> classes{
+    {"linear", linear},   {"nonlinear", nonlinear}, {"index_1", index_1},
+    {"index_2", index_2}, {"index_3", index_3},     {"pendulum", pendulum},
+    {"jumps", jumps},     {"switching", switching}, {"approximate", approximate}};
+const double tolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};
+
+struct settings {
+    unsigned seed = 1;
+    int runs = 100, only = -1;
+    bool verbose = false;
+};
+
+void tell(const std::string& kind, const std::string& name, int number, double tol, const std::string& what,
+          const outcome& o) {
+    if (o.success && o.worst <= 1000) return;
+    std::cout << "  " << kind << " --only " << number << " (" << what << "), " << name << " at "
+              << std::setprecision(0) << std::scientific << tol << ": " << o.status
+              << " at t = " << std::setprecision(17) << std::defaultfloat << o.t << ", "
+              << std::setprecision(2) << o.worst << " tolerances, " << o.steps << " steps\n";
+}
+
+void run_class(const std::string& kind, problem (*draw)(dice), const settings& s) {
+    std::vector<entrant> entrants{{"s = 3", 3}, {"s = 5", 5}, {"s = 7", 7}, {"variable", 0}};
+    if (radau5_available()) entrants.push_back({"RADAU5", -1});
+    std::vector<counts> all(entrants.size());
+    for (int k = s.only < 0 ? 0 : s.only; k < (s.only < 0 ? s.runs : s.only + 1); ++k) {
+        const problem p = draw(dice(s.seed, k));
+        for (const double tol : tolerances)
+            for (std::size_t e = 0; e < entrants.size(); ++e) {
+                const outcome o =
+                    entrants[e].stages < 0 ? run_radau5(p, tol) : run(entrants[e].stages, p, tol);
+                all[e].add(o);
+                if (s.verbose) tell(kind, entrants[e].name, k, tol, p.description, o);
+            }
+    }
+    for (std::size_t e = 0; e < entrants.size(); ++e) print_row(kind, entrants[e].name, all[e]);
+}
+
+void run_event_class(const settings& s) {
+    counts all;
+    for (int k = s.only < 0 ? 0 : s.only; k < (s.only < 0 ? s.runs : s.only + 1); ++k)
+        for (const double tol : tolerances) {
+            const outcome o = run_events(dice(s.seed, k), tol);
+            all.add(o);
+            if (s.verbose) tell("events", "s = 3", k, tol, "crossings", o);
+        }
+    print_row("events", "s = 3", all);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    settings s;
+    std::vector<std::string> chosen;
+    CLI::App app{"Random problems with known solutions: failures and false successes, beside RADAU5's."};
+    std::vector<std::string> names{"events"};
+    for (const auto& c : classes) names.push_back(c.first);
+    app.add_option("class", chosen, "classes to run, all by default")->check(CLI::IsMember(names));
+    app.add_option("--seed", s.seed, "of the random numbers")->capture_default_str();
+    app.add_option("--runs", s.runs, "problems of each class")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--only", s.only, "the one problem of this number");
+    app.add_flag("--verbose", s.verbose, "a line for each failure and false success");
+    CLI11_PARSE(app, argc, argv);
+
+    std::cout << "class        method       runs  failures   false      worst     steps  (seed " << s.seed
+              << ", " << s.runs << " problems at 1e-4, 1e-6, 1e-8, 1e-10)\n";
+    const auto wanted = [&](const std::string& name) {
+        return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+    };
+    for (const auto& [name, draw] : classes)
+        if (wanted(name)) run_class(name, draw, s);
+    if (wanted("events")) run_event_class(s);
+}
