@@ -88,6 +88,24 @@ BOOST_AUTO_TEST_CASE(a_bouncing_ball_hits_the_ground_when_it_should) {
     }
 }
 
+// The flights end after 1 + 2 (e + e^2 + ...) = 3, of which all bounces slower than 1e-9 take 4e-9.
+BOOST_AUTO_TEST_CASE(a_ball_lies_still_once_its_speed_no_longer_matters) {
+    auto ground =
+        sc::events<Vector2d>(sc::event(component(0), {.direction = crossing::falling, .terminal = true}));
+    Vector2d y(0.5, 0);
+    double t = 0;
+    int bounces = 0;
+    while (bounces == 0 || y[1] > 1e-9) {
+        const auto r = sc::integrate(radau, free_fall, y, t, 10, {.rtol = 1e-10, .atol = 1e-12}, ground);
+        BOOST_REQUIRE((r.status == sc::status::event));
+        t = r.t;
+        y << 0, -r.y[1] / 2;
+        ++bounces;
+    }
+    BOOST_TEST(bounces == 30);
+    BOOST_TEST(std::abs(t - 3) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(a_ball_that_moves_up_meets_no_falling_event) {
     auto ground = sc::events<Vector2d>(sc::event(component(0), {.direction = crossing::falling}));
     const auto r = sc::integrate(radau, free_fall, Vector2d(0, 5), 0, 4, {}, ground);
@@ -154,6 +172,37 @@ BOOST_AUTO_TEST_CASE(a_run_continued_from_an_event_does_not_meet_it_again) {
             t = r.t;
             y = r.y;
         }
+    }
+}
+
+// The second lies within rounding of the first, before or after it, in the same or in the next part of the step.
+BOOST_AUTO_TEST_CASE(an_event_at_the_place_of_a_terminal_one_is_not_lost) {
+    for (int k = 0; k < 500; ++k) {
+        const double root = 0.1 + 0.8 * std::fmod(k * 0.6180339887498949, 1.0);
+        auto watch =
+            sc::events<V1>(sc::event(time_minus(root), {.terminal = true}),
+                           sc::event([&](double, const V1& y) { return y[0] * y[0] - root * root; }),
+                           sc::event([&](double, const V1& y) { return std::exp(y[0]) - std::exp(root); }));
+        const auto r = run_clock(0, 1, 0.25, watch);
+        BOOST_REQUIRE((r.status == sc::status::event));
+        BOOST_TEST(std::abs(r.t - root) < 1e-15);
+        int seen[3] = {0, 0, 0};
+        for (const auto& o : watch.found()) ++seen[o.event];
+        const auto rest = sc::integrate(radau, clock_rate, r.y, r.t, 1, {.fixed_step = 0.25}, watch);
+        BOOST_TEST(rest.ok());
+        for (const auto& o : watch.found()) ++seen[o.event];
+        BOOST_TEST(seen[0] == 1);
+        BOOST_TEST(seen[1] == 1);
+        BOOST_TEST(seen[2] == 1);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_event_in_the_first_step_is_found_however_large_t1_is) {
+    for (const double t1 : {1e6, 1e13}) {
+        auto watch = sc::events<V1>(sc::event(time_minus(1e-3), {.terminal = true}));
+        const auto r = sc::integrate(radau, clock_rate, V1(0.0), 0, t1, {.initial_step = 0.01}, watch);
+        BOOST_TEST(sc::name(r.status) == "event");
+        BOOST_TEST(r.t == 1e-3, within(1e-12));
     }
 }
 

@@ -3,7 +3,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/test/unit_test.hpp>
+#include <stagecraft/dae/projection.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/problem/semi_explicit.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 
 namespace sc = stagecraft;
@@ -66,4 +68,39 @@ BOOST_AUTO_TEST_CASE(fixed_step_orders_show_at_50_digits) {
     BOOST_TEST(std::abs(order(gauss, 4) - 8) < 0.05);
     BOOST_TEST(std::abs(order(lobatto_iiic, 4) - 6) < 0.05);
     BOOST_TEST(std::abs(order(radau_ia, 4) - 7) < 0.05);
+}
+
+// y0 = cos t, y1 = -sin t by coarse steps: without the projections the invariant is off by 1e-7.
+BOOST_AUTO_TEST_CASE(projections_keep_constraints_to_fifty_digits) {
+    using std::abs;
+    const auto method = sc::tableaux::transformed<fifty>(sc::tableaux::family::radau_iia, 3);
+    const sc::options<fifty> o{.rtol = fifty("1e-12"), .atol = fifty("1e-12"), .fixed_step = fifty(1) / 4};
+    const auto circle = [](const auto&, const auto& y, auto& g) { g[0] = y[0] * y[0] + y[1] * y[1] - 1; };
+    auto onto = sc::projection_onto<1>(circle);
+    const auto turning = sc::integrate(
+        method,
+        [](const auto&, const auto& y, auto& f) {
+            f[0] = y[1];
+            f[1] = -y[0];
+        },
+        Eigen::Matrix<fifty, 2, 1>(fifty(1), fifty(0)), 0, 1, o, onto);
+    BOOST_TEST(turning.ok());
+    BOOST_TEST(onto.corrections() == 4);
+    BOOST_TEST(abs(fifty(turning.y.squaredNorm() - 1)) < fifty("1e-48"));
+
+    // The same motion by a multiplier: v' = -z q and 0 = q v.
+    const auto problem = sc::semi_explicit<4, 1>(
+        [](const auto&, const auto& y, const auto& z, auto& f) {
+            f[0] = y[2];
+            f[1] = y[3];
+            f[2] = -z[0] * y[0];
+            f[3] = -z[0] * y[1];
+        },
+        [](const auto&, const auto& y, auto& g) { g[0] = y[0] * y[2] + y[1] * y[3]; });
+    auto keep = sc::projection(problem);
+    Eigen::Matrix<fifty, 5, 1> start;
+    start << fifty(1), fifty(0), fifty(0), fifty(-1), fifty(1);
+    const auto r = sc::integrate(method, problem, start, 0, 1, o, keep);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(abs(fifty(r.y[0] * r.y[2] + r.y[1] * r.y[3])) < fifty("1e-48"));
 }

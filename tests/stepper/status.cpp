@@ -46,6 +46,8 @@ BOOST_AUTO_TEST_CASE(a_bad_argument_is_named) {
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.rtol = 1e-16}), "rtol"));  // atol = 1e-6 does not help
     BOOST_TEST(refusal(decay, y0, 0, 1, {.rtol = 1e-15}) == "accepted");
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.atol = 0}), "atol"));
+    // Its inverse, the weight of a component that is zero, overflows.
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.atol = 1e-320}), "atol"));
     BOOST_TEST(
         names(refusal(decay, y0, 0, 1, {.atol_components = Eigen::Vector3d(1, 1, 1)}), "atol_components"));
     BOOST_TEST(

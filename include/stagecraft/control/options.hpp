@@ -16,10 +16,10 @@ enum class step_control { predictive, proportional_integral };
 /// that of t1 - t0), and zero means "not given". The error of component i is measured in units of atol_i +
 /// rtol |y_i|; for an index-2 component it is multiplied by |h|, for an index-3 component by h^2 (HLR89,
 /// section 7).
-template <class Scalar>
+template <class Scalar = double>
 struct options {
     Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, at least 4 epsilon
-    Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, > 0
+    Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, a normal number > 0
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> atol_components{};  ///< instead of atol: one per component
     Scalar fixed_step{0};    ///< > 0: equal steps of at most this size, no error estimate at all
     Scalar initial_step{0};  ///< 0: chosen from f(t0, y0) and the tolerances
@@ -48,13 +48,19 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
     // Below that, the rounding of y alone exceeds what Newton's iteration may leave, whatever atol is.
     demand(o.rtol >= 4 * std::numeric_limits<Scalar>::epsilon(),
            "rtol must be at least four times the epsilon of the scalar, below which it cannot be met");
+    // The weight of a component that is zero is 1/atol.
+    const Scalar least = std::numeric_limits<Scalar>::min();
+    const char* const too_small = "atol must not be below the smallest normal number: its inverse overflows";
     if (o.atol_components.size() == 0) {
         demand(finite(o.atol) && o.atol > Scalar(0), "atol must be positive and finite");
+        demand(o.atol >= least, too_small);
     } else {
         demand(o.atol_components.size() == n, "atol_components must have the size of y0");
-        for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index i = 0; i < n; ++i) {
             demand(finite(o.atol_components[i]) && o.atol_components[i] > Scalar(0),
                    "atol_components must be positive and finite");
+            demand(o.atol_components[i] >= least, too_small);
+        }
     }
     demand(finite(o.fixed_step) && o.fixed_step >= Scalar(0), "fixed_step must not be negative");
     demand(finite(o.initial_step) && o.initial_step >= Scalar(0), "initial_step must not be negative");

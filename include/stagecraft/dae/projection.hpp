@@ -26,7 +26,9 @@ struct projection_record {
 
     template <class Vector>
     bool note(const Vector& before, const Vector& after) {
-        const Scalar change = before.size() > 0 ? (after - before).cwiseAbs().maxCoeff() : Scalar(0);
+        // States of any scalar; what is told of them is not.
+        const Scalar change =
+            before.size() > 0 ? static_cast<Scalar>((after - before).cwiseAbs().maxCoeff()) : Scalar(0);
         if (!(change > Scalar(0))) return false;
         ++corrections;
         if (change > largest) largest = change;

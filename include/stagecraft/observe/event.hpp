@@ -76,8 +76,11 @@ class event_watch {
         first_ = first_ || output.t0() != last_.t;
         take_samples(t, y, output);
         const step_solution<Output> solution{output, t, y, at_};
-        for (std::size_t k = 1; k < samples_.size() && !ended_; ++k) {
-            const std::size_t settled = found_.size();
+        std::size_t settled = 0;
+        for (std::size_t k = 1; k < samples_.size(); ++k) {
+            // Beyond a terminal event only for what takes place together with it.
+            if (ended_ && !together(found_.back().t, samples_[k - 1].t)) break;
+            if (!ended_) settled = found_.size();
             for (std::size_t e = 0; e < events_.size(); ++e)
                 search(e, samples_[k - 1], samples_[k], solution);
             settle(settled);
@@ -123,6 +126,11 @@ class event_watch {
     };
 
     bool comes_before(const scalar& t, const scalar& u) const { return backwards_ ? t > u : t < u; }
+    /// True if rounding of t, of which each is found to one, can have separated these times.
+    bool together(const scalar& t, const scalar& u) const {
+        using std::abs;
+        return !(abs(u - t) > 4 * resolution());
+    }
 
     static bool is_nan(const scalar& v) { return v != v; }
     [[noreturn]] static void fail(std::size_t event, const scalar& t) {
@@ -254,14 +262,24 @@ class event_watch {
         const crossing direction = i.at_a < scalar(0) ? crossing::rising : crossing::falling;
         const event_options& o = events_[e].options;
         if (o.direction != crossing::both && o.direction != direction) return;
-        const scalar at_start =
-            4 * std::max<scalar>(resolution(), std::numeric_limits<scalar>::epsilon() * span_);
-        if (first_ && !(abs(i.b - samples_.front().t) > at_start)) return;
+        if (first_ && (together(samples_.front().t, i.b) || begins(e, i.b))) return;
         found_.push_back({static_cast<int>(e), i.b, solution(i.b), direction});
     }
 
+    /// True if a crossing at t is the begin of the run itself: g starts from zero to rounding, and t is within
+    /// the rounding of the times of the run, which the first step may be too short to show.
+    bool begins(std::size_t e, const scalar& t) const {
+        using std::abs;
+        const scalar eps = std::numeric_limits<scalar>::epsilon();
+        if (abs(t - samples_.front().t) > 4 * eps * span_) return false;
+        scalar largest(0);
+        for (const sample& s : samples_)
+            if (abs(s.g[e]) > largest) largest = abs(s.g[e]);
+        return !(abs(samples_.front().g[e]) > 16 * eps * largest);
+    }
+
     /// Sorts the events added since `from` into the order of the run, and ends the run at the first terminal
-    /// one.
+    /// one and those that take place together with it.
     void settle(std::size_t from) {
         const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(from);
         std::stable_sort(begin, found_.end(),
@@ -271,9 +289,9 @@ class event_watch {
         });
         if (last == found_.end()) return;
         ended_ = true;
-        found_.erase(
-            std::find_if(last, found_.end(), [&](const auto& o) { return comes_before(last->t, o.t); }),
-            found_.end());
+        const scalar end = last->t;
+        found_.erase(std::find_if(last, found_.end(), [&](const auto& o) { return !together(end, o.t); }),
+                     found_.end());
     }
 
     std::vector<event_function<function>> events_;
@@ -291,8 +309,9 @@ class event_watch {
 ///     const auto r = integrate(method, problem, y0, t0, t1, options, watch);  // then watch.found()
 ///
 /// Vector is the type of the state and must be written out. The first terminal event ends the run:
-/// result.status is status::event, result.t and result.y are the time and the state of the event. Events are
-/// reported in the order of the run, simultaneous ones in the order of the list.
+/// result.status is status::event, result.t and result.y are the time and the state of the event, or of the
+/// last one that only rounding of t (four epsilon) separates from it. Events are reported in the order of the
+/// run, simultaneous ones in the order of the list.
 ///
 /// Each g(t, y) is evaluated at 2 s points of every step (at least four) and, where it comes near zero, at a
 /// few more, which reveal pairs of crossings. Each crossing is narrowed down to the rounding of t; its
@@ -304,6 +323,12 @@ class event_watch {
 /// does not meet the same event again; an event within rounding of t0 is not reported. A g that reaches zero
 /// exactly and turns back is an event. A g that returns NaN ends the run with status::function_threw
 /// (std::domain_error naming the event and t).
+///
+/// A ball that bounces to rest bounces infinitely often in finite time. Its flights become shorter than t can
+/// resolve, and then it leaves the floor no more: what begins on the far side of zero meets no event, and the ball
+/// falls through. Whoever makes it bounce has to end it: where the speed v after a bounce no longer matters, or
+/// at the latest where the flight of 2 v/g that follows is below some 1e-12 of t, the ball lies still, and the
+/// run goes on without that degree of freedom.
 template <class Vector, class... Functions>
 event_watch<Vector> events(event_function<Functions>... list) {
     using function = typename event_watch<Vector>::function;
