@@ -3,8 +3,14 @@
 
 #include <Eigen/Core>
 
-#if defined(__FAST_MATH__)
-#error "stagecraft: -ffast-math breaks stiff error control and every proof by enclosure; compile without it"
+// -ffast-math, or the parts of it that let NaN pass or reorder sums. clang has no macro for the latter alone.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define STAGECRAFT_UNSAFE_MATH
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#define STAGECRAFT_UNSAFE_MATH
+#endif
+#ifdef STAGECRAFT_UNSAFE_MATH
+#error "stagecraft: -ffast-math and its parts break stiff error control and every proof by enclosure"
 #endif
 
 namespace stagecraft {

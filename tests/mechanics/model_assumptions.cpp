@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(perturbations_of_the_constraint_are_differentiated_index_mi
         return thesis::slope(w, error);
     };
     for (const auto& problem : {thesis::erased(index_2(model)), thesis::erased(index_3(model))})
-        BOOST_TEST(std::abs(growth(problem) + 1 - hessenberg_index(problem, 0.0, start).perturbation_index) < 0.1);
+        BOOST_TEST(std::abs(growth(problem) + 1 - hessenberg_index(problem, 0.0, start).perturbation_index) <
+                   0.1);
 }
 
 BOOST_AUTO_TEST_CASE(model_assumptions_hold_along_the_disc_and_fail_when_it_lies_flat) {

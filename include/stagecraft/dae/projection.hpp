@@ -137,8 +137,8 @@ class projection_onto_equations {
         if constexpr (analytic) {
             g_.jacobian(t, y, G);
         } else if constexpr (
-            requires(const dual_vector<Scalar, N>& x, values& r) { g_(t, x, r); } ||
-            requires(const number& s, const dual_vector<Scalar, N>& x, values& r) { g_(s, x, r); }) {
+            requires(const dual_vector<Scalar, N>& at, values& into) { g_(t, at, into); } ||
+            requires(const number& s, const dual_vector<Scalar, N>& at, values& into) { g_(s, at, into); }) {
             values r;
             for (int first = 0; first < n; first += dual_width<N>) {
                 for (int i = 0; i < n; ++i) {

@@ -51,7 +51,11 @@ class rooted_tree {
 
     friend constexpr bool operator==(const rooted_tree&, const rooted_tree&) = default;
     /// By order, then lexicographically by level sequence.
-    friend constexpr auto operator<=>(const rooted_tree&, const rooted_tree&) = default;
+    friend constexpr std::strong_ordering operator<=>(const rooted_tree& a, const rooted_tree& b) {
+        if (a.size_ != b.size_) return a.size_ <=> b.size_;
+        const auto [x, y] = std::mismatch(a.levels_.begin(), a.levels_.end(), b.levels_.begin());
+        return x == a.levels_.end() ? std::strong_ordering::equal : *x <=> *y;
+    }
 
     /// The next tree of the same order, from the tall one [[..[tau]..]] down to the bushy one
     /// [tau, ..., tau]; false (and no change) after the last. Constant amortised time

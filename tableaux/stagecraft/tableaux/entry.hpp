@@ -238,29 +238,29 @@ inline entry power(entry x, const entry& n) {
     if (!n.exact || !n.exact->is_rational() || n.exact->rational_part().denominator() > 2)
         throw std::invalid_argument("an exponent must be an integer");
     if (n.exact->rational_part().denominator() == 2) x = square_root(x);
-    const integer exponent = n.exact->rational_part().numerator();
+    const integer times = n.exact->rational_part().numerator();
     const entry one = from_exact(1);
     const int size = std::max({bit_size(x.enclosure.lower), bit_size(x.enclosure.upper), 2});
     const bool trivial = x.exact && (*x.exact == 0 || abs(*x.exact) == quadratic(1));
-    if (abs(exponent) > largest_bits || (!trivial && abs(exponent) * size > 2 * largest_bits)) {
+    if (abs(times) > largest_bits || (!trivial && abs(times) * size > 2 * largest_bits)) {
         if (!trivial) throw std::invalid_argument("too large a power");
-        if (exponent % 2 == 0 && *x.exact != 0) return one;
-        if (exponent > 0 || *x.exact != 0) return x;
+        if (times % 2 == 0 && *x.exact != 0) return one;
+        if (times > 0 || *x.exact != 0) return x;
     }
     entry result = one;
-    for (integer k = abs(exponent); k > 0; k >>= 1) {
+    for (integer k = abs(times); k > 0; k >>= 1) {
         if (bit_test(k, 0)) result = combine(result, x, [](const auto& a, const auto& b) { return a * b; });
         if (k > 1) x = combine(x, x, [](const auto& a, const auto& b) { return a * b; });
     }
-    if (exponent >= 0) return result;
+    if (times >= 0) return result;
     return combine(one, result, [](const auto& a, const auto& b) { return a / b; });
 }
 
 inline entry run(const std::vector<instruction>& program, const exact_decimals& exact) {
     std::vector<entry> stack;
-    for (const auto& [code, literal] : program) {
+    for (const auto& [code, number] : program) {
         if (code == '#') {
-            stack.push_back(from_literal(literal, exact));
+            stack.push_back(from_literal(number, exact));
             continue;
         }
         if (code == 'x') throw std::invalid_argument("unknown symbol 'x'");

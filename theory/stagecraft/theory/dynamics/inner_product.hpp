@@ -26,7 +26,7 @@ inline void require_inner_product(const dense<rational>& G, Eigen::Index n) {
 
 /// x^T G y.
 template <class T>
-T product(const dense<rational>& G, const column<T>& x, const column<T>& y) {
+T inner_product(const dense<rational>& G, const column<T>& x, const column<T>& y) {
     T sum(0);
     for (Eigen::Index i = 0; i < G.rows(); ++i)
         for (Eigen::Index j = 0; j < G.cols(); ++j)
