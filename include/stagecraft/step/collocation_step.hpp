@@ -206,7 +206,7 @@ class collocation_step : public step_defaults<Space> {
 
     /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
     /// weighted norm; 0 < decay <= 1. Where the run demands it (between).
-    Scalar decay(const output& now, const vector& weights) {
+    Scalar decay(const output& now, const vector& norm_weights) {
         using std::sqrt;
         Scalar size[2];
         for (int r = 0; r < 2; ++r) {
@@ -215,7 +215,7 @@ class collocation_step : public step_defaults<Space> {
                 scratch_ += top_(j, r) * now.increments().col(nodes_.first_column + j);
             Scalar sum = Scalar(0);
             for (int i = 0; i < scratch_.size(); ++i) {
-                const Scalar v = scratch_[i] * weights[i];
+                const Scalar v = scratch_[i] * norm_weights[i];
                 sum += v * v;
             }
             size[r] = sqrt(sum);
@@ -232,11 +232,11 @@ class collocation_step : public step_defaults<Space> {
     /// About the largest error of the continuous solution over the step, O(h^{s+1}): twice the Legendre
     /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
     /// and J enters, so that stiff components count in full.
-    Scalar output_error(const output& now, const vector& weights) {
+    Scalar output_error(const output& now, const vector& norm_weights) {
         using std::sqrt;
-        if (weights.size() == 0) return Scalar(0);
-        const Scalar next = decay(now, weights) * last_coefficient_;
-        return 2 * next / sqrt(Scalar(static_cast<int>(weights.size())));
+        if (norm_weights.size() == 0) return Scalar(0);
+        const Scalar next = decay(now, norm_weights) * last_coefficient_;
+        return 2 * next / sqrt(Scalar(static_cast<int>(norm_weights.size())));
     }
 
   private:

@@ -69,7 +69,7 @@ class tableau_step : public step_defaults<Space> {
     /// with adaptive steps.
     template <class System>
     void prepare(const System& system, const run_demands& demands) {
-        const bool fixed = demands.fixed, output = demands.output;
+        const bool fixed = demands.fixed;
         if (!fixed && power_ == 0)
             throw std::invalid_argument(
                 "integrate: method has no embedded weights to estimate errors with; use options.fixed_step");
@@ -92,8 +92,10 @@ class tableau_step : public step_defaults<Space> {
             throw std::invalid_argument(
                 "integrate: method.b_embedded sees no error of y' = f(t); use options.fixed_step or "
                 "step_doubling(method)");
-        ends_with_value_ = output && !implicit() && is_.left_stage && !is_.stiffly_accurate && !v_.by_value;
-        if (output || implicit()) output_.prepare(v_.method, order_, is_, v_.by_value, ends_with_value_);
+        ends_with_value_ =
+            demands.output && !implicit() && is_.left_stage && !is_.stiffly_accurate && !v_.by_value;
+        if (demands.output || implicit())
+            output_.prepare(v_.method, order_, is_, v_.by_value, ends_with_value_);
         if (fixed) return;
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
         if (demands.jumps) blind_ = find_blind_spots(v_.method, is_, difference_, order_);

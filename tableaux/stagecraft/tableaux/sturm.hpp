@@ -158,13 +158,13 @@ class sturm_chain {
 /// A power of two that exceeds the modulus of every complex root (Cauchy's bound).
 template <class K>
 constexpr K root_bound(const polynomial<K>& p) {
-    K bound(1);
+    K reach(1);
     for (int k = 0; k < p.degree(); ++k) {
         const K q = p[k] / p.leading();
         const K size = sign_of(q) < 0 ? K(0) - q : q;
-        while (bound < size + K(1)) bound = bound + bound;
+        while (reach < size + K(1)) reach = reach + reach;
     }
-    return bound;
+    return reach;
 }
 
 /// One real root of a polynomial: it is the only one in (low, high), or low = high is the root itself.
@@ -198,10 +198,10 @@ template <class K>
 constexpr std::vector<isolated_root<K>> isolate_real_roots(const polynomial<K>& p) {
     const sturm_chain<K> chain(p);
     const auto& q = chain.squarefree_part();
-    const K bound = root_bound(q);
+    const K reach = root_bound(q);
     std::vector<isolated_root<K>> found;
     std::vector<isolated_root<K>> open;  // (low, high] with `multiplicity` roots in it, rightmost first
-    if (const int n = chain.count(); n > 0) open.push_back({K(0) - bound, bound, n});
+    if (const int n = chain.count(); n > 0) open.push_back({K(0) - reach, reach, n});
     while (!open.empty()) {
         const auto [low, high, n] = open.back();
         open.pop_back();
@@ -233,9 +233,9 @@ template <class K>
 constexpr std::optional<K> negative_point(const polynomial<K>& p) {
     if (p.is_zero()) return {};
     const auto negative = [&](const K& x) { return sign_of(p(x)) < 0; };
-    const K bound = root_bound(p);
-    if (negative(K(0) - bound)) return K(0) - bound;
-    if (negative(bound)) return bound;
+    const K reach = root_bound(p);
+    if (negative(K(0) - reach)) return K(0) - reach;
+    if (negative(reach)) return reach;
     const auto roots = isolate_real_roots(p);
     const auto q = squarefree(p);
     for (std::size_t k = 0; k + 1 < roots.size(); ++k) {
