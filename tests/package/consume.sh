@@ -1,18 +1,41 @@
 #!/usr/bin/env bash
-# consume.sh SOURCE BUILD installed|subdirectory: builds and runs the consumer project the named way.
+# consume.sh SOURCE BUILD installed|run_component|subdirectory|fetched: builds and runs the consumer project the named
+# way. Without git, or where SOURCE is no clone, the last one is left out (exit code 77).
 set -euo pipefail
 source=$1 build=$2 way=$3
 work=$build/package/$way
 rm -rf "$work"
 mkdir -p "$work"
-if [ "$way" = installed ]; then
+
+install_library() {
     cmake -S "$source" -B "$work/library" -G Ninja -DCMAKE_INSTALL_PREFIX="$work/prefix" \
         -DSTAGECRAFT_TOOL=OFF -DSTAGECRAFT_TESTS=OFF -DSTAGECRAFT_EXAMPLES=OFF
     cmake --install "$work/library"
-    argument=-DCMAKE_PREFIX_PATH=$work/prefix
-else
-    argument=-DSTAGECRAFT_SOURCE=$source
-fi
-cmake -S "$source/tests/package/consumer" -B "$work/consumer" -G Ninja "$argument"
-cmake --build "$work/consumer"
-"$work/consumer/consumer"
+}
+consume() {  # consume FOLDER CMAKE-ARGUMENT...
+    local folder=$work/$1
+    shift
+    cmake -S "$source/tests/package/consumer" -B "$folder" -G Ninja "$@"
+    cmake --build "$folder"
+    "$folder/consumer"
+}
+case $way in
+    installed)
+        install_library
+        consume consumer -DCMAKE_PREFIX_PATH="$work/prefix"
+        ;;
+    run_component)
+        install_library
+        consume consumer -DCMAKE_PREFIX_PATH="$work/prefix" -DPART=run -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON
+        ;;
+    subdirectory)
+        consume consumer -DSTAGECRAFT_SOURCE="$source"
+        ;;
+    fetched)
+        git -C "$source" rev-parse HEAD || exit 77
+        repository=file://$(git -C "$source" rev-parse --show-toplevel)
+        consume missing -DSTAGECRAFT_REPOSITORY="$repository" -DFETCHED=ON
+        install_library
+        consume present -DSTAGECRAFT_REPOSITORY="$repository" -DFETCHED=OFF -DCMAKE_PREFIX_PATH="$work/prefix"
+        ;;
+esac

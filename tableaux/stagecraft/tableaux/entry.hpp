@@ -175,10 +175,9 @@ inline decimal_literal parse_literal(const std::string& text) {
     }
     if (i < text.size()) {
         x.decimal = true;
-        const std::string exponent = text.substr(i + 1);
-        if (exponent.size() > 5)
-            throw std::invalid_argument("non-finite: exponent " + exponent.substr(0, 12));
-        x.scale += std::stoi(exponent);
+        const std::string shift = text.substr(i + 1);
+        if (shift.size() > 5) throw std::invalid_argument("non-finite: exponent " + shift.substr(0, 12));
+        x.scale += std::stoi(shift);
     }
     // Boost reads a leading zero as octal.
     const auto first = digits.find_first_not_of('0');
