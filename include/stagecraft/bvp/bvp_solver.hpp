@@ -122,7 +122,7 @@ class bvp_solver {
                      loose = std::min(Scalar(Scalar(1) / 10000), Scalar(expected / 100));
         outcome_ = newton_.run(x_, tight > loose || !o_.adapt ? tight : loose, o_.newton_iterations);
         remainder_ = outcome_.remainder;
-        return outcome_.end == newton_end::converged;
+        return outcome_.end == damped_newton_end::converged;
     }
 
     /// The errors of x, and its remainder below them.
@@ -137,7 +137,7 @@ class bvp_solver {
             const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
             if (remainder_ <= wanted || pass > 1) break;
             outcome_ = newton_.run(x_, wanted / 4, o_.newton_iterations);
-            if (outcome_.end != newton_end::converged) break;
+            if (outcome_.end != damped_newton_end::converged) break;
             remainder_ = outcome_.remainder;
         }
         error_ += remainder_;
@@ -226,7 +226,7 @@ class bvp_solver {
     /// After Newton has failed: a finer mesh, from the guess or from the last solution.
     template <class Guess>
     bool recover(const Guess& guess, const Scalar& before) {
-        if (outcome_.end == newton_end::non_finite) {
+        if (outcome_.end == damped_newton_end::non_finite) {
             if (equations_.conditions_at_fault())
                 end(bvp_status::non_finite,
                     "the conditions r gave NaN or infinity, or left a number unwritten");
@@ -298,7 +298,7 @@ class bvp_solver {
         }
         if (kappa_ * eps < Scalar(1) / 1000) return false;
         using std::sqrt;
-        const bool blown_up = outcome_.end != newton_end::converged ||
+        const bool blown_up = outcome_.end != damped_newton_end::converged ||
                               !(x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_);
         result_.kernel = static_cast<int>(std::count_if(
             largest.begin(), largest.end(), [&](const Scalar& v) { return v * eps * 1000 >= Scalar(1); }));
@@ -369,7 +369,7 @@ class bvp_solver {
     }
     /// Does the estimate belong to x?
     bool estimated() const {
-        return outcome_.end == newton_end::converged && estimate_.local().cols() == x_.intervals() &&
+        return outcome_.end == damped_newton_end::converged && estimate_.local().cols() == x_.intervals() &&
                result_.status != bvp_status::non_finite && result_.status != bvp_status::function_threw &&
                result_.status != bvp_status::size_changed;
     }
@@ -386,7 +386,7 @@ class bvp_solver {
     damped_newton<equations_type> newton_;
     iterate x_, before_;
     std::vector<Scalar> guess_mesh_;
-    newton_outcome<Scalar> outcome_{newton_end::failed, Scalar(0)};
+    damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
     Scalar error_{0}, remainder_{0}, kappa_{0}, last_kappa_{-1}, guess_size_{1};
     int failures_ = 0, checks_ = 0;
 };

@@ -8,12 +8,12 @@
 
 namespace stagecraft {
 
-enum class newton_end { converged, failed, non_finite };
+enum class damped_newton_end { converged, failed, non_finite };
 
 /// How Newton's iteration ended; `remainder` estimates the error left, relative as options.rtol is.
 template <class Scalar>
-struct newton_outcome {
-    newton_end end;
+struct damped_newton_outcome {
+    damped_newton_end end;
     Scalar remainder;
 };
 
@@ -26,7 +26,7 @@ class damped_newton {
   public:
     using iterate = typename Equations::iterate;
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
-    using outcome = newton_outcome<scalar>;
+    using outcome = damped_newton_outcome<scalar>;
 
     damped_newton(Equations& equations, bvp_report& counts, const scalar& floor)
         : equations_(equations), counts_(counts), floor_(floor) {}
@@ -38,26 +38,27 @@ class damped_newton {
         equations_.resize(x);
         for (int step = 0; step < most; ++step) {
             ++counts_.newton_steps;
-            if (!equations_.linearise(x)) return {newton_end::non_finite, scalar(0)};
+            if (!equations_.linearise(x)) return {damped_newton_end::non_finite, scalar(0)};
             ++counts_.factorisations;
             solve(x, d_);
             weigh(x);
             const scalar size = norm(d_);
-            if (!(size - size == scalar(0))) return {newton_end::failed, size};
+            if (!(size - size == scalar(0))) return {damped_newton_end::failed, size};
             scalar lambda(1);
             scalar bar(0);
             const bool decreased = search(x, size, lambda, bar);
             if (!decreased) {
                 const scalar left = accuracy(x, d_);
-                return {left <= sqrt(rounding) ? newton_end::converged : newton_end::failed, left};
+                return {left <= sqrt(rounding) ? damped_newton_end::converged : damped_newton_end::failed,
+                        left};
             }
             x = trial_;
             if (lambda == scalar(1) && 4 * bar <= size) {
                 const outcome now = keep_factors(x, size, bar, target > rounding ? target : rounding);
-                if (now.end == newton_end::converged) return now;
+                if (now.end == damped_newton_end::converged) return now;
             }
         }
-        return {newton_end::failed, accuracy(x, d_)};
+        return {damped_newton_end::failed, accuracy(x, d_)};
     }
 
   private:
@@ -66,19 +67,19 @@ class damped_newton {
         for (int k = 0; k < 8; ++k) {
             const scalar rate = before > scalar(0) ? bar / before : scalar(0), left = accuracy(x, bar_);
             add(x, scalar(1), bar_, x);
-            if (rate * left <= target || bar == scalar(0)) return {newton_end::converged, rate * left};
-            if (!equations_.residual(x)) return {newton_end::non_finite, left};
+            if (rate * left <= target || bar == scalar(0)) return {damped_newton_end::converged, rate * left};
+            if (!equations_.residual(x)) return {damped_newton_end::non_finite, left};
             solve(x, bar_);
             ++counts_.newton_steps;
             before = bar;
             bar = norm(bar_);
             if (!(4 * bar <= before)) {
                 const scalar rest = accuracy(x, bar_);  // rounding errors do not contract
-                if (rest <= target) return {newton_end::converged, rest};
+                if (rest <= target) return {damped_newton_end::converged, rest};
                 break;
             }
         }
-        return {newton_end::failed, scalar(0)};
+        return {damped_newton_end::failed, scalar(0)};
     }
 
     bool search(const iterate& x, const scalar& size, scalar& lambda, scalar& bar) {
