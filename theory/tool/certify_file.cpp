@@ -69,6 +69,7 @@ int diff_files(const std::string& first, const std::string& second) {
     };
     const auto lines = theory::differences(read(first), read(second));
     for (const std::string& line : lines) std::cout << line << '\n';
+    if (lines.empty()) std::cout << "no difference\n";
     return lines.empty() ? 0 : 1;
 }
 
