@@ -72,7 +72,9 @@ class tableau_step : public step_defaults<Space> {
         const bool fixed = demands.fixed;
         if (!fixed && power_ == 0)
             throw std::invalid_argument(
-                "integrate: method has no embedded weights to estimate errors with; use options.fixed_step");
+                "integrate: method has no embedded weights to estimate errors with; use options.fixed_step, "
+                "or "
+                "step_doubling(method) of tableau/step_doubling.hpp");
         if constexpr (!System::mass_type::identity) {
             if ((is_.left_stage || !is_.regular) && !v_.mass.prepare(system)) {
                 if (!is_.regular || !is_.stiffly_accurate)
