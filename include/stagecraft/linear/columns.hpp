@@ -20,7 +20,7 @@ struct packet {
     static type all(const Scalar& x) { return Eigen::internal::pset1<type>(x); }
     static void store(Scalar* x, const type& v) { Eigen::internal::pstoreu(x, v); }
 };
-/// A single number in the same clothes, for the rest of a loop.
+/// A single number with the interface of a packet, for the remainder of a loop.
 template <class Scalar>
 struct single {
     using type = Scalar;
