@@ -13,6 +13,8 @@
 
 namespace stagecraft::theory {
 
+using stagecraft::rooted_tree;  // for who names theory's things only
+
 namespace detail {
 
 // Children with multiplicities, the smallest first, as the field writes them: c before A c.

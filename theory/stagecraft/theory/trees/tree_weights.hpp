@@ -14,6 +14,10 @@
 
 namespace stagecraft::theory {
 
+using stagecraft::tree_row;
+using stagecraft::tree_table;
+using stagecraft::tree_view;
+
 namespace detail {
 
 // An index that std::vector can hold in a constant expression (clang 14 refuses trivial types there).
