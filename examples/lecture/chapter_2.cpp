@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSL-1.0
+// Chapter 2: Runge-Kutta methods. Stability functions, contraction, construction, fixed point iteration.
+#include <stagecraft/theory/dynamics/contraction.hpp>
+#include <stagecraft/theory/plot/pictures.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <random>
+
+#include "lecture.hpp"
+
+namespace lecture {
+
+namespace {
+
+using tableaux::dense;
+using tableaux::family;
+using tableaux::quadratic;
+
+void draw_stability(chapter& out) {
+    const rational half(1, 2);
+    const auto named = [](const char* name, const tableau<rational>& t) {
+        return plot::named_function{name, plot::in_doubles(theory::stability_function_of(t))};
+    };
+    const auto explicit_euler = named("explicit Euler", method({{0}}, {1}));
+    const auto implicit_euler = named("implicit Euler", method({{1}}, {1}));
+    const auto trapezoidal = named("trapezoidal rule", method({{0, 0}, {half, half}}, {half, half}));
+    out.pictures.push_back(
+        {"p40_real_axis",
+         plot::real_axis_picture({explicit_euler, implicit_euler, trapezoidal}, -5, 3, -3, 6)});
+    const plot::window lecture{-8, 1, -4, 4}, wide{-80, 80, -80, 80};
+    out.pictures.push_back(
+        {"p41_explicit_euler", plot::grey_picture(explicit_euler.name, explicit_euler.r, lecture)});
+    out.pictures.push_back(
+        {"p41_implicit_euler", plot::grey_picture(implicit_euler.name, implicit_euler.r, lecture)});
+    out.pictures.push_back(
+        {"p41_trapezoidal_rule", plot::grey_picture(trapezoidal.name, trapezoidal.r, lecture)});
+    out.pictures.push_back(
+        {"p41_trapezoidal_rule_wide", plot::grey_picture(trapezoidal.name, trapezoidal.r, wide)});
+}
+
+/// The sector |arg(z) - pi| <= alpha of A(alpha)-stability.
+void draw_sector(chapter& out) {
+    const double alpha = 50 * 3.141592653589793 / 180;
+    plot::curve rays{
+        {{-6 * std::cos(alpha), 6 * std::sin(alpha)}, {0, 0}, {-6 * std::cos(alpha), -6 * std::sin(alpha)}},
+        false};
+    std::vector<plot::patch> inside;
+    for (int k = -200; k < 200; ++k) {  // rows: patches overlap upwards
+        const double y = 0.02 * k;
+        inside.push_back({-4, -std::abs(y + 0.01) / std::tan(alpha), y, y + 0.02, 0});
+    }
+    plot::curve arc;
+    for (double a = 0; a <= alpha; a += alpha / 20)
+        arc.points.emplace_back(-1.2 * std::cos(a), 1.2 * std::sin(a));
+    plot::script p;
+    p.title("The sector of A(alpha)-stability");
+    p.plane({-4, 1, -4, 4});
+    p.patches(inside, [](int) { return "#d7e5f3"; })
+        .lines({rays}, "lc rgb '#1f4e79' lw 2")
+        .lines({arc}, "lc rgb '#b71c1c' lw 2");
+    p.label("alpha", -1.6, 0.45);
+    out.pictures.push_back({"p43_sector", std::move(p)});
+}
+
+template <class K>
+dense<K> product(const dense<K>& a, const dense<K>& b) {
+    dense<K> c(a.rows(), b.cols());
+    for (Eigen::Index i = 0; i < a.rows(); ++i)
+        for (Eigen::Index j = 0; j < b.cols(); ++j) {
+            c(i, j) = K(0);
+            for (Eigen::Index k = 0; k < a.cols(); ++k) c(i, j) = c(i, j) + a(i, k) * b(k, j);
+        }
+    return c;
+}
+
+/// Radau IA-2 from D(s): as printed, A = V^-T B^-1 (N - C^T) B, and as derived, A = B^-1 V^-T (N - C)^T B.
+void construct_radau_ia(chapter& out) {
+    const auto t = *tableaux::exact_tableau(family::radau_ia, 2);
+    const auto s = t.b.size();
+    dense<quadratic> V(s, s), C(s, s), N(s, s), B(s, s);
+    for (Eigen::Index i = 0; i < s; ++i) {
+        quadratic power(1);
+        for (Eigen::Index k = 0; k < s; ++k) {
+            const quadratic weight(static_cast<int>(k) + 1);
+            V(i, k) = power;
+            power = power * t.c[i];
+            C(i, k) = power / weight;
+            N(i, k) = quadratic(1) / weight;
+            B(i, k) = i == k ? t.b[i] : quadratic(0);
+        }
+    }
+    const dense<quadratic> Vt = V.transpose(), Ct = C.transpose(), Nt = N.transpose();
+    dense<quadratic> wrong = N, right = Nt;
+    for (Eigen::Index i = 0; i < N.size(); ++i) {
+        wrong.data()[i] = N.data()[i] - Ct.data()[i];
+        right.data()[i] = Nt.data()[i] - Ct.data()[i];
+    }
+    const auto Vi = *tableaux::inverse<quadratic>(Vt), Bi = *tableaux::inverse<quadratic>(B);
+    const auto printed = product(Vi, product(Bi, product(wrong, B)));
+    const auto derived = product(Bi, product(Vi, product(right, B)));
+    const auto text = [](const dense<quadratic>& a) {
+        return "(" + a(0, 0).str() + ", " + a(0, 1).str() + "; " + a(1, 0).str() + ", " + a(1, 1).str() + ")";
+    };
+    bool same = true, differs = false;
+    for (Eigen::Index i = 0; i < t.A.size(); ++i) {
+        same = same && derived.data()[i] == t.A.data()[i];
+        differs = differs || !(printed.data()[i] == t.A.data()[i]);
+    }
+    out.find("Radau IA-2 from D(s), B^-1 V^-T (N - C)^T B", "V^-T B^-1 (N - C^T) B", text(derived), text(t.A),
+             same);
+    out.find("the printed formula gives (misprint)", "Radau IA-2", text(printed), "another matrix", differs);
+}
+
+/// The largest h |lambda| for which the fixed point iteration k <- 1 + z A k converges, found by bisection of runs.
+double end_of_convergence(const tableau<double>& t) {
+    const auto converges = [&](double z) {
+        Eigen::VectorXd d = Eigen::VectorXd::LinSpaced(t.b.size(), 1, 2);  // a difference of two iterates
+        double logarithm = 0;
+        for (int n = 0; n < 400'000; ++n) {
+            d = -z * (t.A * d);
+            logarithm += std::log(d.norm());
+            d.normalize();
+        }
+        return logarithm < 0;
+    };
+    double low = 0, high = 100;
+    while (high - low > 1e-7) (converges((low + high) / 2) ? low : high) = (low + high) / 2;
+    return low;
+}
+
+}  // namespace
+
+chapter chapter_2() {
+    chapter out;
+    draw_stability(out);
+    draw_sector(out);
+    construct_radau_ia(out);
+
+    const auto euler = theory::contraction(*tableaux::exact_tableau(family::radau_iia, 1), -1);
+    out.find("contraction of implicit Euler, h gamma = -1", "1/sqrt(3) = 0.57735", number(euler.factor),
+             "1/2", euler.verdict.is_proved() && std::abs(euler.factor - 0.5) < 1e-6);
+    const auto radau = theory::contraction(*tableaux::exact_tableau(family::radau_iia, 2), -1);
+    out.find("contraction of Radau IIA-2, h gamma = -1", "-", number(radau.factor, "%.6f"), "4/7 = 0.571429",
+             radau.verdict.is_proved() && std::abs(radau.factor - 4.0 / 7) < 1e-5);
+
+    const double gauss = end_of_convergence(theory::in_doubles(*tableaux::exact_tableau(family::gauss, 2)));
+    out.find("fixed point iteration, Gauss-2: converges for h |lambda| below", "|h lambda| < 1",
+             number(gauss, "%.5f"), "sqrt 12 = " + number(std::sqrt(12.0), "%.5f"),
+             std::abs(gauss - std::sqrt(12.0)) < 1e-4);
+    const double three =
+        end_of_convergence(theory::in_doubles(*tableaux::exact_tableau(family::radau_iia, 3)));
+    out.find("fixed point iteration, Radau IIA-3", "|h lambda| < 1", number(three, "%.5f"), "1/rho(A)",
+             std::abs(three - 1 / theory::in_doubles(*tableaux::exact_tableau(family::radau_iia, 3))
+                                      .A.eigenvalues()
+                                      .cwiseAbs()
+                                      .maxCoeff()) < 1e-3);
+    return out;
+}
+
+}  // namespace lecture
