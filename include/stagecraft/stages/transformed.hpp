@@ -10,6 +10,7 @@
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/linear/block_work.hpp>
+#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/lane_blocks.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -181,19 +182,15 @@ class transformed_stages {
     /// Column k of out := sum_j C_kj column j of in, C row by row.
     void mix(const Scalar* C, const Scalar* in, Scalar* out) const {
         const int n = size(), s = stages();
-        if constexpr (N >= 0 && N <= 16) {  // the sum stays in registers
-            for (int k = 0; k < s; ++k, C += s, out += n) {
+        for (int k = 0; k < s; ++k, C += s, out += n) {
+            if constexpr (N >= 0 && N <= 4) {  // too few for packets: the sum stays in registers
                 std::array<Scalar, N> sum;
                 for (int i = 0; i < n; ++i) sum[i] = C[0] * in[i];
                 for (int j = 1; j < s; ++j)
                     for (int i = 0; i < n; ++i) sum[i] += C[j] * in[i + j * n];
                 for (int i = 0; i < n; ++i) out[i] = sum[i];
-            }
-        } else {
-            for (int k = 0; k < s; ++k, C += s, out += n) {
-                for (int i = 0; i < n; ++i) out[i] = C[0] * in[i];
-                for (int j = 1; j < s; ++j)
-                    for (int i = 0; i < n; ++i) out[i] += C[j] * in[i + j * n];
+            } else {
+                combine<false, Stages>(n, s, C, in, out);
             }
         }
     }
@@ -235,12 +232,7 @@ class transformed_stages {
     Scalar norm(const matrix& x, const vector& weights) const {
         using std::sqrt;
         const int n = size(), s = stages();
-        Scalar sum = Scalar(0);
-        for (int i = 0; i < n; ++i) {  // by components, so that the weights leave the inner loop
-            Scalar part = Scalar(0);
-            for (int j = 0; j < s; ++j) part += x(i, j) * x(i, j);
-            sum += part * (weights[i] * weights[i]);
-        }
+        const Scalar sum = weighted_squares<Stages>(n, s, x.data(), weights.data());
         if (!(sum - sum == Scalar(0))) {  // the squares may have overflowed where the products have not
             Scalar largest = Scalar(0);
             for (int j = 0; j < s; ++j) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/stages/transformed.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
@@ -95,7 +96,7 @@ class collocation_step : public step_defaults<Space> {
     /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
     /// in that step this one starts: at its end (1), or together with it (0).
     void guess(const output* before, const vector& y, const Scalar& h, output& now,
-               const Scalar& from = Scalar(1)) const {
+               const Scalar& from = Scalar(1)) {
         const int s = count();
         auto& Z = now.increments();
         if (before == nullptr) {
@@ -104,12 +105,18 @@ class collocation_step : public step_defaults<Space> {
         }
         const Scalar ratio = h / before->step();
         const auto& old = before->nodes();
+        scratch_ = before->y0() - y;
         basis_values<Scalar, Space::columns> l(old.size);
         for (int i = 0; i < s; ++i) {
             old.basis(from + stages_.method().c[i] * ratio, l.data());
-            Z.col(i) = before->y0() - y;
-            for (int j = 0; j < old.size; ++j)
-                Z.col(i) += l[j] * before->increments().col(old.first_column + j);
+            Z.col(i) = scratch_;
+            if constexpr (vector::RowsAtCompileTime >= 0 && vector::RowsAtCompileTime <= 4) {
+                for (int j = 0; j < old.size; ++j)
+                    Z.col(i) += l[j] * before->increments().col(old.first_column + j);
+            } else {
+                combine<true, -1>(static_cast<int>(y.size()), old.size, l.data(),
+                                  before->increments().col(old.first_column).data(), Z.col(i).data());
+            }
         }
     }
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include <stagecraft/linear/packet.hpp>
+
+namespace stagecraft {
+
+/// out := c[0] in_0 + c[1] in_1 + ..., as many vectors of n numbers as there are j, one behind the other in
+/// memory; added to what is in `out` if `Add`.
+template <bool Add, class Scalar, int... j>
+[[gnu::flatten]] inline void combine(int n, const Scalar* c, const Scalar* in, Scalar* out,
+                                     std::integer_sequence<int, j...>) {
+    int i = 0;
+    const auto run = [&]<class P>(P) {
+        const typename P::type by[] = {P::all(c[j])...};
+        for (; i + P::size <= n; i += P::size) {
+            const auto sum = (... + (P::load(in + static_cast<std::ptrdiff_t>(j) * n + i) * by[j]));
+            if constexpr (Add)
+                P::store(out + i, P::load(out + i) + sum);
+            else
+                P::store(out + i, sum);
+        }
+    };
+    run(packet<Scalar>());
+    run(single<Scalar>());
+}
+
+/// The same for `count` vectors: Count, or any number where that is -1.
+template <bool Add, int Count, class Scalar>
+void combine(int n, int count, const Scalar* c, const Scalar* in, Scalar* out) {
+    if constexpr (Count > 0) {
+        combine<Add>(n, c, in, out, std::make_integer_sequence<int, Count>());
+    } else {
+        const auto from = [&](int j) { return in + static_cast<std::ptrdiff_t>(j) * n; };
+        if constexpr (!Add) combine<false>(n, c, in, out, std::make_integer_sequence<int, 1>());
+        int j = Add ? 0 : 1;
+        for (; j + 4 <= count; j += 4)
+            combine<true>(n, c + j, from(j), out, std::make_integer_sequence<int, 4>());
+        for (; j < count; ++j) combine<true>(n, c + j, from(j), out, std::make_integer_sequence<int, 1>());
+    }
+}
+
+/// out := base + h (c[0] in_0 + c[1] in_1 + ...), n being N or, where that is -1, any number.
+template <int N, class Scalar, int... j>
+[[gnu::flatten]] inline void combine_onto(int any, const Scalar* base, const Scalar& h, const Scalar* c,
+                                          const Scalar* in, Scalar* out, std::integer_sequence<int, j...>) {
+    const int n = N >= 0 ? N : any;
+    int i = 0;
+    const auto run = [&]<class P>(P) {
+        const auto step = P::all(h);
+        const typename P::type by[] = {P::all(c[j])...};
+        for (; i + P::size <= n; i += P::size) {
+            const auto sum = (... + (P::load(in + static_cast<std::ptrdiff_t>(j) * n + i) * by[j]));
+            P::store(out + i, P::load(base + i) + step * sum);
+        }
+    };
+    run(packet<Scalar>());
+    run(single<Scalar>());
+}
+
+/// out := factor (c[0] a[0] + c[1] a[1] + ...) for `count` > 0 vectors of n numbers, wherever they are; added
+/// to what is in `out` if `Add`.
+template <bool Add, class Scalar>
+[[gnu::flatten]] inline void combine_scattered(int n, int count, const Scalar& factor, const Scalar* c,
+                                               const Scalar* const* a, Scalar* out) {
+    int i = 0;
+    const auto run = [&]<class P, int... q>(P, std::integer_sequence<int, q...>) {
+        constexpr int width = P::size * static_cast<int>(sizeof...(q));
+        for (; i + width <= n; i += width) {
+            typename P::type sum[] = {P::load(a[0] + i + q * P::size) * P::all(c[0])...};
+            for (int t = 1; t < count; ++t) {
+                const auto by = P::all(c[t]);
+                const Scalar* x = a[t] + i;
+                ((sum[q] = sum[q] + P::load(x + q * P::size) * by), ...);
+            }
+            const auto by = P::all(factor);
+            if constexpr (Add)
+                (P::store(out + i + q * P::size, P::load(out + i + q * P::size) + sum[q] * by), ...);
+            else
+                (P::store(out + i + q * P::size, sum[q] * by), ...);
+        }
+    };
+    run(packet<Scalar>(), std::make_integer_sequence<int, 4>());
+    run(packet<Scalar>(), std::make_integer_sequence<int, 2>());
+    run(packet<Scalar>(), std::make_integer_sequence<int, 1>());
+    run(single<Scalar>(), std::make_integer_sequence<int, 1>());
+}
+
+/// The sum of (x_ij w_i)^2 over the columns j of x and i < n.
+template <class Scalar, int... j>
+[[gnu::flatten]] inline Scalar weighted_squares(int n, const Scalar* x, const Scalar* w,
+                                                std::integer_sequence<int, j...>) {
+    int i = 0;
+    const auto square = [](const auto& v) { return v * v; };
+    const auto run = [&]<class P>(P) {
+        auto sum = P::all(Scalar(0));
+        for (; i + P::size <= n; i += P::size)
+            sum = sum + (... + square(P::load(x + static_cast<std::ptrdiff_t>(j) * n + i))) *
+                            square(P::load(w + i));
+        return P::sum(sum);
+    };
+    const Scalar most = run(packet<Scalar>());
+    return most + run(single<Scalar>());
+}
+template <int Count, class Scalar>
+Scalar weighted_squares(int n, int count, const Scalar* x, const Scalar* w) {
+    if constexpr (Count > 0) {
+        return weighted_squares(n, x, w, std::make_integer_sequence<int, Count>());
+    } else {
+        Scalar sum = Scalar(0);
+        for (int j = 0; j < count; ++j)
+            sum += weighted_squares(n, x + static_cast<std::ptrdiff_t>(j) * n, w,
+                                    std::make_integer_sequence<int, 1>());
+        return sum;
+    }
+}
+
+}  // namespace stagecraft

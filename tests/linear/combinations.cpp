@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE combinations
+#include <Eigen/Core>
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <stagecraft/linear/combinations.hpp>
+#include <vector>
+
+namespace sc = stagecraft;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Sizes around every packet and block of packets.
+const std::vector<int> sizes{0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31};
+
+bool close(const VectorXd& x, const VectorXd& y) {
+    return x.size() == 0 || (x - y).lpNorm<Eigen::Infinity>() < 64 * std::numeric_limits<double>::epsilon();
+}
+
+template <int Count>
+void check(int n) {
+    const MatrixXd in = MatrixXd::Random(n, Count);
+    const VectorXd c = VectorXd::Random(Count), base = VectorXd::Random(n), sum = in * c;
+    VectorXd fixed = base, any = base, added = base, onto(n);
+    sc::combine<false, Count>(n, Count, c.data(), in.data(), fixed.data());
+    sc::combine<false, -1>(n, Count, c.data(), in.data(), any.data());
+    sc::combine<true, -1>(n, Count, c.data(), in.data(), added.data());
+    sc::combine_onto<-1>(n, base.data(), 0.5, c.data(), in.data(), onto.data(),
+                         std::make_integer_sequence<int, Count>());
+    BOOST_TEST(close(fixed, sum));
+    BOOST_TEST(close(any, sum));
+    BOOST_TEST(close(added, base + sum));
+    BOOST_TEST(close(onto, base + 0.5 * sum));
+
+    std::vector<const double*> columns;
+    for (int j = Count - 1; j >= 0; --j) columns.push_back(in.col(j).data());
+    const VectorXd reversed = c.reverse();
+    VectorXd scattered = base;
+    sc::combine_scattered<true>(n, Count, 2.0, reversed.data(), columns.data(), scattered.data());
+    BOOST_TEST(close(scattered, base + 2 * sum));
+
+    const VectorXd w = VectorXd::Random(n);
+    const double squares = (in.array().colwise() * w.array()).square().sum();
+    BOOST_TEST(std::abs(sc::weighted_squares<Count>(n, Count, in.data(), w.data()) - squares) < 1e-13);
+    BOOST_TEST(std::abs(sc::weighted_squares<-1>(n, Count, in.data(), w.data()) - squares) < 1e-13);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(combinations_of_vectors_are_those_of_a_product_at_every_size_around_the_packets) {
+    for (const int n : sizes) BOOST_TEST_CONTEXT("n = " << n) {
+            check<1>(n);
+            check<3>(n);
+            check<4>(n);
+            check<9>(n);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_shows_in_the_sum_of_squares) {
+    for (const int n : {1, 2, 3, 9})
+        for (int i = 0; i < n; ++i) {
+            VectorXd x = VectorXd::Ones(n);
+            const VectorXd w = VectorXd::Ones(n);
+            x[i] = std::numeric_limits<double>::quiet_NaN();
+            const double sum = sc::weighted_squares<1>(n, 1, x.data(), w.data());
+            BOOST_TEST(!(sum - sum == 0));
+        }
+}
