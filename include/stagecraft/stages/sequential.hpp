@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <utility>
 #include <vector>
 
+#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -41,6 +44,9 @@ class sequential_stages {
             block_.push_back(k);
         }
         shift_.resize(diagonal_.size());
+        if constexpr (Stages > 0)
+            for (int i = 0; i < Stages; ++i)
+                for (int j = 0; j < Stages; ++j) rows_[i * Stages + j] = m.A(i, j);
     }
 
     bool implicit() const { return !diagonal_.empty(); }
@@ -78,6 +84,11 @@ class sequential_stages {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
+        if constexpr (Stages > 0)
+            if (!implicit() && !v.by_value) {
+                if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
+                return slowest;
+            }
         for (int i = v.left_stage ? 1 : 0; i < s; ++i) {
             v.combine([&](int j) { return m.A(i, j); }, i, h, r_);
             if (block_[i] < 0) {
@@ -148,6 +159,30 @@ class sequential_stages {
         x = r_;
     }
 
+    /// The slopes of an explicit method of a number of stages known to the compiler: the loop over them is
+    /// unrolled, each stage value is made in one pass. False if one is not finite.
+    template <class System>
+    bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
+        bool finite = true;
+        unrolled<Stages>(Stages, [&](auto stage) {
+            constexpr int i = decltype(stage)::value;
+            if ((i == 0 && v.left_stage) || !finite) return;
+            if constexpr (i == 0)
+                yi_ = y;
+            else
+                combine_onto<Vector::RowsAtCompileTime>(n_, y.data(), h, rows_.data() + i * Stages,
+                                                        v.k.data(), yi_.data(),
+                                                        std::make_integer_sequence<int, i>());
+            system(t + v.method.c[i] * h, yi_, fi_);
+            if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
+            const int n = Vector::RowsAtCompileTime >= 0 ? Vector::RowsAtCompileTime : n_;
+            std::copy_n(fi_.data(), n, v.k.data() + i * n);
+            finite = all_finite(fi_, n);
+        });
+        last_ = yi_;
+        return finite;
+    }
+
     template <class System>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                    const vector& weights, const newton_limits<Scalar>& limits,
@@ -169,8 +204,9 @@ class sequential_stages {
     }
 
     int n_;
-    std::vector<Scalar> diagonal_, shift_;  // distinct non-zero a_ii and 1/(h a_ii)
-    std::vector<int> block_;                // of each stage, -1 for an explicit one
+    workspace<Scalar, (Stages > 0 ? squared<Stages> : 0)> rows_;  // of A
+    std::vector<Scalar> diagonal_, shift_;                        // distinct non-zero a_ii and 1/(h a_ii)
+    std::vector<int> block_;                                      // of each stage, -1 for an explicit one
     std::vector<typename Blocks::real> blocks_;
     vector r_, z_, d_, yi_, fi_, last_;
 };

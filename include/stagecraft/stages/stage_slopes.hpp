@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
+#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/linear/mass_solver.hpp>
 #include <stagecraft/tableau.hpp>
 
@@ -33,11 +35,47 @@ struct stage_slopes {
     /// r := h sum over j < last of coefficient(j) k_j.
     template <class Coefficients>
     void combine(const Coefficients& coefficient, int last, const Scalar& h, vector& r) const {
-        r.setZero();
+        if constexpr (Stages > 0)
+            if (last == Stages && !by_value) {
+                std::array<Scalar, Stages> c;
+                for (int j = 0; j < Stages; ++j) c[j] = h * coefficient(j);
+                stagecraft::combine<false, Stages>(N >= 0 ? N : static_cast<int>(r.size()), Stages, c.data(),
+                                                   k.data(), r.data());
+                return;
+            }
+        if constexpr (N >= 0 && N <= 4) {  // too few components for passes over several slopes at once
+            r.setZero();
+            for (int j = first_needed(); j < last; ++j) {
+                const Scalar a = coefficient(j);
+                if (!(a == Scalar(0))) r += (h * a) * k.col(j);
+            }
+            return;
+        }
+        constexpr int room = 16;  // terms that are summed in one pass
+        std::array<Scalar, room> c;
+        std::array<const Scalar*, room> from;
+        const int n = static_cast<int>(r.size());
+        int count = 0;
+        bool begun = false;
+        const auto sum = [&] {
+            if (begun)
+                combine_scattered<true>(n, count, h, c.data(), from.data(), r.data());
+            else
+                combine_scattered<false>(n, count, h, c.data(), from.data(), r.data());
+            begun = true;
+            count = 0;
+        };
         for (int j = first_needed(); j < last; ++j) {
             const Scalar a = coefficient(j);
-            if (!(a == Scalar(0))) r += (h * a) * k.col(j);
+            if (a == Scalar(0)) continue;
+            if (count == room) sum();
+            c[count] = a;
+            from[count++] = k.col(j).data();
         }
+        if (count > 0)
+            sum();
+        else
+            r.setZero();
     }
 
     tableau<Scalar, Stages> method;

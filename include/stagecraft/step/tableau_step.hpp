@@ -13,6 +13,7 @@
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_output.hpp>
 #include <stagecraft/tableau/embedded_estimate.hpp>
+#include <stagecraft/tableau/remembered.hpp>
 #include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
@@ -54,13 +55,9 @@ class tableau_step : public step_defaults<Space> {
           scratch_(n) {
         const int s = method.stages();
         v_.left_stage = is_.left_stage;
-        order_ = classical_order(method);
-        if (method.b_embedded.size() > 0) {
-            const int most = order_ < largest_tree_order ? order_ : largest_tree_order;
-            power_ = order_by_trees(method, method.b_embedded, most) + 1;
+        if (method.b_embedded.size() > 0)
             for (int j = 0; j < s; ++j) difference_[j] = method.b[j] - method.b_embedded[j];
-            filtered_ = needs_filter(method, is_, difference_);
-        }
+        known_ = remembered(v_.method, [&] { return look_at(method); });
         left_slope_.setZero();
     }
 
@@ -70,7 +67,7 @@ class tableau_step : public step_defaults<Space> {
     template <class System>
     void prepare(const System& system, const run_demands& demands) {
         const bool fixed = demands.fixed;
-        if (!fixed && power_ == 0)
+        if (!fixed && known_.power == 0)
             throw std::invalid_argument(
                 "integrate: method has no embedded weights to estimate errors with; use options.fixed_step, "
                 "or "
@@ -90,22 +87,26 @@ class tableau_step : public step_defaults<Space> {
                     "whose y1 is none of them, cannot estimate the errors of algebraic components; use "
                     "options.fixed_step or a transformed_tableau");
         }
-        if (!fixed && blind_to_quadrature(v_.method, difference_))
+        if (!fixed && known_.blind_to_quadrature)
             throw std::invalid_argument(
                 "integrate: method.b_embedded sees no error of y' = f(t); use options.fixed_step or "
                 "step_doubling(method)");
         ends_with_value_ =
             demands.output && !implicit() && is_.left_stage && !is_.stiffly_accurate && !v_.by_value;
         if (demands.output || implicit())
-            output_.prepare(v_.method, order_, is_, v_.by_value, ends_with_value_);
+            output_.prepare(v_.method, known_.order, is_, v_.by_value, ends_with_value_);
         if (fixed) return;
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
-        if (demands.jumps) blind_ = find_blind_spots(v_.method, is_, difference_, order_);
+        if (demands.jumps)
+            blind_ = remembered(v_.method,
+                                [&] { return find_blind_spots(v_.method, is_, difference_, known_.order); });
         slope_from_f_ = !v_.by_value && (is_.left_stage || (blind_.count() > 0 && v_.mass.prepare(system)));
         const bool slopes_known =
             slope_from_f_ || ends_between_nodes() || (is_.stiffly_accurate && !v_.by_value);
         if (blind_.count() > 0 && !slopes_known)
-            blind_ = find_blind_spots(v_.method, is_, difference_, order_, false);
+            blind_ = remembered(v_.method, [&] {
+                return find_blind_spots(v_.method, is_, difference_, known_.order, false);
+            });
     }
 
     tableau_step& stages() { return *this; }
@@ -114,9 +115,9 @@ class tableau_step : public step_defaults<Space> {
     int coupled_stages_count() const { return is_.lower ? 1 : count(); }
     /// Columns that the z of the continuous solution needs.
     int columns() const { return output_.columns(count()); }
-    int order() const { return order_; }
+    int order() const { return known_.order; }
     /// The estimate is O(h^q) with this q.
-    int estimate_power() const { return power_; }
+    int estimate_power() const { return known_.power; }
     /// Embedded weights estimate the error of the step itself, not of one of higher order.
     Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
     /// Of a jump of f they show a part.
@@ -240,7 +241,7 @@ class tableau_step : public step_defaults<Space> {
     template <class System>
     int estimate(const System& system, const Scalar& h, const vector&, const output&, vector& error) {
         v_.combine([&](int j) { return difference_[j]; }, count(), h, error);
-        if (!filtered_) return 0;
+        if (!known_.filtered) return 0;
         const Scalar factor = v_.by_value ? Scalar(h * difference_.dot(v_.carry)) : Scalar(0);
         if (is_.lower) {
             sequential_.filter(system, error, v_.left, factor);
@@ -323,6 +324,22 @@ class tableau_step : public step_defaults<Space> {
     }
 
   private:
+    /// What follows from the coefficients alone.
+    struct coefficient_facts {
+        int order = 0, power = 0;  // of y1; of the estimate, 0 if there is none
+        bool filtered = false, blind_to_quadrature = false;
+    };
+    coefficient_facts look_at(const method_type& method) const {
+        coefficient_facts known;
+        known.order = classical_order(method);
+        if (method.b_embedded.size() == 0) return known;
+        const int most = known.order < largest_tree_order ? known.order : largest_tree_order;
+        known.power = order_by_trees(method, method.b_embedded, most) + 1;
+        known.filtered = needs_filter(method, is_, difference_);
+        known.blind_to_quadrature = stagecraft::blind_to_quadrature(method, difference_);
+        return known;
+    }
+
     bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
 
     stage_slopes<vector, Stages, blocks> v_;
@@ -336,8 +353,8 @@ class tableau_step : public step_defaults<Space> {
     vector next_value_;                // M k_1 of the next step where that is kept
     vector scratch_;
     Scalar h_{0};
-    bool left_known_ = false, slope_from_f_ = false, ends_with_value_ = false, filtered_ = false;
-    int order_ = 0, power_ = 0;
+    bool left_known_ = false, slope_from_f_ = false, ends_with_value_ = false;
+    coefficient_facts known_;
 };
 
 }  // namespace stagecraft
