@@ -74,10 +74,15 @@ std::vector<entrant> entrants(const Problem& problem) {
     const auto add = [&](std::string name, auto run) { all.push_back({std::move(name), run}); };
     constexpr bool sparse = requires { problem.sparsity(); };  // the peers run the same problem banded
     constexpr bool has_mass = requires { problem.mass(); };
-    constexpr bool dense = Problem::size != Eigen::Dynamic;
+    constexpr bool small = Problem::size != Eigen::Dynamic && Problem::size <= 15;
     if constexpr (!sparse) {
         if (peers::radau5_available())
-            add("radau5", [&](double tol, double t1) { return peers::radau5(problem, tol, t1); });
+            add("radau5", [&](double tol, double t1) {
+                return peers::radau(peers::radau5_symbol(), problem, tol, t1);
+            });
+        if (peers::radau_symbol != nullptr)
+            add("radau",
+                [&](double tol, double t1) { return peers::radau(peers::radau_symbol, problem, tol, t1); });
 #ifdef HAVE_SUNDIALS
         if constexpr (has_mass)
             add("ida", [&](double tol, double t1) { return peers::sundials::ida(problem, tol, t1); });
@@ -86,7 +91,7 @@ std::vector<entrant> entrants(const Problem& problem) {
             add("arkode", [&](double tol, double t1) { return peers::sundials::arkode(problem, tol, t1); });
         }
 #endif
-        if constexpr (!has_mass && dense)
+        if constexpr (!has_mass && small)
             add("rosenbrock4", [&](double tol, double t1) { return run_rosenbrock4(problem, tol, t1); });
     }
     return all;
@@ -106,20 +111,26 @@ void compete(const Problem& problem, const Eigen::VectorXd& end, const settings&
     const auto error = [&](const Eigen::VectorXd& y) { return scaled_error(y, end, Problem::atol_scale); };
     std::vector<curve> result;
     for (const entrant& e : all)
-        result.push_back({Problem::name, e.solver, static_cast<int>(end.size()), !inside.empty(), {}});
-    for (const double tol : set.tolerances) {
-        std::cerr << "\r" << Problem::name << "  tol " << tol << "        " << std::flush;
-        std::vector<point> points = measure(all, tol, Problem::t1, set.repeats, set.patience, error);
-        for (std::size_t e = 0; e < all.size(); ++e) {
-            points[e].largest_error = points[e].error;
-            for (const reference_point& r : inside) {
-                const outcome at = all[e].run(tol, r.t);
-                const double there = at.ok ? scaled_error(at.y, r.y, Problem::atol_scale)
-                                           : std::numeric_limits<double>::infinity();
-                points[e].largest_error = std::max(points[e].largest_error, there);
-            }
-            result[e].points.push_back(points[e]);
+        result.push_back({Problem::name,
+                          e.solver,
+                          static_cast<int>(end.size()),
+                          requires { Problem::lower;
+}
+, !inside.empty(), {}
+});
+for (const double tol : set.tolerances) {
+    std::cerr << "\r" << Problem::name << "  tol " << tol << "        " << std::flush;
+    std::vector<point> points = measure(all, tol, Problem::t1, set.repeats, set.patience, error);
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        points[e].largest_error = points[e].error;
+        for (const reference_point& r : inside) {
+            const outcome at = all[e].run(tol, r.t);
+            const double there = at.ok ? scaled_error(at.y, r.y, Problem::atol_scale)
+                                       : std::numeric_limits<double>::infinity();
+            points[e].largest_error = std::max(points[e].largest_error, there);
         }
+        result[e].points.push_back(points[e]);
     }
-    curves.insert(curves.end(), result.begin(), result.end());
+}
+curves.insert(curves.end(), result.begin(), result.end());
 }

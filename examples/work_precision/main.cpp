@@ -10,20 +10,28 @@ void compete_on_reactions(const settings&, std::vector<curve>&);
 void compete_on_larger_systems(const settings&, std::vector<curve>&);
 void compete_on_mechanics(const settings&, std::vector<curve>&);
 void compete_on_diffusion(const settings&, std::vector<curve>&);
+void compete_on_kinetics(const settings&, std::vector<curve>&);
+void compete_on_chains(const settings&, std::vector<curve>&);
+void compete_on_full_matrices(const settings&, std::vector<curve>&);
 void print_growth();
 
 int main(int argc, char** argv) {
     settings set;
     std::string csv, svg;
     CLI::App app{"Error against run time: stagecraft beside the peers that are installed"};
-    app.add_option("--problem", set.problems,
-                   "only these: vdpol rober orego hires transamp kepler disc bruss bruss-sparse");
+    app.add_option(
+        "--problem", set.problems,
+        "only these: vdpol rober orego hires transamp kepler disc pollution network60 chain14 chain40 "
+        "spectral24 spectral64 diodes20 bruss200 front400 bruss bruss-sparse");
     app.add_option("--solver", set.solvers, "only these, by the names in the table");
     app.add_option("--tolerances", set.tolerances, "relative tolerances (default 1e-2 ... 1e-12)")
         ->check(CLI::PositiveNumber);
     app.add_option("--repeats", set.repeats, "runs of each solver, interleaved")->check(CLI::PositiveNumber);
     app.add_option("--csv", csv, "write the table to this file");
     app.add_option("--svg", svg, "write one work-precision diagram per problem to this directory");
+    std::string radau;
+    app.add_option("--radau", radau, "library with RADAU, built of its published source radau.f")
+        ->check(CLI::ExistingFile);
     bool growth = false;
     app.add_flag("--growth", growth, "only the table of how the cost grows with n, s and the tolerance");
     CLI11_PARSE(app, argc, argv);
@@ -33,12 +41,19 @@ int main(int argc, char** argv) {
     }
     if (set.tolerances.empty())
         for (int k = 2; k <= 12; ++k) set.tolerances.push_back(std::pow(10.0, -k));
+    if (!radau.empty() && !peers::open_radau(radau)) {
+        std::cerr << "--radau: the library has no radau_\n";
+        return 2;
+    }
     if (!peers::radau5_available()) std::cerr << "radau5 is left out: install r-cran-desolve to have it\n";
 
     std::vector<curve> curves;
     compete_on_reactions(set, curves);
     compete_on_larger_systems(set, curves);
     compete_on_mechanics(set, curves);
+    compete_on_kinetics(set, curves);
+    compete_on_chains(set, curves);
+    compete_on_full_matrices(set, curves);
     compete_on_diffusion(set, curves);
     std::cerr << "\r                              \r";
     if (curves.empty()) {

@@ -23,6 +23,7 @@ struct point {
 struct curve {
     std::string problem, solver;
     int size = 0;
+    bool banded = false;
     bool references_inside = false;  ///< the reference is known at times before the end as well
     std::vector<point> points;
 };
@@ -38,6 +39,11 @@ struct entrant {
     std::string solver;
     std::function<outcome(double tolerance, double t1)> run;
 };
+
+/// The size and structure a problem stands for.
+inline const char* class_of(const curve& c) {
+    return c.banded ? "banded" : c.size <= 15 ? "n <= 15" : c.size <= 100 ? "n = 16 ... 100" : "n > 100";
+}
 
 /// Runs every entrant `repeats` times at one tolerance, in turn (A B C A B C ...), so that a slow moment of
 /// the machine hits all of them. A turn lasts at least two milliseconds: short runs are repeated in it, so

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 // RADAU5 (Hairer and Wanner, Fortran) as the Debian package r-cran-desolve ships it: the symbol radau5_ of
-// deSolve.so, opened at run time. Absent package: `radau5_available()` is false.
+// deSolve.so, opened at run time. Absent package: `radau5_available()` is false. RADAU, the code of variable
+// order by the same authors with the same interface, from a library built of its published source
+// (radau.f, with the linear algebra that comes with it).
 #pragma once
 
 #include <dlfcn.h>
 
 #include <Eigen/Core>
 #include <array>
+#include <stagecraft/problem/capabilities.hpp>
 #include <string>
 #include <vector>
 
@@ -14,27 +17,36 @@
 
 namespace peers {
 
-using radau5_function = void (*)(
+/// Both have this interface but for the arguments of `jac`.
+using radau_function = void (*)(
     int* n, void (*f)(int*, double*, double*, double*, double*, int*), double* t, double* y, double* t_end,
-    double* h, double* rtol, double* atol, int* itol,
-    void (*jac)(int*, double*, double*, int*, int*, double*, int*, double*, int*), int* ijac, int* mljac,
-    int* mujac, void (*mas)(int*, double*, int*, double*, int*), int* imas, int* mlmas, int* mumas,
+    double* h, double* rtol, double* atol, int* itol, void (*jac)(), int* ijac, int* mljac, int* mujac,
+    void (*mas)(int*, double*, int*, double*, int*), int* imas, int* mlmas, int* mumas,
     void (*solout)(int*, double*, double*, double*, double*, int*, int*, double*, int*, int*), int* iout,
     double* work, int* lwork, int* iwork, int* liwork, double* rpar, int* ipar, int* idid);
 
-inline radau5_function radau5_symbol() {
-    static const radau5_function f = [] {
-        if (!dlopen("/usr/lib/R/lib/libR.so", RTLD_NOW | RTLD_GLOBAL)) return radau5_function{};
+inline radau_function radau5_symbol() {
+    static const radau_function f = [] {
+        if (!dlopen("/usr/lib/R/lib/libR.so", RTLD_NOW | RTLD_GLOBAL)) return radau_function{};
         void* library = dlopen("/usr/lib/R/site-library/deSolve/libs/deSolve.so", RTLD_NOW);
-        return library ? reinterpret_cast<radau5_function>(dlsym(library, "radau5_")) : radau5_function{};
+        return library ? reinterpret_cast<radau_function>(dlsym(library, "radau5_")) : radau_function{};
     }();
     return f;
 }
 inline bool radau5_available() { return radau5_symbol() != nullptr; }
 
-/// Integrates `problem` with RADAU5, whose option M1 = M2 serves q' = v where the problem has it.
+/// RADAU; null before open_radau() has found it.
+inline radau_function radau_symbol = nullptr;
+/// False if there is no library with radau_ at this path.
+inline bool open_radau(const std::string& path) {
+    void* library = dlopen(path.c_str(), RTLD_NOW);
+    if (library) radau_symbol = reinterpret_cast<radau_function>(dlsym(library, "radau_"));
+    return radau_symbol != nullptr;
+}
+
+/// Integrates `problem` with one of the two, whose option M1 = M2 serves q' = v where the problem has it.
 template <class Problem>
-outcome radau5(const Problem& problem, double rtol, double t1) {
+outcome radau(radau_function solver, const Problem& problem, double rtol, double t1) {
     static const Problem* current;
     current = &problem;
     static int first_row;  // rows of q' = v that RADAU5 handles by itself
@@ -48,7 +60,7 @@ outcome radau5(const Problem& problem, double rtol, double t1) {
         for (int i = 0; i < n; ++i)
             if (problem.index()[i] > 1) --index[0], ++index[problem.index()[i] - 1];
     if constexpr (requires { Problem::second_order_components; })
-        first_row = Problem::second_order_components;
+        first_row = stagecraft::position_components<Problem>(n);
 
     const auto f = [](int* n, double* t, double* y, double* f, double*, int*) {
         thread_local state_of<Problem> in, out;
@@ -57,8 +69,7 @@ outcome radau5(const Problem& problem, double rtol, double t1) {
         (*current)(*t, in, out);
         Eigen::Map<Eigen::VectorXd>(f, *n) = out;
     };
-    const auto jacobian = [](int* n, double* t, double* y, int*, int*, double* dfy, int* ldfy, double*,
-                             int*) {
+    static constexpr auto jacobian = [](int* n, double* t, double* y, double* dfy, int* ldfy) {
         thread_local state_of<Problem> in;
         in = Eigen::Map<Eigen::VectorXd>(y, *n);
         Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> out(dfy, *ldfy, *n, Eigen::OuterStride<>(*ldfy));
@@ -74,6 +85,14 @@ outcome radau5(const Problem& problem, double rtol, double t1) {
             out.topRows(*n - first_row) = J.bottomRows(*n - first_row);
         }
     };
+    // deSolve's RADAU5 hands the bandwidths over as well.
+    const auto with_bands = [](int* n, double* t, double* y, int*, int*, double* dfy, int* ldfy, double*,
+                               int*) { jacobian(n, t, y, dfy, ldfy); };
+    const auto without = [](int* n, double* t, double* y, double* dfy, int* ldfy, double*, int*) {
+        jacobian(n, t, y, dfy, ldfy);
+    };
+    const auto jac = solver == radau_symbol ? reinterpret_cast<void (*)()>(+without)
+                                            : reinterpret_cast<void (*)()>(+with_bands);
     const auto mass = [](int* nm, double* am, int* lmas, double*, int*) {
         if constexpr (requires { current->mass(); }) {
             Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> out(am, *lmas, *nm,
@@ -93,7 +112,7 @@ outcome radau5(const Problem& problem, double rtol, double t1) {
     if constexpr (requires { problem.mass(); }) imas = 1;
     int mlmas = n - first_row, mumas = n - first_row;
     const int ljac = banded ? ml + mu + 1 : n, le = banded ? 2 * ml + mu + 1 : n;
-    int lwork = n * (ljac + n * imas + 3 * le + 12) + 20, liwork = 3 * n + 20;
+    int lwork = n * (ljac + n * imas + 7 * le + 24) + 20, liwork = 5 * n + 20;  // seven stages at most
     std::vector<double> work(lwork, 0.0);
     std::vector<int> iwork(liwork, 0);
     iwork[1] = 10'000'000;  // steps allowed
@@ -101,9 +120,8 @@ outcome radau5(const Problem& problem, double rtol, double t1) {
     iwork[8] = iwork[9] = first_row;
     if (first_row > 0) ml = mu = n - first_row;
 
-    radau5_symbol()(&n, f, &t, y.data(), &t_end, &h, &rtol, &atol, &itol, jacobian, &ijac, &ml, &mu, mass,
-                    &imas, &mlmas, &mumas, solout, &iout, work.data(), &lwork, iwork.data(), &liwork, &rpar,
-                    &ipar, &idid);
+    solver(&n, f, &t, y.data(), &t_end, &h, &rtol, &atol, &itol, jac, &ijac, &ml, &mu, mass, &imas, &mlmas,
+           &mumas, solout, &iout, work.data(), &lwork, iwork.data(), &liwork, &rpar, &ipar, &idid);
     return {.y = y,
             .ok = idid == 1,
             .steps = iwork[15],

@@ -78,6 +78,32 @@ void write_diagrams(const std::vector<curve>& curves, const std::string& directo
     }
 }
 
+/// Per peer and class the mean over its problems, and the worst of them.
+static void print_classes(const std::vector<curve>& curves, const std::string& ours) {
+    for (const std::string& peer : distinct(curves, &curve::solver)) {
+        if (peer.starts_with(ours)) continue;
+        std::set<std::string> classes;
+        for (const curve& c : curves) classes.insert(class_of(c));
+        for (const std::string& name : classes) {
+            double sum = 0, worst = 0;
+            int count = 0;
+            std::string which;
+            for (const std::string& problem : distinct(curves, &curve::problem)) {
+                const auto counted = [&](const curve& c) {
+                    return c.problem == problem && class_of(c) == name;
+                };
+                const time_ratio r = ratio_at_equal_error(curves, ours, peer, 3, 10, counted);
+                if (r.points == 0) continue;
+                sum += std::log(r.mean), ++count;
+                if (r.mean > worst) worst = r.mean, which = problem;
+            }
+            if (count > 0)
+                std::printf("to %s, %s: mean %.3f over %d problems, worst %.3f (%s)\n", peer.c_str(),
+                            name.c_str(), std::exp(sum / count), count, worst, which.c_str());
+        }
+    }
+}
+
 void print_ratios(const std::vector<curve>& curves, const std::string& ours) {
     const auto line = [&](const std::string& peer, const std::string& where, int first, int last,
                           const auto& counted) {
@@ -96,4 +122,6 @@ void print_ratios(const std::vector<curve>& curves, const std::string& ours) {
         for (const std::string& problem : distinct(curves, &curve::problem))
             line(peer, " (" + problem + ")", 3, 10, [&](const curve& c) { return c.problem == problem; });
     }
+    print_classes(curves, ours);
+    std::printf("compiled by %s with %s\n", COMPILER, OPTIMISATION);
 }
