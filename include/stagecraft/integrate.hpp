@@ -5,8 +5,10 @@
 #include <concepts>
 #include <exception>
 #include <type_traits>
+#include <utility>
 
 #include <stagecraft/observe/observer.hpp>
+#include <stagecraft/problem/checked_call.hpp>
 #include <stagecraft/step/integrator.hpp>
 
 namespace stagecraft {
@@ -24,6 +26,59 @@ struct result {
     bool ok() const { return status == status::success; }
 };
 
+namespace detail {
+
+template <class Method>
+concept runnable_method = requires(const Method& m) {
+    as_tuple(m);
+};
+
+template <class State>
+concept eigen_object = requires(const State& y) {
+    []<class D>(const Eigen::MatrixBase<D>&) {}(y);
+};
+
+/// True if the observer can be called in a run by these, or there is none to be made.
+template <bool Runnable, class Method, class Problem, class Vector, class Observer>
+inline constexpr bool observes = true;
+template <class Method, class Problem, class Vector, class Observer>
+inline constexpr bool observes<true, Method, Problem, Vector, Observer> =
+    can_observe<Observer, Vector, typename integrator<Method, Problem, Vector>::output_type>;
+
+/// integrate() with arguments that have been looked at.
+template <class Method, class Problem, class Vector, class Observer>
+result<Vector> run_to_the_end(const Method& method, Problem& problem, const Vector& y0,
+                              const typename Vector::Scalar& t0, const typename Vector::Scalar& t1,
+                              const options<typename Vector::Scalar>& o, Observer& observer) {
+    Vector start = y0;  // later the states to be corrected
+    using run_type = integrator<Method, Problem, Vector>;
+    run_type run(method, problem, start, t0, t1, o,
+                 asks_for_output<Observer, Vector, typename run_type::output_type>);
+    announce(observer, run.t(), start, t1);
+    std::exception_ptr thrown;
+    stagecraft::status ended = status::success;
+    try {
+        while (run.step()) {
+            correct(observer, run, start);
+            if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
+                if (!observe(observer, run.t(), run.y(), run.output().step(), run.output())) run.stop();
+        }
+        ended = run.status();
+    } catch (const bad_problem&) {
+        throw;
+    } catch (const size_change&) {
+        ended = status::size_changed;
+    } catch (...) {
+        ended = status::function_threw;
+        thrown = std::current_exception();
+    }
+    result<Vector> r{run.t(), run.y(), ended, run.counts(), thrown};
+    conclude(observer, r);
+    return r;
+}
+
+}  // namespace detail
+
 /// Integrates M y' = f(t, y), y(t0) = y0 to t1, in either direction of time.
 ///
 /// method   One of three kinds. (1) A transformed_tableau (its A is regular: Radau IA/IIA, Gauss, Lobatto
@@ -32,7 +87,8 @@ struct result {
 ///          tableau: the stages of explicit and of diagonally implicit methods are solved one by one, those of
 ///          the others together, in real and complex blocks where A has a basis of eigenvectors. Adaptive
 ///          steps of a tableau need its b_embedded (or tableau/step_doubling.hpp).
-/// problem  Anything that can be called as problem(t, y, f) and writes f. Optional members are detected:
+/// problem  Anything that can be called as problem(t, y, f) and writes f, or as problem(t, y) and returns it (then a
+///          copy of it is called). Optional members are detected:
 ///          jacobian(t, y, J), mass(), index(), constant_jacobian(), second_order_components, bandwidth(),
 ///          sparsity() (problem/capabilities.hpp). Without jacobian(), a generic right-hand side is
 ///          differentiated automatically and any other by finite differences. problem/with.hpp adds such
@@ -52,40 +108,65 @@ struct result {
 /// and is kept in result.exception. t1 == t0 returns y0 with success and takes no step. No step allocates
 /// memory where the state has a fixed size or the matrices are dense.
 template <class Method, class Problem, class Derived, class Observer = no_observer>
-requires right_hand_side < std::remove_reference_t<Problem>,
-typename Derived::PlainObject >
-    auto integrate(const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
-                   std::type_identity_t<typename Derived::Scalar> t0,
-                   std::type_identity_t<typename Derived::Scalar> t1,
-                   const options<typename Derived::Scalar>& o = {}, Observer&& observer = {}) {
+auto integrate(const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
+               std::type_identity_t<typename Derived::Scalar> t0,
+               std::type_identity_t<typename Derived::Scalar> t1,
+               const options<typename Derived::Scalar>& o = {}, Observer&& observer = {})
+    -> result<typename Derived::PlainObject> {
     using vector = typename Derived::PlainObject;
-    vector start = y0;  // later the states to be corrected
-    using run_type = integrator<Method, std::remove_reference_t<Problem>, vector>;
-    run_type run(
-        method, problem, start, t0, t1, o,
-        detail::asks_for_output<std::remove_reference_t<Observer>, vector, typename run_type::output_type>);
-    detail::announce(observer, run.t(), start, t1);
-    std::exception_ptr thrown;
-    status ended = status::success;
-    try {
-        while (run.step()) {
-            detail::correct(observer, run, start);
-            if constexpr (!std::is_same_v<std::decay_t<Observer>, no_observer>)
-                if (!detail::observe(observer, run.t(), run.y(), run.output().step(), run.output()))
-                    run.stop();
-        }
-        ended = run.status();
-    } catch (const bad_problem&) {
-        throw;
-    } catch (const size_change&) {
-        ended = status::size_changed;
-    } catch (...) {
-        ended = status::function_threw;
-        thrown = std::current_exception();
+    using problem_type = std::remove_reference_t<Problem>;
+    using check = checked_call<problem_type, vector>;
+    constexpr bool method_first = detail::runnable_method<Method>,
+                   returns = method_first && detail::returning_right_hand_side<problem_type, vector>,
+                   looked_at = !method_first || returns, column = looked_at || check::column,
+                   const_enough = looked_at || check::const_enough, callable = looked_at || check::callable,
+                   writes_through = looked_at || check::writes_through,
+                   band_known = looked_at || check::band_known,
+                   observed = detail::observes < method_first && !returns && check::good, Method,
+                   problem_type, vector, std::remove_reference_t < Observer >>
+        ;
+    static_assert(method_first,
+                  "integrate(method, problem, y0, t0, t1, options, observer): the first argument must be a "
+                  "tableau, a transformed_tableau or a variable_order set");
+    static_assert(column, "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say");
+    static_assert(const_enough,
+                  "integrate: the problem is const and its operator()(t, y, f) is not: write `void "
+                  "operator()(...) const`");
+    static_assert(
+        callable,
+        "integrate: the problem must be callable as problem(t, y, f) and write f(t, y) into f, as `void "
+        "operator()(double t, const Vector& y, Vector& f) const` with Vector the type of y0 (of fixed "
+        "size if that is), or as problem(t, y) and return it");
+    static_assert(writes_through,
+                  "integrate: the problem takes f by value, what it writes is lost: write `Vector& f`");
+    static_assert(band_known,
+                  "integrate: the problem has bandwidth(): #include <stagecraft/linear/banded_blocks.hpp>");
+    static_assert(
+        observed,
+        "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, output), y by "
+        "value or const reference and of the type of y0, and const if it is given as const");
+    if constexpr (returns) {
+        return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, y0, t0, t1, o,
+                         std::forward<Observer>(observer));
+    } else if constexpr (method_first && check::good && observed) {
+        return detail::run_to_the_end<Method, problem_type, vector>(method, problem, y0, t0, t1, o, observer);
+    } else {
+        return {};
     }
-    result<vector> r{run.t(), run.y(), ended, run.counts(), thrown};
-    detail::conclude(observer, r);
-    return r;
+}
+
+/// Says what y0 must be where it is no vector of Eigen's (arguments in another order, say).
+template <class Method, class Problem, class State, class T0, class T1, class Observer = no_observer>
+requires(!detail::eigen_object<State>) result<Eigen::VectorXd> integrate(const Method&, Problem&&,
+                                                                         const State&, const T0&, const T1&,
+                                                                         const options<double>& = {},
+                                                                         Observer&& = {}) {
+    constexpr bool state = detail::eigen_object<State>;
+    static_assert(
+        state,
+        "integrate(method, problem, y0, t0, t1, options, observer): the third argument must be a column "
+        "vector of Eigen's");
+    return {};
 }
 
 }  // namespace stagecraft

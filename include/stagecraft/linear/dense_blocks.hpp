@@ -83,9 +83,12 @@ bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scala
 }
 
 /// The solvers a Jacobian matrix type is served by, unless the problem names its own: dense ones here, those
-/// of other structures beside their solvers.
+/// of other structures beside their solvers, none where those are not included.
 template <class Matrix>
-struct default_blocks {
+struct default_blocks {};
+template <class Matrix>
+requires requires { typename Matrix::Scalar; }
+struct default_blocks<Matrix> {
     using type = dense_blocks<typename Matrix::Scalar, Matrix::RowsAtCompileTime>;
 };
 

@@ -57,6 +57,14 @@ inline constexpr bool asks_for_output =
     std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&,
                         const typename Vector::Scalar&, const Output&>;
 
+/// True if the observer can be called after a step in one of its forms.
+template <class Observer, class Vector, class Output>
+inline constexpr bool can_observe =
+    std::is_same_v<std::remove_const_t<Observer>, no_observer> || asks_for_output<Observer, Vector, Output> ||
+    std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&,
+                        const typename Vector::Scalar&> ||
+    std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&>;
+
 template <class Observer, class Scalar, class Vector>
 void announce([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t0,
               [[maybe_unused]] const Vector& y0, [[maybe_unused]] const Scalar& t1) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/problem/capabilities.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// A header with the solvers for matrices of this kind is included.
+template <class Matrix>
+concept solvable = requires {
+    typename default_blocks<Matrix>::type;
+};
+
+/// The last of the three parameters of a function, void where that is not known: of templates and overloads.
+template <class Function>
+struct third_parameter : std::type_identity<void> {};
+template <class R, class T, class Y, class F>
+struct third_parameter<R (*)(T, Y, F)> : std::type_identity<F> {};
+template <class R, class T, class Y, class F>
+struct third_parameter<R(T, Y, F)> : std::type_identity<F> {};
+template <class R, class P, class T, class Y, class F>
+struct third_parameter<R (P::*)(T, Y, F)> : std::type_identity<F> {};
+template <class R, class P, class T, class Y, class F>
+struct third_parameter<R (P::*)(T, Y, F) const> : std::type_identity<F> {};
+
+template <class Problem>
+auto output_parameter() {
+    if constexpr (requires { &Problem::operator(); })
+        return third_parameter<decltype(&Problem::operator())>{};
+    else
+        return third_parameter<Problem>{};
+}
+
+template <class Problem, class Vector>
+concept callable_right_hand_side = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y,
+                                            Vector& f) {
+    p(t, y, f);
+};
+
+/// Problem may be called as problem(t, y) and returns a vector of the scalar of Vector (Eigen's matrices convert
+/// to those of other scalars by what they declare).
+template <class Problem, class T, class Y, class Vector>
+concept returns_vector = requires(Problem& p, const T& t, const Y& y) {
+    { p(t, y) } -> std::convertible_to<Vector>;
+    requires std::same_as < typename std::remove_cvref_t<decltype(p(t, y))>::Scalar,
+    typename Vector::Scalar > ;
+};
+
+template <class Problem, class Vector>
+concept returning_right_hand_side = !callable_right_hand_side<Problem, Vector> &&
+                                    returns_vector<Problem, typename Vector::Scalar, Vector, Vector>;
+
+/// A right-hand side that returns f(t, y), with all it brings, as one that writes it.
+template <class Problem>
+struct writes_returned : Problem {
+    explicit writes_returned(const Problem& p) : Problem(p) {}
+    template <class T, class Y, class F>
+    requires returns_vector<const Problem, T, Y, F>
+    void operator()(const T& t, const Y& y, F& f) const { f = static_cast<const Problem&>(*this)(t, y); }
+};
+template <class Problem>
+requires(!std::is_class_v<Problem> || std::is_final_v<Problem>) struct writes_returned<Problem> {
+    Problem p;
+    template <class T, class Y, class F>
+    requires returns_vector<const Problem, T, Y, F>
+    void operator()(const T& t, const Y& y, F& f) const { f = p(t, y); }
+};
+
+}  // namespace detail
+
+/// Looks at the call problem(t, y, f) of a Problem, const where it is given as const; integrate() says what to
+/// write where it cannot be made. At most one of the first four is false.
+template <class Problem, class Vector>
+struct checked_call {
+    static constexpr bool column = Vector::ColsAtCompileTime == 1;
+    static constexpr bool const_enough =
+        !column || detail::callable_right_hand_side<Problem, Vector> ||
+        !detail::callable_right_hand_side<std::remove_const_t<Problem>, Vector>;
+    static constexpr bool callable =
+        !column || !const_enough || detail::callable_right_hand_side<Problem, Vector>;
+    static constexpr bool writes_through =
+        !column || !const_enough || !callable ||
+        !std::is_same_v<
+            std::remove_cv_t<typename decltype(detail::output_parameter<std::remove_cv_t<Problem>>())::type>,
+            Vector>;
+    static constexpr bool band_known = has_linear_solver<Problem> || !has_bandwidth<Problem> ||
+                                       detail::solvable<banded_matrix<typename Vector::Scalar>>;
+
+    static constexpr bool good = column && const_enough && callable && writes_through && band_known;
+};
+
+}  // namespace stagecraft

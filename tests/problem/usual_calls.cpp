@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE usual_calls
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/families.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/observe/progress.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sc = stagecraft;
+using Eigen::Vector2d;
+
+namespace {
+
+Vector2d circle(double, const Vector2d& y) { return Vector2d(y[1], -y[0]); }
+
+template <class F>
+std::string message_of(F&& f) {
+    try {
+        f();
+    } catch (const std::invalid_argument& e) {
+        return e.what();
+    }
+    return "accepted";
+}
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_right_hand_side_may_return_its_value) {
+    sc::options o;  // double, as no other scalar is named
+    o.rtol = o.atol = 1e-9;
+    struct returning {
+        Vector2d operator()(double t, const Vector2d& y) const { return circle(t, y); }
+        void jacobian(double, const Vector2d&, Eigen::Matrix2d& J) const { J << 0, 1, -1, 0; }
+    };
+    const auto by_function = sc::integrate(sc::radau_iia<3>(), circle, Vector2d(0, 1), 0, 1, o);
+    const auto by_object = sc::integrate(sc::radau_iia<3>(), returning{}, Vector2d(0, 1), 0, 1, o);
+    BOOST_TEST(by_function.ok());
+    BOOST_TEST((by_function.report.found.jacobian == sc::jacobian_source::differences));
+    BOOST_TEST((by_object.report.found.jacobian == sc::jacobian_source::member));
+    BOOST_TEST(std::abs(by_function.y[0] - std::sin(1.0)) < 1e-8);
+    BOOST_TEST(std::abs(by_object.y[0] - std::sin(1.0)) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(methods_of_run_time_stages_are_those_of_the_templates) {
+    const auto m = sc::radau_iia(5);
+    const auto fixed = sc::radau_iia<5>();
+    BOOST_TEST((m.A == fixed.A && m.b == fixed.b && m.c == fixed.c && m.T == fixed.T));
+    BOOST_TEST((m.A_inverse == fixed.A_inverse && m.T_inverse == fixed.T_inverse && m.facts == fixed.facts));
+    BOOST_TEST((m.gamma == fixed.gamma && m.alpha == fixed.alpha && m.beta == fixed.beta));
+    BOOST_TEST((sc::lobatto_iiia(3).A == sc::lobatto_iiia<3>().A));
+    BOOST_TEST(sc::gauss(9).stages() == 9);
+    for (const int s : {0, 10, -1}) {
+        const auto why = message_of([s] { sc::radau_iia(s); });
+        BOOST_TEST(has(why, "stages must be between 1 and 9"));
+    }
+    BOOST_TEST(has(message_of([] { sc::lobatto_iiic(1); }), "between 2 and"));
+}
+
+BOOST_AUTO_TEST_CASE(progress_is_told_in_parts_and_may_cancel) {
+    std::vector<double> told;
+    const auto method = sc::radau_iia(3);
+    const sc::options<double> o{.fixed_step = 0.01};
+    BOOST_TEST(sc::integrate(method, circle, Vector2d(0, 1), 2, 1, o,
+                             sc::progress([&](double p) { told.push_back(p); }, 0.25))
+                   .ok());
+    BOOST_REQUIRE(told.size() == 4u);
+    for (int k = 0; k < 4; ++k)
+        BOOST_TEST(std::abs(told[static_cast<std::size_t>(k)] - 0.25 * (k + 1)) < 0.011);
+    BOOST_TEST(told.back() == 1);
+    const auto cancelled = sc::integrate(method, circle, Vector2d(0, 1), 2, 1, o,
+                                         sc::progress([](double p) { return p < 0.5; }, 0.1));
+    BOOST_TEST((cancelled.status == sc::status::stopped));
+    BOOST_TEST(std::abs(cancelled.t - 1.5) < 0.011);
+    BOOST_CHECK_THROW(sc::progress([](double) {}, 0), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_method_without_embedded_weights_is_refused_with_what_helps) {
+    const auto why = message_of([] { sc::integrate(sc::lobatto_iiia(3), circle, Vector2d(0, 1), 0, 1); });
+    BOOST_TEST(has(why, "step_doubling(method)"));
+}
