@@ -19,9 +19,9 @@ using dual = dual_number<Scalar, dual_width<N>>;
 template <class Scalar, int N>
 using dual_vector = Eigen::Matrix<dual<Scalar, N>, N, 1>;
 
-/// True if f(t, y, f) accepts dual vectors with t dual as well, or with t left as it is. A lambda with a
-/// deduced return type is compiled by this very question: if its body does not compile with
-/// dual_number, give its parameters concrete types or bring a Jacobian.
+/// True if f(t, y, f) accepts dual vectors, with t dual as well or left as it is. Asking this compiles the
+/// body of a generic lambda with a deduced return type: if the body does not compile with dual_number, give
+/// its parameters concrete types or bring a Jacobian.
 template <class Problem, class Scalar, int N>
 concept differentiable_with_dual_time = requires(Problem& p, const dual<Scalar, N>& t,
                                                  const dual_vector<Scalar, N>& y, dual_vector<Scalar, N>& f) {

@@ -93,10 +93,10 @@ inline std::vector<std::complex<double>> all_roots(const std::vector<double>& p)
 
 }  // namespace detail
 
-/// The form of an n x n matrix (column-major), or nothing where it is not found to 1e-8 of the largest
-/// entry, or T is nearly singular: multiple eigenvalues without as many eigenvectors, or too large an n
-/// (beyond 15 or so). Meant for the small matrices of methods, as what an iteration is preconditioned with:
-/// its accuracy decides nothing but the speed of that iteration.
+/// The form of an n x n matrix (column-major). Nothing if it is not found to 1e-8 of the largest entry, or if
+/// T is nearly singular, which means multiple eigenvalues without as many eigenvectors, or n larger than
+/// about 15. Meant for the small matrices of methods, where it preconditions an iteration: its accuracy
+/// affects only the speed of that iteration.
 inline std::optional<block_diagonal_form> block_diagonal(const std::vector<double>& a, int n) {
     using complex = std::complex<double>;
     double size = 0;

@@ -36,7 +36,7 @@ inline constexpr int positions_of = [] {
         return 0;
 }();
 
-/// What solves with a matrix of the full size that has not the structure q' = v, such as M alone.
+/// The solver for a matrix of the full size without the structure q' = v, such as M alone.
 template <class Blocks>
 struct unstructured {
     using type = Blocks;
@@ -64,7 +64,7 @@ bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scala
     }
 }
 
-/// Factors (re + i im) M - J, likewise.
+/// Factors (re + i im) M - J in the same way.
 template <class Block, class Mass, class Matrix, class Scalar>
 bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scalar& re, const Scalar& im) {
     if constexpr (requires { block.factor_shifted(mass, J, re, im); }) {

@@ -6,13 +6,14 @@
 
 namespace stagecraft {
 
-/// The mass matrix of y' = f: nothing is stored and nothing is multiplied.
+/// The identity as mass matrix, that of y' = f: nothing is stored and nothing is multiplied.
 struct identity_mass {
     static constexpr bool identity = true;
 };
 
-/// A constant mass matrix kept as the list of its nonzero entries, which is what both uses need: M x, and
-/// adding a multiple of M to a matrix. Mass matrices of practice are diagonal, banded or block sparse.
+/// A constant mass matrix kept as the list of its nonzero entries. That suits both of its uses, the product M
+/// x and adding a multiple of M to a matrix, as mass matrices in practice are diagonal, banded or block
+/// sparse.
 template <class Scalar>
 class entry_mass {
   public:
@@ -22,7 +23,7 @@ class entry_mass {
         Scalar value;
     };
 
-    /// From a dense, diagonal or sparse matrix of Eigen's, or a banded_matrix.
+    /// From a dense, diagonal or sparse matrix of Eigen, or from a banded_matrix.
     template <class Matrix>
     explicit entry_mass(const Matrix& m) {
         if constexpr (requires {

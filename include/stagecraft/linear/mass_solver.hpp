@@ -11,13 +11,13 @@
 
 namespace stagecraft {
 
-/// Solves M x = r for a regular mass matrix, which explicit stages need: nothing for the identity, one
-/// product per component for a diagonal M, else one factorisation in the structure of the Jacobian, made once
-/// in a run.
+/// Solves M x = r for a regular mass matrix, which explicit stages need. The identity costs nothing, a
+/// diagonal M one product per component; any other M is factored once per run, in the structure of the
+/// Jacobian.
 template <class Scalar, class Blocks>
 class mass_solver {
   public:
-    /// False if M is singular, or so near to it that the solutions would be rounding.
+    /// False if M is singular, or so nearly singular that solutions would be dominated by rounding.
     template <class System>
     bool prepare(const System& system) {
         if constexpr (!System::mass_type::identity) {

@@ -15,9 +15,9 @@ namespace stagecraft {
 template <class T>
 class shifted_sparse {
   public:
-    /// Writes shift M - J if the kept pattern serves M and J. False if it does not, the values then mean
-    /// nothing: an entry too many or too few, or one elsewhere (each is compared with its place while it is
-    /// written).
+    /// Writes shift M - J if M and J have the kept pattern. False if not, that is if an entry is missing, is
+    /// new or stands elsewhere (each is compared with its place while it is written); the values are then
+    /// unspecified.
     template <class Mass, class Scalar>
     bool fill(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const T& shift) {
         if (matrix_.rows() != J.rows()) return false;

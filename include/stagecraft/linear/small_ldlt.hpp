@@ -8,8 +8,8 @@ namespace stagecraft {
 
 /// L D L^T of a small symmetric positive definite matrix of fixed size N, without pivoting, over any
 /// field-like scalar: double, wide floats, dual numbers of automatic differentiation. Only the lower triangle
-/// is read. A matrix that is not positive definite is no error here: its pivots tell (`pivot`), and a zero
-/// pivot makes the solutions non-finite.
+/// is read. A matrix that is not positive definite is not an error: `pivot` shows it, and a zero pivot makes
+/// the solutions non-finite.
 template <class Scalar, int N>
 class small_ldlt {
   public:
