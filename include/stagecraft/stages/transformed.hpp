@@ -150,7 +150,7 @@ class transformed_stages {
     void filter(vector& x, vector& scratch) { blocks_.filter(x, scratch); }
 
     /// x := x - (gamma/h M - J)^-1 gamma/h M x = -(gamma/h M - J)^-1 J x, the real part of it where gamma is
-    /// complex: what of x stiff components carry. In a mode of eigenvalue lambda the factor is z / (z -
+    /// complex: the part of x in stiff components. In a mode of eigenvalue lambda the factor is z / (z -
     /// gamma), z = h lambda: nearly one where z is large, O(h) where it is small.
     template <class System>
     void stiff_part(const System& system, vector& x, vector& re, vector& im) {

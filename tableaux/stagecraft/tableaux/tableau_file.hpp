@@ -15,7 +15,7 @@ namespace stagecraft::tableaux {
 /// Where the numbers of a tableau live, which decides what can be proved of it.
 enum class number_kind {
     rational,   ///< everything is decided
-    quadratic,  ///< likewise, in Q(sqrt d)
+    quadratic,  ///< everything is decided, in Q(sqrt d)
     enclosed,   ///< exact, but in no single quadratic field: equalities can be refuted, not proved
     rounded     ///< decimals or doubles
 };

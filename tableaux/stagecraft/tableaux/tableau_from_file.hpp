@@ -43,7 +43,7 @@ tableau<Real> rounded(const tableau_file& file) {
     return t;
 }
 
-/// Likewise an exact tableau over Q, with the facts it carries.
+/// The same for an exact tableau over Q, with the facts that it carries.
 template <class Real = double>
 tableau<Real> rounded(const tableau<rational>& exact) {
     const int s = exact.stages();

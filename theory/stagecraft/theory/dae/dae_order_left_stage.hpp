@@ -47,7 +47,7 @@ order_prediction predict_index1_left_stage(const tableau<K>& t) {
     return p;
 }
 
-/// Index 2, likewise, for collocation methods with c_1 = 0 and c_s = 1 (Lobatto IIIA): y has the order of the
+/// The same for index 2, for collocation methods with c_1 = 0 and c_s = 1 (Lobatto IIIA): y has the order of the
 /// quadrature; z has s for -1 <= R(inf) < 1, and s - 1 for R(inf) = 1, where local errors add up
 /// (Hairer-Wanner II, Table VII.4.1; Jay, BIT 33, 1993).
 template <class K>
