@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
 
-#include "measure.hpp"
+#include <problems/rolling_disc/measure.hpp>
 #include "proof.hpp"
 #include "report.hpp"
 
@@ -160,7 +160,8 @@ int report(const std::string& directory, int repeats) {
     text += heading("The rolling disc as index-2 system, 12 unknowns, t in [0, 1]");
     std::cout << text << std::flush;
 
-    const auto exact = reference_solution(std::string(ROLLING_DISC_SOURCE) + "/data/disc.json", "1.0");
+    const auto exact = reference_solution(
+        std::string(ROLLING_DISC_SOURCE) + "/../problems/rolling_disc/data/disc.json", "1.0");
     if (!directory.empty()) std::filesystem::create_directories(directory);
     const std::string table =
         work_precision(stagecraft::radau_iia<3>(), directory, repeats, exact, true) +

@@ -4,7 +4,7 @@
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
 
-#include "surd_tableau.hpp"
+#include <problems/rolling_disc/surd_tableau.hpp>
 
 namespace rolling_disc {
 

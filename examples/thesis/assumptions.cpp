@@ -6,10 +6,10 @@
 #include <stagecraft/mechanics/model_assumptions.hpp>
 #include <stagecraft/mechanics/regularisation_conditions.hpp>
 
-#include "../rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
+#include <problems/thesis/nonholonomic.hpp>
+#include <problems/thesis/solve.hpp>
 #include "experiments.hpp"
-#include "nonholonomic.hpp"
-#include "solve.hpp"
 
 namespace thesis {
 

@@ -4,10 +4,10 @@
 #include <stagecraft/mechanics/formulations.hpp>
 #include <stagecraft/mechanics/singularity.hpp>
 
-#include "../rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
+#include <problems/thesis/nonholonomic.hpp>
+#include <problems/thesis/solve.hpp>
 #include "experiments.hpp"
-#include "nonholonomic.hpp"
-#include "solve.hpp"
 
 namespace thesis {
 

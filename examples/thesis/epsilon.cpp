@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <problems/thesis/solve.hpp>
 #include "experiments.hpp"
-#include "solve.hpp"
 
 namespace thesis {
 

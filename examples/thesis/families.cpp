@@ -5,8 +5,8 @@
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/theory/dae/dae_order.hpp>
 
+#include <problems/thesis/solve.hpp>
 #include "experiments.hpp"
-#include "solve.hpp"
 #include "wide.hpp"
 
 namespace thesis {

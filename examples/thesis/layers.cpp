@@ -3,8 +3,8 @@
 #include <cmath>
 #include <complex>
 
+#include <problems/thesis/solve.hpp>
 #include "experiments.hpp"
-#include "solve.hpp"
 
 namespace thesis {
 

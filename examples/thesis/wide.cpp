@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "../rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
 
 namespace thesis {
 

@@ -10,7 +10,7 @@
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <vector>
 
-#include "problems.hpp"
+#include <problems/stiff.hpp>
 
 namespace problems {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <stagecraft/mechanics/formulations.hpp>
 
-#include "../rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
 
 namespace problems {
 

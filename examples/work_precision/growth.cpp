@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems.hpp"
+#include <problems/stiff.hpp>
 
 namespace {
 

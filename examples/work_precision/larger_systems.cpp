@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <problems/stiff.hpp>
 #include "compete.hpp"
-#include "problems.hpp"
 
 void compete_on_larger_systems(const settings& set, std::vector<curve>& curves) {
     compete(problems::hires{}, reference("hires"), set, curves);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <problems/stiff.hpp>
 #include "compete.hpp"
-#include "problems.hpp"
 
 #include "disc.hpp"
 
@@ -21,7 +21,7 @@ void compete_on_mechanics(const settings& set, std::vector<curve>& curves) {
     std::vector<reference_point> ellipse;
     for (int t = 1; t < 20; t += 2) ellipse.push_back(kepler_ellipse(t));
     compete(problems::kepler{}, reference("kepler"), set, curves, ellipse);
-    const auto disc = read_json("../../rolling_disc/data/disc");
+    const auto disc = read_json("../rolling_disc/data/disc");
     const auto at = [&](const char* time) { return to_vector(disc.at(time).at("values")); };
     compete(problems::rolling_disc{}, at("t=1.0"), set, curves, {{0.1, at("t=0.1")}, {0.5, at("t=0.5")}});
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <problems/stiff.hpp>
 #include "compete.hpp"
-#include "problems.hpp"
 
 void compete_on_reactions(const settings& set, std::vector<curve>& curves) {
     compete(problems::van_der_pol{}, reference("vdpol"), set, curves);

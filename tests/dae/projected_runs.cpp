@@ -8,7 +8,7 @@
 #include <stagecraft/mechanics/formulations.hpp>
 #include <stagecraft/observe/observers.hpp>
 
-#include "../../examples/rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
 
 namespace sc = stagecraft;
 using disc_state = Eigen::Matrix<double, 10, 1>;

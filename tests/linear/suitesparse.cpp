@@ -9,7 +9,7 @@
 #include <stagecraft/problem/with.hpp>
 #include <type_traits>
 
-#include "../../examples/work_precision/problems.hpp"
+#include <problems/stiff.hpp>
 
 namespace sc = stagecraft;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stagecraft/mechanics/asymptotic_expansion.hpp>
 
-#include "../../examples/rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
 
 using namespace stagecraft;
 

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 
-#include "../../examples/rolling_disc/surd_tableau.hpp"
+#include <problems/rolling_disc/surd_tableau.hpp>
 
 using namespace rolling_disc;
 using stagecraft::tableaux::family;

@@ -8,8 +8,8 @@
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
 
-#include "../../examples/rolling_disc/disc.hpp"
-#include "../../examples/thesis/any_problem.hpp"
+#include <problems/rolling_disc/disc.hpp>
+#include <problems/thesis/any_problem.hpp>
 
 using namespace stagecraft;
 using wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stagecraft/linear/logarithmic_norm.hpp>
 
-#include "../../examples/thesis/solve.hpp"
+#include <problems/thesis/solve.hpp>
 
 using namespace thesis;
 

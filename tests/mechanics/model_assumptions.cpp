@@ -8,9 +8,9 @@
 #include <stagecraft/mechanics/model_assumptions.hpp>
 #include <stagecraft/mechanics/singularity.hpp>
 
-#include "../../examples/rolling_disc/disc.hpp"
-#include "../../examples/thesis/nonholonomic.hpp"
-#include "../../examples/thesis/solve.hpp"
+#include <problems/rolling_disc/disc.hpp>
+#include <problems/thesis/nonholonomic.hpp>
+#include <problems/thesis/solve.hpp>
 
 using namespace stagecraft;
 using thesis::vector;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stagecraft/mechanics/holonomic.hpp>
 
-#include "../../examples/thesis/nonholonomic.hpp"
-#include "../../examples/thesis/solve.hpp"
+#include <problems/thesis/nonholonomic.hpp>
+#include <problems/thesis/solve.hpp>
 
 using namespace stagecraft;
 using thesis::vector;

@@ -7,8 +7,8 @@
 #include <stagecraft/mechanics/regularisation_conditions.hpp>
 #include <string>
 
-#include "../../examples/rolling_disc/disc.hpp"
-#include "../../examples/thesis/any_problem.hpp"
+#include <problems/rolling_disc/disc.hpp>
+#include <problems/thesis/any_problem.hpp>
 
 using namespace stagecraft;
 using rolling_disc::disc;

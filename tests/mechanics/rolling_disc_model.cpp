@@ -9,7 +9,7 @@
 #include <stagecraft/mechanics/formulations.hpp>
 #include <string>
 
-#include "../../examples/rolling_disc/disc.hpp"
+#include <problems/rolling_disc/disc.hpp>
 
 using namespace stagecraft;
 using rolling_disc::disc;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 
-#include "../../examples/rolling_disc/measure.hpp"
+#include <problems/rolling_disc/measure.hpp>
 
 using namespace rolling_disc;
 
@@ -13,7 +13,7 @@ namespace {
 const auto nothing = [](double, const auto&) {};
 
 state reference(const std::string& t) {
-    return reference_solution(STAGECRAFT_SOURCE_DIR "/examples/rolling_disc/data/disc.json", t);
+    return reference_solution(STAGECRAFT_SOURCE_DIR "/examples/problems/rolling_disc/data/disc.json", t);
 }
 
 run disc_run(double tolerance) { return observe(stagecraft::radau_iia<3>(), disc<>{}, tolerance, nothing); }

@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "../../examples/thesis/solve.hpp"
+#include <problems/thesis/solve.hpp>
 
 using namespace thesis;
 

@@ -5,7 +5,7 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/observe/event.hpp>
 
-#include "../../examples/rolling_disc/measure.hpp"
+#include <problems/rolling_disc/measure.hpp>
 
 namespace sc = stagecraft;
 using namespace rolling_disc;

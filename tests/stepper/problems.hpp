@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-// The problems of tests/data/reference/*.json, each a right-hand side and nothing else.
+// The problems of examples/problems/data/*.json, each a right-hand side and nothing else.
 namespace problems {
 
 struct van_der_pol {
@@ -114,9 +114,9 @@ struct index_three {
     std::array<int, 5> index() const { return {1, 1, 2, 2, 3}; }
 };
 
-// y_end of tests/data/reference/NAME.json.
+// y_end of examples/problems/data/NAME.json.
 inline Eigen::VectorXd reference(const std::string& name) {
-    std::ifstream in(std::string(STAGECRAFT_SOURCE_DIR) + "/tests/data/reference/" + name + ".json");
+    std::ifstream in(std::string(STAGECRAFT_SOURCE_DIR) + "/examples/problems/data/" + name + ".json");
     const auto digits = nlohmann::json::parse(in).at("y_end");
     Eigen::VectorXd y(digits.size());
     for (std::size_t i = 0; i < digits.size(); ++i) y[i] = std::stod(digits[i].get<std::string>());
