@@ -140,7 +140,7 @@ auto integrate(const Method& method, Problem&& problem, const Eigen::MatrixBase<
     static_assert(writes_through,
                   "integrate: the problem takes f by value, what it writes is lost: write `Vector& f`");
     static_assert(band_known,
-                  "integrate: the problem has bandwidth(): #include <stagecraft/linear/banded_blocks.hpp>");
+                  "integrate: the problem has bandwidth(): include stagecraft/linear/banded_blocks.hpp");
     static_assert(
         observed,
         "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, output), y by "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: #include <stagecraft/linear/banded_blocks.hpp>
+// says: include stagecraft/linear/banded_blocks.hpp
 // lines: 8
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
