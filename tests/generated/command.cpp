@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_in_one_line_that_says_what_is_allowed)
     expect_refusal("tableau gauss three", "from 1 to 500");
     expect_refusal("tableau lobatto_iiia 1", "from 2 to 500");
     expect_refusal("tableau gauss 501", "from 1 to 500");
-    expect_refusal("tableau gauss -1", "");
+    expect_refusal("tableau gauss -1", "'-1' is not a whole number from 1 to 500");
     expect_refusal("tableau gauss 3 --digits 0", "from 1 to 1000");
     expect_refusal("tableau gauss 3 --digits 1001", "from 1 to 1000");
     expect_refusal("tableau gauss 3 --format xml", "text, json, latex");
