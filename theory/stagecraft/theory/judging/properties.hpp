@@ -29,6 +29,9 @@ inline int determinant_bits(const subject<tableaux::quadratic>& s) {
 /// methods stay far below.
 inline constexpr int longest_exact_determinant = 1200;
 
+/// Whether exact stability takes a second or more: a full A of ten stages whose fractions have no structure.
+inline bool is_costly(const subject<tableaux::quadratic>& s) { return !s.lower && s.stages() >= 8; }
+
 /// The same tableau in enclosures of its exact entries.
 inline subject<tableaux::ball> enclosed(const subject<tableaux::quadratic>& s) {
     subject<tableaux::ball> e{{}, s.nodes_given, s.strictly_lower, s.lower};
@@ -61,6 +64,11 @@ verdict property_of(const subject<K>& s, std::string_view property) {
         if (property == "A_stable" || property == "L_stable") {
             if (s.strictly_lower && certainly_nonzero(t.b.sum()))
                 return verdict::refuted("explicit: R is a polynomial and not constant");
+            if (is_costly(s)) {  // a z with |R(z)| > 1, where there is one, is found at once
+                const auto e = enclosed(s);
+                auto quick = property == "A_stable" ? rounded_a_stable(e) : rounded_l_stable(e);
+                if (quick.is_refuted()) return quick;
+            }
             if (determinant_bits(s) > longest_exact_determinant)
                 return property == "A_stable" ? rounded_a_stable(enclosed(s)) : rounded_l_stable(enclosed(s));
             const auto r = stability_function_of(t);
