@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -176,7 +175,7 @@ class sequential_stages {
             system(t + v.method.c[i] * h, yi_, fi_);
             if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
             const int n = Vector::RowsAtCompileTime >= 0 ? Vector::RowsAtCompileTime : n_;
-            std::copy_n(fi_.data(), n, v.k.data() + i * n);
+            for (int c = 0; c < n; ++c) v.k.data()[c + i * n] = fi_[c];
             finite = all_finite(fi_, n);
         });
         last_ = yi_;
