@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <filesystem>
 #include <iostream>
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
@@ -18,10 +19,9 @@ struct options {
     tool::certify_options files;
 };
 
+/// What is neither there nor looks like a path is meant as a family.
 bool is_family(const std::string& name) {
-    for (const tableaux::family f : tableaux::all_families)
-        if (name == tableaux::name(f)) return true;
-    return false;
+    return name.find_first_of("./") == std::string::npos && name != "-" && !std::filesystem::exists(name);
 }
 
 tableaux::rational number(const char* argument, const std::string& text) {
