@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The test problems, each as a plain struct: size, interval, initial value, right-hand side, Jacobian.
+// Stiff test problems for tests and for the comparison of solvers, each as a plain struct: size, interval, initial value,
+// right-hand side, Jacobian.
 // `atol_scale` is the customary ratio atol/rtol; reference solutions are in data/<name>.json.
 #pragma once
 
