@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(satz_1_18_algebraically_stable_methods_contract_random_pair
     std::mt19937 random(4);
     std::uniform_real_distribution<double> pick(-3, 3), exponent(-3, 6), time(0, 5);
     int measured = 0, tried = 0;
-    for (int k = 0; k < 12'000; ++k) {
+    for (int k = 0; k < 100'000; ++k) {
         const auto& [name, m] = stable[static_cast<std::size_t>(k) % stable.size()];
         const monotone f{static_cast<int>(random() % 6)};
         const state<double, 2> x(pick(random), pick(random)), y(pick(random), pick(random));

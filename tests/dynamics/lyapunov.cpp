@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(
                 Bx[i] = 0;
                 for (int l = 0; l < n; ++l) Bx[i] += B(i, l) * x[l];
             }
-            BOOST_TEST((product<rational>(G, x, x) > 0));
-            BOOST_TEST((product<rational>(G, Bx, x) <= gamma * product<rational>(G, x, x)));
+            BOOST_TEST((inner_product<rational>(G, x, x) > 0));
+            BOOST_TEST((inner_product<rational>(G, Bx, x) <= gamma * inner_product<rational>(G, x, x)));
         }
         BOOST_CHECK_THROW(inner_product(B, alpha.low - rational(1, 1000)), std::invalid_argument);
     }
