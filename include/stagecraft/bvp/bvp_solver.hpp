@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -67,7 +66,28 @@ class bvp_solver {
         return std::move(result_);
     }
 
-    bool structure_broken() const { return equations_.structure_broken(); }
+    /// For what is built on a solution: its equations, linearised at it, and the derivative of y at the mesh
+    /// points and of p with respect to the value of a condition.
+    equations_type& linearised() {
+        equations_.resize(x_);
+        equations_.linearise(x_);
+        return equations_;
+    }
+    const iterate& solution_on_mesh() const { return x_; }
+    iterate response(int condition) {
+        using wide = typename equations_type::wide;
+        auto& e = linearised();
+        typename equations_type::column unit = equations_type::column::Zero(e.n() + e.np());
+        unit[condition] = Scalar(1);
+        iterate d;
+        e.solve(x_, wide::Zero(e.n(), e.s() * x_.intervals()), wide::Zero(e.n(), x_.intervals()), unit, d);
+        return d;
+    }
+    /// The same problem on a mesh with every interval halved; false where Newton's iteration fails there.
+    bool halve() {
+        move_to(halved(x_.t));
+        return newton(error_) && estimate();
+    }
 
   private:
     template <class Guess>
@@ -152,7 +172,8 @@ class bvp_solver {
         error_ = Scalar(0);
         for (int i = 0; i < x_.intervals(); ++i)
             for (int c = 0; c < n; ++c) {
-                const Scalar bound = estimate_.bound(i, c) + rounding() * abs(x_.y(c, i)),
+                const Scalar bound = estimate_.bound(i, c) +
+                                     4 * std::numeric_limits<Scalar>::epsilon() * abs(x_.y(c, i)),
                              l = abs(x_.y(c, i)), r = abs(x_.y(c, i + 1));
                 if (bound > e.components[c]) e.components[c] = bound;
                 const Scalar relative = bound / (floor_ + (l < r ? l : r));
@@ -164,8 +185,6 @@ class bvp_solver {
             error_ = std::max(error_, Scalar(abs(p[k]) / (floor_ + abs(x_.p[k]))));
         e.defect = estimate_.defect();
     }
-    static Scalar rounding() { return 4 * std::numeric_limits<Scalar>::epsilon(); }
-
     /// The next mesh: every interval the same share of the (p + 1)-st roots of the local errors, as many as
     /// the p-th power of the global error asks for.
     std::vector<Scalar> refined(int idle) {
@@ -302,7 +321,7 @@ class bvp_solver {
                               !(x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_);
         result_.kernel = static_cast<int>(std::count_if(
             largest.begin(), largest.end(), [&](const Scalar& v) { return v * eps * 1000 >= Scalar(1); }));
-        const std::string which = dependent_condition();
+        const std::string which = dependent_condition(equations_.conditions());
         if (blown_up)
             end(bvp_status::singular, which.empty() ? "M is singular to rounding" : which);
         else
@@ -310,24 +329,8 @@ class bvp_solver {
         return true;
     }
 
-    /// The first condition whose derivative depends on those before it, in words.
-    std::string dependent_condition() const {
-        using std::sqrt;
-        auto rows = equations_.conditions();
-        for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-            const Scalar size = sqrt(rows.row(r).squaredNorm());
-            for (Eigen::Index k = 0; k < r; ++k) rows.row(r) -= rows.row(r).dot(rows.row(k)) * rows.row(k);
-            const Scalar left = sqrt(rows.row(r).squaredNorm());
-            if (!(left > 1000 * std::numeric_limits<Scalar>::epsilon() * size))
-                return "condition r[" + std::to_string(r) + "] depends on those before it";
-            rows.row(r) /= left;
-        }
-        return {};
-    }
-
     void accept() {
         if (is_singular()) return;
-        using std::abs;
         if (kappa_ * std::numeric_limits<Scalar>::epsilon() > o_.rtol)
             return end(bvp_status::ill_conditioned,
                        "rounding errors times the condition number exceed the tolerance");
@@ -361,17 +364,19 @@ class bvp_solver {
         result_.p = x_.p;
         result_.mesh = x_.t;
         result_.error.global = error_;
-        if (estimated()) {
-            estimate_.write(x_, result_.y);
-            conditioning_of<equations_type> c(equations_, x_);
-            if (o_.conditioning) result_.conditioning = c.run(r);
-        }
+        if (!usable()) return;
+        if (estimated() || estimate_.run(x_, floor_)) estimate_.write(x_, result_.y);
+        conditioning_of<equations_type> c(equations_, x_);
+        if (o_.conditioning) result_.conditioning = c.run(r);
+    }
+    /// Can f be evaluated along x, and are there factors?
+    bool usable() const {
+        return result_.status != bvp_status::non_finite && result_.status != bvp_status::function_threw &&
+               result_.status != bvp_status::size_changed && outcome_.end != damped_newton_end::non_finite;
     }
     /// Does the estimate belong to x?
     bool estimated() const {
-        return outcome_.end == damped_newton_end::converged && estimate_.local().cols() == x_.intervals() &&
-               result_.status != bvp_status::non_finite && result_.status != bvp_status::function_threw &&
-               result_.status != bvp_status::size_changed;
+        return outcome_.end == damped_newton_end::converged && estimate_.local().cols() == x_.intervals();
     }
 
     bvp_options<Scalar> o_;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <stagecraft/bvp/result.hpp>
@@ -51,6 +54,21 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
         if (norm > best) best = norm;
     }
     return best;
+}
+
+/// The first condition whose derivative (a row) depends on those before it, in words; empty if none does.
+template <class Matrix>
+std::string dependent_condition(Matrix rows) {
+    using std::sqrt;
+    for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+        const auto size = sqrt(rows.row(r).squaredNorm());
+        for (Eigen::Index k = 0; k < r; ++k) rows.row(r) -= rows.row(r).dot(rows.row(k)) * rows.row(k);
+        const auto left = sqrt(rows.row(r).squaredNorm());
+        if (!(left > 1000 * std::numeric_limits<typename Matrix::Scalar>::epsilon() * size))
+            return "condition r[" + std::to_string(r) + "] depends on those before it";
+        rows.row(r) /= left;
+    }
+    return {};
 }
 
 }  // namespace detail

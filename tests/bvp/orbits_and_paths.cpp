@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE bvp_orbits_and_paths
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/bvp/continuation.hpp>
+#include <stagecraft/bvp/periodic_orbit.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <string>
+
+namespace sc = stagecraft;
+using Eigen::Vector2d;
+
+namespace {
+
+// Van der Pol's oscillator, or with mu = 0 the lecture's limit cycle.
+struct oscillator {
+    double mu;
+    template <class T, class Y>
+    void operator()(const T&, const Y& y, Y& f) const {
+        f[0] = y[1];
+        f[1] = mu * (1 - y[0] * y[0]) * y[1] - y[0];
+        if (mu == 0) {
+            f[0] = y[1] + y[0] * (1 - y[0] * y[0] - y[1] * y[1]);
+            f[1] = -y[0] + y[1] * (1 - y[0] * y[0] - y[1] * y[1]);
+        }
+    }
+};
+
+auto orbit_of(double mu, const Vector2d& start, double end) {
+    const auto guess = sc::last_return(sc::radau_iia<3>(), oscillator{mu}, start, 0.0, end);
+    return sc::periodic_orbit(sc::gauss<5>(), oscillator{mu}, guess, {.rtol = 1e-10});
+}
+
+void has(const sc::orbit_result<Vector2d>& orbit, double period, double multiplier, double accuracy) {
+    BOOST_TEST(orbit.ok());
+    BOOST_TEST_REQUIRE(orbit.multipliers.size() == 2U);
+    BOOST_TEST(std::abs(orbit.period - period) <= 1e-10 * period);
+    BOOST_TEST(std::abs(orbit.period - period) <= 30 * orbit.error.parameters[0] + 1e-13);
+    BOOST_TEST(std::abs(orbit.multipliers[0].value - 1.0) < 1e-8);
+    BOOST_TEST(std::abs(orbit.multipliers[1].value - multiplier) < accuracy * multiplier);
+    BOOST_TEST(std::abs(orbit.multipliers[1].value - multiplier) <= 10 * orbit.multipliers[1].error);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(periods_and_multipliers_of_van_der_pol_and_the_limit_cycle) {
+    has(orbit_of(1, Vector2d(2, 0), 40), 6.663286859323130, 8.596950636038052e-4, 1e-7);
+    has(orbit_of(5, Vector2d(2, 0), 60), 11.61223066771957, 7.738555086859359e-38, 1e-7);
+    const double pi = 3.14159265358979323846;
+    for (const Vector2d& start : {Vector2d(1, 0), Vector2d(2, 1), Vector2d(-0.1, 0)})
+        has(orbit_of(0, start, 20), 2 * pi, std::exp(-4 * pi), 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {
+    auto guess = sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 40.0);
+    guess.begin -= guess.period;
+    guess.period *= 2;
+    const auto twice = sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess, {.rtol = 1e-8});
+    BOOST_TEST(sc::name(twice.status) == std::string("multiple_period"));
+    BOOST_CHECK_THROW(sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 1.0),
+                      std::invalid_argument);
+    guess.period = 0;
+    BOOST_CHECK_THROW(sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(the_fold_of_bratu_lies_where_it_is_known_to) {
+    const auto bratu = [](const auto&, const auto& y, const auto& p, auto& f) {
+        using std::exp;
+        f[0] = y[1];
+        f[1] = -p[0] * exp(y[0]);
+    };
+    const auto zero = [](const auto& left, const auto& right, const auto&, auto& r) {
+        r[0] = left[0];
+        r[1] = right[0];
+    };
+    int folds = 0;
+    double last = 0, slope = 0;
+    for (const auto& point : sc::continuation(sc::gauss<5>(), sc::two_point(bratu, zero), 0.0, 1.0,
+                                              Vector2d(0, 0), {.from = 1})) {
+        BOOST_TEST(sc::name(point.status) == std::string("success"));
+        if (point.kind == sc::point_kind::fold) {
+            ++folds;
+            BOOST_TEST(std::abs(point.p[0] - 3.513830719125161) < 1e-9);
+        }
+        last = point.p[0];
+        slope = point.y(0.0)[1];
+    }
+    BOOST_TEST(folds == 1);
+    BOOST_TEST(last < 1);      // two solutions below the fold: the path comes back
+    BOOST_TEST(slope > 10.8);  // on the upper branch, u'(0) = 10.8469 at p = 1
+}
