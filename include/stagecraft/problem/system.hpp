@@ -215,6 +215,16 @@ class system
         }
     }
 
+    /// Multiplies the weights of the components of index 2 and 3 by `factor`.
+    void weigh_raised(Vector& weights, const scalar& factor) const {
+        for (const auto& r : raised_) weights[r.component] *= factor;
+    }
+    /// Calls visit(i) for every component i of index 2 or 3.
+    template <class Visit>
+    void for_each_raised(Visit visit) const {
+        for (const auto& r : raised_) visit(r.component);
+    }
+
     /// The weights of the components whose order reduction the step control can follow, which are those of
     /// index 1. (The estimates of the others contain the violation of the constraints that earlier steps have
     /// left, divided by h and h^2; smaller steps do not reduce it. Their own weights account for their lower

@@ -43,7 +43,14 @@ class acceptance {
 
   public:
     acceptance(const options<scalar>& o, int n)
-        : rtol_(o.rtol), continuous_(o.continuous), controller_(o.control), jumps_(o), error_(n) {}
+        : rtol_(o.rtol),
+          continuous_(o.continuous),
+          controller_(o.control),
+          jumps_(o),
+          error_(n),
+          weights_(n) {
+        weights_.setZero();
+    }
 
     /// Number of the method in use.
     int method() const { return order_.current(); }
@@ -51,8 +58,13 @@ class acceptance {
     template <class Step, class System>
     void prepare(int k, Step& m, const System& system) {
         ratio_[k] = m.estimate_ratio(rtol_);
-        if constexpr (Methods > 1)
-            order_.prepare(k, {m.count(), m.estimate_power(), ratio_[k], m.stages().work(system)}, rtol_);
+        if constexpr (Methods > 1) {
+            const bool raised = system.largest_index() > 1 && ratio_[k] < raised_ratio();
+            order_.prepare(
+                k,
+                {m.count(), m.estimate_power(), raised ? raised_ratio() : ratio_[k], m.stages().work(system)},
+                rtol_);
+        }
     }
     /// Newton's iteration failed more than once: true if another method is to try.
     bool newton_failed() {
@@ -66,19 +78,25 @@ class acceptance {
     template <class Step, class System>
     scalar error(Step& method, System& system, const trial_step<Vector, typename Step::output>& trial,
                  const refusals& refused, bool first, report<scalar>& counts) {
+        const Vector& judged = system.largest_index() > 1 ? weights_ : trial.weights;
         const auto size = [&](const Vector& x, bool reduced) {
-            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : trial.weights,
+            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : judged,
                                  system.size());
         };
         auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
+        weigh(method, system, trial, reading.ratio, refused.all > 0);
         const auto estimate_size = [&] {
-            return method.error_size(system, trial.now, reading.ratio, error_, counts.error_solves, size);
+            scalar whole =
+                method.error_size(system, trial.now, reading.ratio, error_, counts.error_solves, size);
+            if (share_ < scalar(1)) raise(whole, unexplained(system, reading.ratio));
+            return whole;
         };
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
         scalar err = estimate_size();
         if (err >= scalar(1) && (first || refused.all > 0)) {
             counts.error_solves +=
                 method.estimate_again(system, trial.t, trial.y, trial.plan.h, trial.now, trial.y1, error_);
+            if (first && refused.all > 0) method.without_start(system, trial.now, error_);
             method.advance(trial.y, trial.now, trial.y1);
             err = estimate_size();
         }
@@ -94,6 +112,7 @@ class acceptance {
         if (!first && jumps_.surprised(reading, err, expected, refused.for_error > 0)) {
             controller_.forget();
             reading.ratio = reading.across;
+            weigh(method, system, trial, reading.ratio, refused.all > 0);
             raise(err, estimate_size());
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
@@ -111,6 +130,8 @@ class acceptance {
     scalar after_accepted(Step& method, const trial_step<Vector, typename Step::output>& trial, scalar err,
                           const newton_outcome<scalar>& newton, const scalar& theta, bool kept,
                           const refusals& refused) {
+        last_h_ = trial.plan.h;
+        last_method_ = this->method();
         if (jumps_.accepted(method)) {
             controller_.forget();
             if (ratio_[order_.current()] < scalar(1)) err *= ratio_[order_.current()];
@@ -142,6 +163,48 @@ class acceptance {
     }
 
   private:
+    /// The weights in which an estimate that is multiplied by `ratio` then is measured; differ from those of
+    /// the trial with components of index 2 and 3 only. Their errors are of the order of the estimate itself
+    /// (Hairer-Lubich-Roche 1989, Theorems 4.4 and 6.1: |h| e_z and h^2 e_u are O(h^{s+1}) for Radau IIA), not
+    /// of that of y, so that the ratio says nothing about them. And what the estimate shows of them comes from
+    /// two steps: by u'(0) - z_n it is the error (-1)^s K h^s of the derivative of the collocation polynomial
+    /// at the left end, less that of z_n, s K h^s of the step before (the nodal polynomial of Radau IIA has
+    /// slopes in this proportion at 1 and 0). What this step leaves in z_{n+1} is the share
+    ///     s g / (s + g),  g = (h_n / h_{n-1})^s,
+    /// of it: z_n hands nothing on, and without this an error once made would ask for ever smaller steps.
+    /// Other methods are left alone.
+    template <class Step, class System, class Trial>
+    void weigh(const Step& method, const System& system, const Trial& trial, const scalar& ratio,
+               bool again) {
+        using std::abs;
+        using std::pow;
+        share_ = scalar(1);
+        if (system.largest_index() < 2) return;
+        weights_ = trial.weights;
+        if (!method.estimates_from_start()) return;
+        const scalar s = scalar(method.estimate_power() - 1);
+        share_ = s;  // z_0 is taken to be consistent
+        if (!(last_h_ == scalar(0))) {
+            scalar grown = pow(abs(trial.plan.h / last_h_), s);
+            // The error of another method is another one: a smaller step is tried once as if it were not.
+            if (last_method_ != this->method() && !again && grown < scalar(1)) grown = scalar(1);
+            share_ = s * grown / (s + grown);
+        }
+        system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
+    }
+    /// What of the estimate cannot come from z_n: the step before was accepted with an error of at most one,
+    /// and so it shows at most two. (An iteration that has gone to another solution of the constraints shows
+    /// more.)
+    template <class System>
+    scalar unexplained(const System& system, const scalar& ratio) {
+        system.weigh_raised(weights_, scalar(1) / share_);
+        const scalar whole = weighted_norm(error_, weights_, system.size()) * ratio;
+        system.weigh_raised(weights_, share_);
+        return whole - 2;
+    }
+    /// An estimate of one in components of index 2 and 3 stands for an error of a quarter, so that |h| e_z
+    /// stays within about ten tolerances; with one it would stay within three, for a third more steps.
+    static scalar raised_ratio() { return scalar(1) / 4; }
     /// err := the larger one; NaN is.
     static void raise(scalar& err, const scalar& other) {
         if (!(other <= err)) err = other;
@@ -154,7 +217,10 @@ class acceptance {
     step_size_controller<scalar> controller_;
     order_controller<scalar, Methods> order_{};
     jump_guard<scalar> jumps_;
-    Vector error_;
+    Vector error_, weights_;
+    scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
+    scalar last_h_{0};  // of the step accepted last, and the number of its method
+    int last_method_ = 0;
 };
 
 }  // namespace stagecraft

@@ -63,6 +63,8 @@ class collocation_step : public step_defaults<Space> {
         nodes_.finish();
         if (!jump_) left_ = slope_at_left_end(method);
         ends_ = change_without_left_node(method);
+        start_ = value_at_left_end(method);
+        leading_ = leading_legendre_coefficient(method);
         if (!stiffly_accurate_) right_ = slope_at_right_end(method);
     }
 
@@ -146,6 +148,7 @@ class collocation_step : public step_defaults<Space> {
         }
         defect(system, h, left_, f0, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        compare_with_start(system, now, error);
         return 1;
     }
 
@@ -166,17 +169,33 @@ class collocation_step : public step_defaults<Space> {
         return 1;
     }
     /// The same once more filtered: f(t, y + error) in place of f(t, y), which damps what stiff components
-    /// that have not decayed yet leave in the estimate (Hairer-Wanner II.IV.8, (8.20)). Returns the number of
-    /// solves.
+    /// that have not decayed yet leave in the estimate (Hairer-Wanner II.IV.8, (8.20)); but not in components
+    /// of index 2 and 3, where it takes away whatever the estimate shows. Returns the number of solves.
     template <class System>
     int estimate_again(System& system, const Scalar& t, const vector& y, const Scalar& h, const output& now,
                        vector& f, vector& error) {
         if (jump_) return 0;
+        rest_ = error;
         error += y;
         system(t, error, f);
         defect(system, h, left_, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        if (stiffly_accurate_) system.for_each_raised([&](int i) { error[i] = rest_[i]; });
         return 1;
+    }
+
+    bool estimates_from_start() const { return stiffly_accurate_; }
+    /// For the repeated first step, whose z_0 need not be consistent: in components of index 2 and 3, where
+    /// the estimate compares the stages with z_0, the leading Legendre coefficient of the polynomial through
+    /// the stages alone takes its place, one order lower, where it is smaller. (Of one stage: nothing.)
+    template <class System>
+    void without_start(const System& system, const output& now, vector& error) {
+        using std::abs;
+        if (!stiffly_accurate_) return;
+        system.for_each_raised([&](int i) {
+            const Scalar alone = count() > 1 ? stages_with(leading_, now, i) : Scalar(0);
+            if (abs(alone) < abs(error[i])) error[i] = alone;
+        });
     }
 
     /// Size of the estimate times `ratio`, by which an estimate of order q stands for an error of order p + 1
@@ -247,6 +266,25 @@ class collocation_step : public step_defaults<Space> {
     }
 
   private:
+    /// The functional w of component i of the stages.
+    static Scalar stages_with(const weights& w, const output& now, int i) {
+        Scalar sum = w[0] * now.increments()(i, 0);
+        for (int j = 1; j < w.size(); ++j) sum += w[j] * now.increments()(i, j);
+        return sum;
+    }
+    /// In components of index 2 and 3 of a stiffly accurate method, error := value at the left end of the
+    /// polynomial through the stages alone, less that of the state there, where that is larger. What the
+    /// filter makes of the defect is G f there: zero for another solution of the constraints.
+    template <class System>
+    void compare_with_start(const System& system, const output& now, vector& error) const {
+        if (!stiffly_accurate_) return;
+        using std::abs;
+        system.for_each_raised([&](int i) {
+            const Scalar direct = stages_with(start_, now, i);
+            if (abs(direct) > abs(error[i])) error[i] = direct;
+        });
+    }
+
     template <class System>
     void defect(const System& system, const Scalar& h, const weights& slope, const vector& f,
                 const output& now, vector& error) {
@@ -258,8 +296,10 @@ class collocation_step : public step_defaults<Space> {
 
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
     interpolation_nodes<Scalar, Space::columns> nodes_;
-    weights update_;                                // z -> y1 - y
-    weights left_, right_, ends_;                   // z -> h u'(0), h u'(1), change at 1 without the node 0
+    weights update_;               // z -> y1 - y
+    weights start_;                // z -> value at 0 of the polynomial through the stages alone
+    weights leading_;              // z -> a_{s-1} of the polynomial through the stages alone
+    weights left_, right_, ends_;  // z -> h u'(0), h u'(1), change at 1 without the node 0
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2} where the run demands it
     vector scratch_, second_, rest_;
     bool stiffly_accurate_ = false, jump_ = false;

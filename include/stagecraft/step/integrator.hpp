@@ -312,14 +312,22 @@ class integrator {
         return has_output_ && (system_.largest_index() > 1 ? extrapolation_.trusted() : refused_.all < 2);
     }
 
-    /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room.
+    /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room. What it leaves
+    /// in the stages is magnified by about gamma s^2/h ~ s^3/h, by the slope of the stage polynomial at the
+    /// left end, in components of index 2 and in the estimate of their errors, twice so with index 3: beyond
+    /// three stages it has to leave less.
     newton_limits<scalar> newton_limits_for(int s) {
         const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
         const int most = options_.newton_iterations > 0 ? options_.newton_iterations
                          : plan_.fixed()                ? 50
                                                         : usual_iterations(s);
-        return {options_.newton_factor > scalar(0) ? options_.newton_factor : scalar(1) / 50, 4 * rounding,
-                100 * rounding, most, report_.steps > 0 && linear_.constant(system_)};
+        scalar factor = options_.newton_factor;
+        if (!(factor > scalar(0))) {
+            factor = scalar(1) / 50;
+            if (!plan_.fixed() && s > 3)
+                for (int k = 3 * (system_.largest_index() - 1); k > 0; --k) factor *= scalar(3) / scalar(s);
+        }
+        return {factor, 4 * rounding, 100 * rounding, most, report_.steps > 0 && linear_.constant(system_)};
     }
 
     options<scalar> options_;

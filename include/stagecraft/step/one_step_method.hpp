@@ -113,6 +113,13 @@ class step_defaults {
                               const output&, vector& /*f*/, vector& /*error*/) {
         return 0;
     }
+    /// True if y1 is the last stage and the estimate compares the stages with the state at the start, also
+    /// in components that hand nothing on from step to step.
+    static constexpr bool estimates_from_start() { return false; }
+    /// In the repeated first step: what the estimate owes to components of index 2 and 3 at the start, which
+    /// need not be consistent, is replaced.
+    template <class System>
+    static void without_start(const System&, const output&, vector& /*error*/) {}
     /// An estimate that uses f1 = f(t1, y1). Called where needs_right_value().
     template <class System>
     static int estimate_right(const System&, const scalar& /*h*/, const vector& /*f1*/, const output&,

@@ -65,6 +65,34 @@ Eigen::Matrix<Scalar, Stages, 1> change_without_left_node(const tableau<Scalar, 
     return w;
 }
 
+/// z -> value at 0 of the polynomial through the stages alone.
+template <class Scalar, int Stages>
+Eigen::Matrix<Scalar, Stages, 1> value_at_left_end(const tableau<Scalar, Stages>& m) {
+    const int s = m.stages();
+    Eigen::Matrix<Scalar, Stages, 1> w(s);
+    for (int j = 0; j < s; ++j) {
+        w[j] = Scalar(1);
+        for (int k = 0; k < s; ++k)
+            if (k != j) w[j] *= -m.c[k] / (m.c[j] - m.c[k]);
+    }
+    return w;
+}
+
+/// z -> a_{s-1}, the last shifted Legendre coefficient of the polynomial through the stages alone: their
+/// divided difference over the leading coefficient of P_{s-1}, binomial(2s - 2, s - 1).
+template <class Scalar, int Stages>
+Eigen::Matrix<Scalar, Stages, 1> leading_legendre_coefficient(const tableau<Scalar, Stages>& m) {
+    const int s = m.stages();
+    Eigen::Matrix<Scalar, Stages, 1> w(s);
+    for (int j = 0; j < s; ++j) {
+        w[j] = Scalar(1);
+        for (int k = 0; k < s; ++k)
+            if (k != j) w[j] /= m.c[j] - m.c[k];
+        for (int k = 1; k < s; ++k) w[j] *= Scalar(k) / Scalar(s - 1 + k);
+    }
+    return w;
+}
+
 /// Column r: z -> a_{n-2r}, the shifted Legendre coefficients of the polynomial of degree n through y and
 /// the n values z_j at c_j != 0: rows of the inverse of P_k at the nodes {0, c}, where z_0 = 0.
 template <class Scalar, class Nodes>

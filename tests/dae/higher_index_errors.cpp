@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE higher_index_errors
+#include <Eigen/Core>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/coefficients/lobatto_iiic.hpp>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
+
+// The errors of components of index 2 and 3 keep the tolerance of their norm, |h|^(index - 1) |e| / (atol +
+// rtol |z|), up to a small factor, in every step.
+
+namespace sc = stagecraft;
+
+namespace {
+
+/// y' = z, 0 = y - sin 4t.
+struct derivative {
+    void operator()(double t, const Eigen::Vector2d& x, Eigen::Vector2d& f) const {
+        f[0] = x[1];
+        f[1] = x[0] - std::sin(4 * t);
+    }
+    void jacobian(double, const Eigen::Vector2d&, Eigen::Matrix2d& J) const { J << 0, 1, 1, 0; }
+    Eigen::Matrix2d mass() const { return Eigen::Vector2d(1, 0).asDiagonal(); }
+    std::array<int, 2> index() const { return {1, 2}; }
+    static double z(double t) { return 4 * std::cos(4 * t); }
+};
+
+/// y' = z + y^2 - s^2, 0 = y - s, s = sin(w t + p).
+struct with_square {
+    static constexpr double w = 3.9276, p = 1.4901;
+    void operator()(double t, const Eigen::Vector2d& x, Eigen::Vector2d& f) const {
+        const double s = std::sin(w * t + p);
+        f[0] = x[1] + x[0] * x[0] - s * s;
+        f[1] = x[0] - s;
+    }
+    void jacobian(double, const Eigen::Vector2d& x, Eigen::Matrix2d& J) const { J << 2 * x[0], 1, 1, 0; }
+    Eigen::Matrix2d mass() const { return Eigen::Vector2d(1, 0).asDiagonal(); }
+    std::array<int, 2> index() const { return {1, 2}; }
+    static double z(double t) { return w * std::cos(w * t + p); }
+};
+
+/// The pendulum in Cartesian coordinates, 0 = q.q - 1, angle from below a.
+struct pendulum {
+    using vector = Eigen::Matrix<double, 5, 1>;
+    void operator()(double, const vector& x, vector& f) const {
+        f << x[2], x[3], -x[0] * x[4], -x[1] * x[4] - 1, x[0] * x[0] + x[1] * x[1] - 1;
+    }
+    void jacobian(double, const vector& x, Eigen::Matrix<double, 5, 5>& J) const {
+        J.setZero();
+        J(0, 2) = J(1, 3) = 1;
+        J(2, 0) = J(3, 1) = -x[4];
+        J(2, 4) = -x[0];
+        J(3, 4) = -x[1];
+        J(4, 0) = 2 * x[0];
+        J(4, 1) = 2 * x[1];
+    }
+    Eigen::Matrix<double, 5, 5> mass() const {
+        Eigen::Matrix<double, 5, 5> m = Eigen::Matrix<double, 5, 5>::Identity();
+        m(4, 4) = 0;
+        return m;
+    }
+    std::array<int, 5> index() const { return {1, 1, 2, 2, 3}; }
+    static vector start(double a, double w) {
+        vector x;
+        x << std::sin(a), -std::cos(a), w * std::cos(a), w * std::sin(a), w * w + std::cos(a);
+        return x;
+    }
+    /// The multiplier that belongs to a state: lambda = v.v - y for q.q = 1.
+    static double multiplier(const vector& x) { return x[2] * x[2] + x[3] * x[3] - x[1]; }
+};
+
+sc::options<double> options(double tolerance, double first = 0) {
+    sc::options<double> o;
+    o.rtol = o.atol = tolerance;
+    o.initial_step = first;
+    return o;
+}
+
+/// The largest |h| |e_z| / (tol (1 + |z|)) over the steps of a run.
+template <class Method, class Problem>
+double worst(const Method& method, Problem problem, const Eigen::Vector2d& start, double t1,
+             const sc::options<double>& o) {
+    double most = 0;
+    const auto r =
+        sc::integrate(method, problem, start, 0, t1, o, [&](double t, const Eigen::Vector2d& x, double h) {
+            const double z = Problem::z(t);
+            most = std::max(most, h * std::abs(x[1] - z) / (o.rtol * (1 + std::abs(z))));
+        });
+    BOOST_TEST(r.ok());
+    return most;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_multiplier_of_index_2_is_right_whatever_the_first_step) {
+    for (const double first : {3.0, 1.0, 0.5, 0.0}) {
+        const Eigen::Vector2d start(0, 4);
+        BOOST_TEST(worst(sc::radau_iia<3>(), derivative{}, start, 10, options(1e-10, first)) < 20);
+        BOOST_TEST(worst(sc::radau_iia<5>(), derivative{}, start, 10, options(1e-10, first)) < 20);
+    }
+    BOOST_TEST(worst(sc::radau_iia_variable(), derivative{}, Eigen::Vector2d(0, 4), 10, options(1e-10)) < 20);
+    BOOST_TEST(worst(sc::lobatto_iiic<3>(), derivative{}, Eigen::Vector2d(0, 4), 10, options(1e-8)) < 50);
+}
+
+BOOST_AUTO_TEST_CASE(a_short_run_does_not_end_in_one_step_with_a_wrong_multiplier) {
+    const Eigen::Vector2d start(std::sin(with_square::p), with_square::z(0));
+    for (const double t1 : {0.3, 0.03})
+        for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+            BOOST_TEST(worst(sc::radau_iia<3>(), with_square{}, start, t1, options(tolerance)) < 20);
+            BOOST_TEST(worst(sc::radau_iia_variable(), with_square{}, start, t1, options(tolerance)) < 20);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_multiplier_that_is_wrong_at_the_start_is_not_believed_and_does_no_harm) {
+    for (const double z0 : {0.0, 100.0})
+        for (const double tolerance : {1e-4, 1e-10}) {
+            const Eigen::Vector2d start(0, z0);
+            BOOST_TEST(worst(sc::radau_iia<3>(), derivative{}, start, 3, options(tolerance)) < 20);
+            BOOST_TEST(worst(sc::lobatto_iiic<4>(), derivative{}, start, 3, options(tolerance)) < 20);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_pendulum_of_index_3_runs_with_many_stages_and_its_multiplier_is_right) {
+    for (const double tolerance : {1e-4, 1e-7, 1e-10})
+        for (int k = 0; k < 5; ++k) {
+            double most = 0;
+            const auto watch = [&](double, const pendulum::vector& x, double h) {
+                const double l = pendulum::multiplier(x);
+                most = std::max(most, h * h * std::abs(x[4] - l) / (tolerance * (1 + std::abs(l))));
+            };
+            const auto start = pendulum::start(-2.7 + 1.2 * k, 1.6 - 0.7 * k);
+            BOOST_TEST(
+                sc::integrate(sc::radau_iia<3>(), pendulum{}, start, 0, 10, options(tolerance), watch).ok());
+            BOOST_TEST(
+                sc::integrate(sc::radau_iia<5>(), pendulum{}, start, 0, 10, options(tolerance), watch).ok());
+            BOOST_TEST(
+                sc::integrate(sc::radau_iia<7>(), pendulum{}, start, 0, 10, options(tolerance), watch).ok());
+            BOOST_TEST(most < 100);
+        }
+}
