@@ -57,9 +57,10 @@ outcome run_radau5(const problem& p, double tol) {
     std::vector<int> iwork(static_cast<std::size_t>(liwork), 0);
     iwork[1] = 100000;  // steps allowed
     for (const int i : p.index) ++iwork[static_cast<std::size_t>(3 + std::max(i, 1))];
-    peers::radau5_symbol()(&n, right_hand_side, &t, y.data(), &t1, &h, &tol, &tol, &itol, jacobian, &ijac,
-                           &ml, &mu, mass, &imas, &mlmas, &mumas, accepted, &iout, work.data(), &lwork,
-                           iwork.data(), &liwork, &rpar, &ipar, &idid);
+    peers::radau5_symbol()(&n, right_hand_side, &t, y.data(), &t1, &h, &tol, &tol, &itol,
+                           reinterpret_cast<void (*)()>(jacobian), &ijac, &ml, &mu, mass, &imas, &mlmas,
+                           &mumas, accepted, &iout, work.data(), &lwork, iwork.data(), &liwork, &rpar, &ipar,
+                           &idid);
     o.success = idid == 1;
     o.status = "idid " + std::to_string(idid);
     o.t = t;
