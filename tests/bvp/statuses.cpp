@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE bvp_statuses
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/lobatto_iiia.hpp>
+#include <stagecraft/coefficients/lobatto_iiic.hpp>
+#include <string>
+
+namespace sc = stagecraft;
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// x'' = -x and what else the cases ask for, as one type: the solver is instantiated once per method.
+struct oscillator {
+    int fault = 0;
+    void operator()(double t, const Vector2d& y, Vector2d& f) const {
+        f = Vector2d(y[1], -y[0]);
+        if (fault == 1 && t == 0) f[1] = std::numeric_limits<double>::quiet_NaN();
+        if (fault == 2) throw std::runtime_error("no");
+        if (fault == 3 && t > 0.4) f[0] = std::numeric_limits<double>::infinity();
+    }
+};
+
+// x_1(0) = alpha, x_1(T) = beta; or coupled and degenerate ones.
+struct ends {
+    double alpha, beta;
+    int kind = 0;
+    void operator()(const Vector2d& a, const Vector2d& b, Vector2d& r) const {
+        if (kind == 0) r = Vector2d(a[0] - alpha, b[0] - beta);
+        if (kind == 1) r = a - b;                                    // periodic
+        if (kind == 2) r = Vector2d(a[0] - alpha, 2 * a[0] - beta);  // dependent
+        if (kind == 3) r[0] = a[0];                                  // one is not written
+        if (kind == 4) throw std::runtime_error("no");
+    }
+};
+
+auto solve(double T, const ends& r, int fault = 0, const sc::bvp_options<double>& o = {.rtol = 1e-10}) {
+    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{fault}, r), 0.0, T, Vector2d(0, 0), o);
+}
+
+std::string word(sc::bvp_status s) { return sc::name(s); }
+
+template <class F>
+void names(const std::string& argument, F&& f) {
+    BOOST_CHECK_EXCEPTION(f(), std::invalid_argument, [&](const std::invalid_argument& e) {
+        return std::string(e.what()).find(argument) != std::string::npos;
+    });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_solution_and_many_solutions_are_told_apart) {
+    const auto none = solve(2 * pi, {0, 1});
+    BOOST_TEST(word(none.status) == "singular");
+    const auto many = solve(2 * pi, {0, 0});
+    BOOST_TEST(word(many.status) == "not_isolated");
+    BOOST_TEST(many.kernel == 1);
+    const auto all = solve(2 * pi, {0, 0, 1});  // the harmonic oscillator: M = 0
+    BOOST_TEST(word(all.status) == "not_isolated");
+    BOOST_TEST(all.kernel == 2);
+    const auto dependent = solve(1, {1, 5, 2});
+    BOOST_TEST(word(dependent.status) == "singular");
+    BOOST_TEST(dependent.message.find("r[1]") != std::string::npos);
+    BOOST_TEST(word(solve(1, {0, 1}).status) == "success");  // and with a T that is harmless
+}
+
+BOOST_AUTO_TEST_CASE(what_callables_do_wrong_is_a_status) {
+    const auto throwing = solve(1, {0, 1}, 2);
+    BOOST_TEST(word(throwing.status) == "function_threw");
+    BOOST_CHECK_THROW(std::rethrow_exception(throwing.exception), std::runtime_error);
+    BOOST_TEST(word(solve(1, {0, 1, 4}).status) == "function_threw");
+    const auto infinite = solve(1, {0, 1}, 3);
+    BOOST_TEST(word(infinite.status) == "non_finite");
+    BOOST_TEST(infinite.message.find("t = 0.4") != std::string::npos);
+    const auto unwritten = solve(1, {0, 1, 3});
+    BOOST_TEST(word(unwritten.status) == "non_finite");
+    BOOST_TEST(unwritten.message.find("conditions") != std::string::npos);
+
+    // NaN at an end is met by Lobatto and not by Gauss.
+    BOOST_TEST(word(solve(1, {0, 1}, 1).status) == "success");
+    const auto lobatto = sc::solve_bvp(sc::lobatto_iiia<3>(), sc::two_point(oscillator{1}, ends{0, 1}), 0.0,
+                                       1.0, Vector2d(0, 0));
+    BOOST_TEST(word(lobatto.status) == "non_finite");
+    BOOST_TEST(lobatto.message.find("t = 0,") != std::string::npos);
+    BOOST_TEST(lobatto.message.find("Gauss") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(resized_outputs_and_wrong_numbers_of_conditions_are_named) {
+    const auto f = [](double, const Eigen::VectorXd& y, Eigen::VectorXd& out) { out = -y; };
+    const auto resizing = [](double, const Eigen::VectorXd&, Eigen::VectorXd& out) { out.setZero(3); };
+    const auto one = [](const Eigen::VectorXd& a, const Eigen::VectorXd&, Eigen::VectorXd& r) { r = a; };
+    const auto three = [](const Eigen::VectorXd&, const Eigen::VectorXd&, Eigen::VectorXd& r) {
+        r.setZero(3);
+    };
+    const Eigen::VectorXd two = Eigen::VectorXd::Ones(2);
+    using rhs = std::function<void(double, const Eigen::VectorXd&, Eigen::VectorXd&)>;
+    using conditions = std::function<void(const Eigen::VectorXd&, const Eigen::VectorXd&, Eigen::VectorXd&)>;
+    const auto run = [&](const rhs& g, const conditions& r, const Eigen::VectorXd& guess) {
+        return sc::solve_bvp(sc::gauss<2>(), sc::two_point(g, r), 0.0, 1.0, guess);
+    };
+    BOOST_TEST(word(run(resizing, one, two).status) == "size_changed");
+    names("conditions", [&] { run(f, three, two); });
+    names("guess", [&] { run(f, one, Eigen::VectorXd(0)); });
+    BOOST_TEST(word(run(f, one, two).status) == "success");
+}
+
+BOOST_AUTO_TEST_CASE(bad_arguments_are_named) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto with = [](const sc::bvp_options<double>& o) { solve(1, {0, 1}, 0, o); };
+    names("a must be below b", [] { solve(0, {0, 1}); });
+    names("finite", [&] { solve(nan, {0, 1}); });
+    names("rtol", [&] { with({.rtol = 1e-16}); });
+    names("atol", [&] { with({.atol = -1}); });
+    names("mesh", [&] { with({.mesh = {0, 0.5, 0.5, 1}}); });
+    names("mesh", [&] { with({.mesh = {0, 0.5}}); });
+    names("fixed_points", [&] { with({.fixed_points = {1.5}}); });
+    names("intervals", [&] { with({.intervals = 0}); });
+    names("newton_iterations", [&] { with({.newton_iterations = 0}); });
+    names("guess", [&] {
+        sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{}, ends{0, 1}), 0.0, 1.0, Vector2d(nan, 0));
+    });
+    names("collocation", [] {
+        sc::solve_bvp(sc::lobatto_iiic<3>(), sc::two_point(oscillator{}, ends{0, 1}), 0.0, 1.0,
+                      Vector2d(0, 0));
+    });
+}
+
+BOOST_AUTO_TEST_CASE(intervals_are_limited_and_counts_are_what_they_cost) {
+    const auto few = solve(40, {0, 1}, 0, {.rtol = 1e-12, .max_intervals = 15});
+    BOOST_TEST(word(few.status) == "too_many_intervals");
+    BOOST_TEST(few.y.steps() > 0);  // the best iterate is kept
+    const auto fixed = solve(1, {0, 1}, 0, {.rtol = 1e-10, .adapt = false, .conditioning = false});
+    BOOST_TEST(fixed.ok());
+    BOOST_TEST(fixed.report.meshes == 1);
+    BOOST_TEST(fixed.report.factorisations == 1);  // linear: one
+    BOOST_TEST(fixed.report.error_solves == 1);
+    BOOST_TEST(fixed.report.jacobians == 10 * 5 + 0);
+    const auto tiny = sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{}, ends{0, 1e-15}), 0.0, 1e-15,
+                                    Vector2d(0, 0), {.rtol = 1e-10});
+    BOOST_TEST(word(tiny.status) != "newton_failed");
+}
