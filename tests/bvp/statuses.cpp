@@ -71,6 +71,50 @@ BOOST_AUTO_TEST_CASE(no_solution_and_many_solutions_are_told_apart) {
     BOOST_TEST(word(solve(1, {0, 1}).status) == "success");  // and with a T that is harmless
 }
 
+// x_1(0) = c_1, x_1(T) = c_2, T = pi (1 - 10^-k): 1 / kappa_1 = sqrt(1 - |cos T|), 1 / kappa_2 = |sin T|. Written
+// with pi - T, where nothing cancels.
+BOOST_AUTO_TEST_CASE(near_resonance_runs_end_and_the_condition_numbers_are_known) {
+    const double beyond = 1.2246467991473532e-16, eps = std::numeric_limits<double>::epsilon();
+    for (const double tolerance : {1e-6, 1e-10})
+        for (const ends& r : {ends{0, 1}, ends{1, 2}, ends{1, -1}})
+            for (int k = 1; k <= 14; ++k) {
+                const double T = pi * (1 - std::pow(10.0, -k)), gap = (pi - T) + beyond;
+                const double kappa1 = 1 / (std::sqrt(2.0) * std::sin(gap / 2)), kappa2 = 1 / std::sin(gap);
+                const auto answer = solve(T, r, 0, {.rtol = tolerance});
+                BOOST_TEST_CONTEXT("k = " << k << ", c = " << r.alpha << ", " << r.beta << ", rtol "
+                                          << tolerance << ": " << word(answer.status)) {
+                    BOOST_TEST(answer.report.meshes <= 12);
+                    BOOST_TEST(std::abs(answer.conditioning.kappa1 / kappa1 - 1) < 1e-5 + 20 * eps * kappa1);
+                    BOOST_TEST(std::abs(answer.conditioning.kappa2 / kappa2 - 1) < 1e-5 + 20 * eps * kappa1);
+                    const bool ill = answer.status == sc::bvp_status::ill_conditioned;
+                    const bool singular = answer.status == sc::bvp_status::singular ||
+                                          answer.status == sc::bvp_status::not_isolated;
+                    BOOST_TEST((answer.ok() || ill || (singular && eps * kappa1 > 1e-4)));
+                    if (200 * eps * kappa1 < tolerance) BOOST_TEST(answer.ok());
+                    if (eps * kappa1 > tolerance) BOOST_TEST(!answer.ok());
+                    if (!answer.ok()) continue;
+                    const double c = (r.beta + r.alpha * std::cos(gap)) / std::sin(gap);
+                    double worst = 0;
+                    for (double t : {0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, T}) {
+                        if (t > T) continue;
+                        const double exact = r.alpha * std::cos(t) + c * std::sin(t);
+                        worst = std::max(worst, std::abs(answer.y(t)[0] - exact) / (1 + std::abs(exact)));
+                    }
+                    BOOST_TEST(worst <= tolerance);
+                }
+            }
+}
+
+BOOST_AUTO_TEST_CASE(at_resonance_solutions_do_not_exist_or_are_not_isolated) {
+    for (const int half_turns : {1, 2}) {
+        const double T = half_turns * pi, same = half_turns == 1 ? -1 : 1;
+        BOOST_TEST(word(solve(T, {0, 1}).status) == "singular");
+        BOOST_TEST(word(solve(T, {1, -same}).status) == "singular");
+        BOOST_TEST(word(solve(T, {0, 0}).status) == "not_isolated");
+        BOOST_TEST(word(solve(T, {1, same}).status) == "not_isolated");
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_callables_do_wrong_is_a_status) {
     const auto throwing = solve(1, {0, 1}, 2);
     BOOST_TEST(word(throwing.status) == "function_threw");

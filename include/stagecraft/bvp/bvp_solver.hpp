@@ -111,23 +111,28 @@ class bvp_solver {
     /// Newton on meshes that follow the error, coarse first.
     template <class Guess>
     void search(const Guess& guess) {
-        Scalar before(-1);  // estimated error on the last mesh
-        int idle = 0;       // meshes in a row that did not reduce it
+        // The least error so far, and the meshes in a row that did not halve it: these double the mesh, so that
+        // the loop ends by max_intervals even where the error is nothing but rounding and goes up and down.
+        Scalar least = std::numeric_limits<Scalar>::infinity();
+        int idle = 0;
         for (;;) {
-            if (!newton(before < Scalar(0) ? Scalar(1) / 100 : before)) {
-                if (!recover(guess, before)) return;
+            if (!newton(least)) {
+                if (!recover(guess)) return;
                 continue;
             }
             if (!estimate()) return;
             before_ = x_;
             if (error_ <= o_.rtol && settled()) return accept();
             if (!o_.adapt) return accept();
-            idle = before >= Scalar(0) && error_ > before / 2 ? idle + 1 : 0;
-            if (idle > 1 && hopeless()) return;
-            before = error_;
+            idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
+            if (idle > 1 && hopeless(error_)) return;
+            least = std::min(least, error_);
             const auto next = error_ <= o_.rtol ? halved(x_.t) : refined(idle);
-            if (static_cast<int>(next.size()) - 1 > o_.max_intervals)
-                return end(bvp_status::too_many_intervals, "the tolerance asks for more than max_intervals");
+            if (static_cast<int>(next.size()) - 1 > o_.max_intervals) {
+                if (!hopeless(10 * error_))
+                    end(bvp_status::too_many_intervals, "the tolerance asks for more than max_intervals");
+                return;
+            }
             if (rough()) estimate_.unlift(x_);
             move_to(next);
         }
@@ -170,14 +175,14 @@ class bvp_solver {
         const int n = system_.size();
         e.components.setZero(n);
         error_ = Scalar(0);
+        const Scalar eps = 4 * std::numeric_limits<Scalar>::epsilon();
         for (int i = 0; i < x_.intervals(); ++i)
             for (int c = 0; c < n; ++c) {
-                const Scalar bound = estimate_.bound(i, c) +
-                                     4 * std::numeric_limits<Scalar>::epsilon() * abs(x_.y(c, i)),
-                             l = abs(x_.y(c, i)), r = abs(x_.y(c, i + 1));
+                const Scalar bound = estimate_.bound(i, c) + eps * abs(x_.y(c, i));
                 if (bound > e.components[c]) e.components[c] = bound;
-                const Scalar relative = bound / (floor_ + (l < r ? l : r));
-                if (!(relative <= error_)) error_ = relative;
+                const Scalar relative = estimate_.relative(x_, i, c) + eps;
+                if (!(relative <= error_))
+                    error_ = relative == relative ? relative : std::numeric_limits<Scalar>::infinity();
             }
         const auto& p = estimate_.global().p;
         e.parameters = p.cwiseAbs();
@@ -216,35 +221,11 @@ class bvp_solver {
         return equidistributed(x_.t, part, intervals, o_.fixed_points);
     }
 
-    /// y, its slopes and p on another mesh, from the lifted solution.
-    void move_to(const std::vector<Scalar>& t) {
-        const int L = static_cast<int>(t.size()) - 1, n = system_.size(), s = equations_.s();
-        iterate next;
-        next.t = t;
-        next.p = x_.p;
-        next.y.resize(n, L + 1);
-        next.Z.resize(n, s * L);
-        Vector y(n), slope(n);
-        int i = 0;
-        const auto at = [&](const Scalar& time) {
-            while (i + 1 < x_.intervals() && x_.t[i + 1] < time) ++i;
-            estimate_.evaluate(x_, i, Scalar((time - x_.t[i]) / x_.h(i)), y, slope);
-        };
-        for (int k = 0; k < L; ++k) {
-            at(t[k]);
-            next.y.col(k) = y;
-            for (int j = 0; j < s; ++j) {
-                at(Scalar(t[k] + equations_.method().c[j] * (t[k + 1] - t[k])));
-                next.Z.col(k * s + j) = slope * ((t[k + 1] - t[k]) / x_.h(i));
-            }
-        }
-        next.y.col(L) = x_.y.col(x_.intervals());
-        x_ = std::move(next);
-    }
+    void move_to(const std::vector<Scalar>& t) { x_ = estimate_.on(t, x_); }
 
     /// After Newton has failed: a finer mesh, from the guess or from the last solution.
     template <class Guess>
-    bool recover(const Guess& guess, const Scalar& before) {
+    bool recover(const Guess& guess) {
         if (outcome_.end == damped_newton_end::non_finite) {
             if (equations_.conditions_at_fault())
                 end(bvp_status::non_finite,
@@ -253,12 +234,12 @@ class bvp_solver {
                 end_at(equations_.place());
             return false;
         }
-        if (is_singular()) return false;
+        if (hopeless(outcome_.remainder)) return false;
         if (++failures_ > 6 || 2 * x_.intervals() > o_.max_intervals || !o_.adapt) {
             end(bvp_status::newton_failed, "Newton's iteration found no decrease");
             return false;
         }
-        if (before < Scalar(0) || rough()) {
+        if (before_.t.empty() || rough()) {
             guess_mesh_ = halved(guess_mesh_);
             x_.t = guess_mesh_;
             fill(guess);
@@ -286,17 +267,13 @@ class bvp_solver {
         conditioning_of<equations_type> c(equations_, x_);
         c.fundamental();
         result_.report.conditioning_solves += system_.size() + system_.parameters();
-        Scalar kappa(0);
-        for (int k = 0; k < system_.size() + system_.parameters(); ++k)
-            for (int r = 0; r < system_.size(); ++r)
-                kappa =
-                    std::max(kappa, Scalar(c.phi_row(k, r) / (floor_ + x_.y.row(r).cwiseAbs().maxCoeff())));
-        return kappa;
+        return c.relative(floor_);
     }
 
-    bool hopeless() {
+    /// Is an error that stays what rounding leaves, and no mesh will make it less?
+    bool hopeless(const Scalar& error) {
         if (is_singular()) return true;
-        if (error_ < 1000 * kappa_ * std::numeric_limits<Scalar>::epsilon()) {
+        if (error < 100 * rounding_) {
             end(bvp_status::ill_conditioned,
                 "rounding errors times the condition number exceed the tolerance");
             return true;
@@ -309,6 +286,7 @@ class bvp_solver {
         const Scalar eps = std::numeric_limits<Scalar>::epsilon();
         conditioning_of<equations_type> c(equations_, x_);
         c.fundamental();
+        rounding_ = c.rounding(floor_);
         kappa_ = Scalar(0);
         std::vector<Scalar> values, largest;
         for (int i = 0; i <= x_.intervals(); ++i) {
@@ -316,17 +294,33 @@ class bvp_solver {
             if (!(norm <= kappa_)) kappa_ = norm, largest = values;
         }
         if (kappa_ * eps < Scalar(1) / 1000) return false;
-        using std::sqrt;
-        const bool blown_up = outcome_.end != damped_newton_end::converged ||
-                              !(x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_);
+        const bool exists = solved();
         result_.kernel = static_cast<int>(std::count_if(
             largest.begin(), largest.end(), [&](const Scalar& v) { return v * eps * 1000 >= Scalar(1); }));
         const std::string which = dependent_condition(equations_.conditions());
-        if (blown_up)
-            end(bvp_status::singular, which.empty() ? "M is singular to rounding" : which);
-        else
+        if (exists)
             end(bvp_status::not_isolated, which.empty() ? "solutions form a family" : which);
+        else
+            end(bvp_status::singular, which.empty() ? "M is singular to rounding" : which);
         return true;
+    }
+
+    /// With M singular: does x solve the equations, at a size that is not 1 / epsilon? Newton's corrections in the
+    /// kernel are rounding errors over epsilon and need not contract, so one full step is tried without a test.
+    bool solved() {
+        using std::sqrt;
+        if (outcome_.end != damped_newton_end::converged) {
+            iterate d, full = x_;
+            if (!equations_.residual(x_)) return false;
+            equations_.solve(x_, d);
+            full.y += d.y, full.Z += d.Z, full.p += d.p;
+            const Scalar size = guess_size_ + full.y.cwiseAbs().maxCoeff();
+            if (!equations_.residual(full) ||
+                !(equations_.residual_size() < sqrt(std::numeric_limits<Scalar>::epsilon()) * size))
+                return false;
+            x_ = full;
+        }
+        return x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_;
     }
 
     void accept() {
@@ -392,7 +386,7 @@ class bvp_solver {
     iterate x_, before_;
     std::vector<Scalar> guess_mesh_;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
-    Scalar error_{0}, remainder_{0}, kappa_{0}, last_kappa_{-1}, guess_size_{1};
+    Scalar error_{0}, remainder_{0}, kappa_{0}, rounding_{0}, last_kappa_{-1}, guess_size_{1};
     int failures_ = 0, checks_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include <stagecraft/bvp/collocation_blocks.hpp>
@@ -112,6 +113,11 @@ class collocation_equations {
     auto left_block(int i) { return blocks_.condensed(i).leftCols(n()); }
     const matrix& conditions() const { return conditions_; }
     const column& boundary_residual() const { return beta_; }
+    /// The largest residual last evaluated, of slopes, continuity and conditions.
+    Scalar residual_size() const {
+        return std::max({Scalar(rho_.cwiseAbs().maxCoeff()), Scalar(gamma_.cwiseAbs().maxCoeff()),
+                         Scalar(beta_.cwiseAbs().maxCoeff())});
+    }
     int replaced_pivots() const { return replaced_; }
 
   private:

@@ -113,8 +113,36 @@ class conditioning_of {
         return value;
     }
 
-    /// The largest |Phi(t)| of row r, column k over the mesh.
-    scalar phi_row(int k, int r) const { return phi_[k].row(r).cwiseAbs().maxCoeff(); }
+    /// The largest entry of |Phi(t)|, every row relative to floor + the size of that component of y.
+    scalar relative(const scalar& floor) const {
+        scalar kappa(0);
+        for (const wide& column : phi_)
+            for (int r = 0; r < equations_.n(); ++r)
+                kappa = std::max(kappa, scalar(column.row(r).cwiseAbs().maxCoeff() /
+                                               (floor + x_.y.row(r).cwiseAbs().maxCoeff())));
+        return kappa;
+    }
+
+    /// What one rounding error makes of y, relative to floor + |y|, where that is worst (at a mesh point or a
+    /// zero of y): epsilon times the largest terms that a condition can have on this solution, carried on by Phi.
+    scalar rounding(const scalar& floor) const {
+        using std::abs;
+        const int n = equations_.n(), m = n + equations_.np();
+        const auto& B = equations_.conditions();
+        wide error = wide::Zero(n, x_.intervals() + 1);
+        for (int k = 0; k < m; ++k) {
+            scalar size(0);
+            for (int j = 0; j < 2 * n; ++j) size += abs(B(k, j)) * x_.y.row(j % n).cwiseAbs().maxCoeff();
+            for (int j = 0; j < m - n; ++j) size += abs(B(k, 2 * n + j) * x_.p[j]);
+            error += std::numeric_limits<scalar>::epsilon() * size * phi_[k].cwiseAbs();
+        }
+        scalar worst = (error.array() / (floor + x_.y.array().abs())).maxCoeff();
+        for (int i = 0; i < x_.intervals(); ++i)
+            for (int c = 0; c < n; ++c)
+                if ((x_.y(c, i) < scalar(0)) != (x_.y(c, i + 1) < scalar(0)))
+                    worst = std::max(worst, scalar(std::max(error(c, i), error(c, i + 1)) / floor));
+        return worst;
+    }
 
     void fundamental() {
         const int n = equations_.n(), m = n + equations_.np(), L = x_.intervals();

@@ -20,9 +20,11 @@ namespace stagecraft {
 ///     w = u - e                             solves the equation through y_i to order m + 1,
 ///     delta_i = w(t_{i+1}) - y_{i+1}        is the local error of the mesh values,
 ///
-/// and the returned solution is w less a line that removes delta_i (the aim of Enright-Muir 1999). The global
-/// error of the mesh values is one more solve with the factors at hand, driven by delta; between them the
-/// defect of w is measured at two points where it is large.
+/// and the global error E of the mesh values, with its slopes between them, is one more solve with the factors at
+/// hand, driven by delta. The returned solution is w less this error plus the line from E_i to E_{i+1}: continuous
+/// (the aim of Enright-Muir 1999), and no worse inside an interval than at its ends. (w less a line that removes
+/// delta_i would be: where solutions grow by e^{|h f_y|}, delta_i is that much larger than E_i and E_{i+1}.) What
+/// is left of the defect of w is measured at two points where it is large.
 template <class Equations>
 class error_estimate {
   public:
@@ -61,10 +63,13 @@ class error_estimate {
         slopes_.resize(n, m * L);
         delta_.resize(n, L);
         inner_.resize(n, L);
+        left_over_.resize(n, 2 * L);
+        scale_.resize(n, 2 * L);
         defect_ = scalar(0);
         for (int i = 0; i < L; ++i)
             if (!lift(x, i)) return false;
         solve(x);
+        for (int i = 0; i < L; ++i) straighten(x, i);
         return true;
     }
 
@@ -79,6 +84,30 @@ class error_estimate {
         const scalar l = abs(error_.y(c, i)), r = abs(error_.y(c, i + 1));
         return (l > r ? l : r) + abs(inner_(c, i));
     }
+    /// The largest of |error| / (floor + |y|) there: the line between the global errors beside y at the ends
+    /// and nodes, y being taken as straight from one to the next.
+    scalar relative(const iterate& x, int i, int c) const {
+        using std::abs;
+        const auto& method = equations_.method();
+        const int s = equations_.s();
+        const auto over = [&](const scalar& theta, const scalar& size) {
+            return scalar(abs((1 - theta) * error_.y(c, i) + theta * error_.y(c, i + 1)) / (floor_ + size));
+        };
+        scalar at(0), y = x.y(c, i), least = abs(y), worst = over(at, least);
+        for (int j = 0; j <= s; ++j) {
+            const scalar theta = j < s ? method.c[j] : scalar(1);
+            scalar value = x.y(c, j < s ? i : i + 1), here;
+            if (j < s)
+                for (int k = 0; k < s; ++k) value += method.A(j, k) * x.Z(c, i * s + k);
+            const bool crossed = (y < scalar(0)) != (value < scalar(0));
+            least = crossed ? scalar(0) : std::min(least, scalar(abs(value)));
+            here = over(theta, abs(value));
+            if (crossed) here = std::max(here, over(at + (theta - at) * (y / (y - value)), scalar(0)));
+            if (!(here <= worst)) worst = here;
+            at = theta, y = value;
+        }
+        return worst + abs(inner_(c, i)) / (floor_ + least);
+    }
 
     /// y and the scaled slope h y' of the returned solution at t_i + theta h.
     template <class Y>
@@ -86,8 +115,8 @@ class error_estimate {
         const int m = nodes();
         const auto W = slopes_.middleCols(i * m, m);
         const auto values = rule_.value(theta), integrals = rule_.integral(theta);
-        y = x.y.col(i) - theta * delta_.col(i);
-        slope = -delta_.col(i);
+        y = x.y.col(i);
+        slope.setZero();
         for (int k = 0; k < m; ++k) {
             y += integrals[k] * W.col(k);
             slope += values[k] * W.col(k);
@@ -100,7 +129,32 @@ class error_estimate {
         const int m = nodes(), s = equations_.s();
         for (int i = 0; i < x.intervals(); ++i)
             slopes_.middleCols(i * m, m) = x.Z.middleCols(i * s, s) * ell_.transpose();
-        delta_.setZero();
+    }
+
+    /// The returned solution on another mesh.
+    iterate on(const std::vector<scalar>& t, const iterate& x) const {
+        const int L = static_cast<int>(t.size()) - 1, n = equations_.n(), s = equations_.s();
+        iterate next;
+        next.t = t;
+        next.p = x.p;
+        next.y.resize(n, L + 1);
+        next.Z.resize(n, s * L);
+        Eigen::Matrix<scalar, wide::RowsAtCompileTime, 1> y(n), slope(n);
+        int i = 0;
+        const auto at = [&](const scalar& time) {
+            while (i + 1 < x.intervals() && x.t[i + 1] < time) ++i;
+            evaluate(x, i, scalar((time - x.t[i]) / x.h(i)), y, slope);
+        };
+        for (int k = 0; k < L; ++k) {
+            at(t[k]);
+            next.y.col(k) = y;
+            for (int j = 0; j < s; ++j) {
+                at(scalar(t[k] + equations_.method().c[j] * (t[k + 1] - t[k])));
+                next.Z.col(k * s + j) = slope * ((t[k + 1] - t[k]) / x.h(i));
+            }
+        }
+        next.y.col(L) = x.y.col(x.intervals());
+        return next;
     }
 
     /// The returned solution as an object of its own.
@@ -117,7 +171,7 @@ class error_estimate {
             piece.cover(at, x.t[i], x.h(i), Vector(x.y.col(i)));
             const auto W = slopes_.middleCols(i * m, m);
             for (int k = 0; k < m; ++k) {
-                piece.increments().col(k) = -rule_.c[k] * delta_.col(i);
+                piece.increments().col(k).setZero();
                 for (int l = 0; l < m; ++l) piece.increments().col(k) += Q_(k, l) * W.col(l);
             }
             out(x.t[i + 1], Vector(x.y.col(i + 1)), x.h(i), piece);
@@ -263,10 +317,8 @@ class error_estimate {
             own_ = W * check_value_[k].transpose();
             off_ = -h * f.head(n);
             add_mass_times(equations_.mass(), scalar(1), own_.data(), off_.data(), n);
-            for (int c = 0; c < n; ++c) {
-                const scalar defect = (abs(off_[c]) + abs(delta_(c, i))) / h / (floor_ + abs(f[c]));
-                if (defect > defect_) defect_ = defect;
-            }
+            left_over_.col(2 * i + k) = off_;
+            for (int c = 0; c < n; ++c) scale_(c, 2 * i + k) = h * (floor_ + abs(f[c]));
             small_.setZero(n, n);
             const auto J = equations_.jacobians(i);
             for (int j = 0; j < s; ++j) small_ -= (reach * h * check_ell_[k][j]) * J.middleCols(j * width, n);
@@ -286,6 +338,28 @@ class error_estimate {
         equations_.solve(x, zero_, minus_, none, error_);
     }
 
+    /// w less its error plus the line between those of the mesh values; and what defect that leaves.
+    void straighten(const iterate& x, int i) {
+        using std::abs;
+        const int n = equations_.n(), m = nodes(), s = equations_.s(), np = equations_.np(), width = n + np;
+        auto W = slopes_.middleCols(i * m, m);
+        change_ = error_.y.col(i + 1) - error_.y.col(i);
+        W -= error_.Z.middleCols(i * s, s) * ell_.transpose();
+        W.colwise() += change_;
+        const auto J = equations_.jacobians(i);
+        for (int k = 0; k < 2; ++k) {
+            stage_ = error_.y.col(i) + check_[k] * change_;
+            off_ = left_over_.col(2 * i + k).cwiseAbs();
+            own_.setZero(n);
+            add_mass_times(equations_.mass(), scalar(1), change_.data(), own_.data(), n);
+            for (int j = 0; j < s; ++j)
+                own_ -= x.h(i) * check_ell_[k][j] *
+                        (J.middleCols(j * width, n) * stage_ + J.middleCols(j * width + n, np) * error_.p);
+            for (int c = 0; c < n; ++c)
+                defect_ = std::max(defect_, scalar((off_[c] + abs(own_[c])) / scale_(c, 2 * i + k)));
+        }
+    }
+
     bool fail_at(const scalar& t) {
         place_ = t;
         return false;
@@ -298,8 +372,8 @@ class error_estimate {
     scalar check_[2];
     const scalar reach = scalar(1) / 4;  ///< of a defect, as a part of the interval
     Eigen::Matrix<scalar, 1, Eigen::Dynamic> check_value_[2], check_integral_[2], check_ell_[2];
-    wide slopes_, delta_, inner_, U_, d_, g_, next_, hJ_, zero_, minus_;
-    Eigen::Matrix<scalar, wide::RowsAtCompileTime, 1> stage_, own_, off_;
+    wide slopes_, delta_, inner_, left_over_, scale_, U_, d_, g_, next_, hJ_, zero_, minus_;
+    Eigen::Matrix<scalar, wide::RowsAtCompileTime, 1> stage_, own_, off_, change_;
     Eigen::Matrix<scalar, wide::RowsAtCompileTime, wide::RowsAtCompileTime> small_;
     iterate error_;
     scalar floor_{0}, defect_{0}, place_{0};
