@@ -35,12 +35,12 @@ BOOST_AUTO_TEST_CASE(the_parts_of_a_semi_explicit_system_may_have_run_time_sizes
         std::invalid_argument);
 }
 
-// n at run time (a solver of n x n systems) and n fixed (lanes): the same steps. A flag vector of a wrong
+// n at run time and n fixed, systems of n unknowns in both: the same steps. A flag vector of a wrong
 // size is refused.
 BOOST_AUTO_TEST_CASE(an_implicit_system_may_have_a_run_time_size) {
     const sc::options<double> tol{.rtol = 1e-8, .atol = 1e-8};
     auto open = sc::fully_implicit(dae::cubic{}, 1);
-    static_assert(sc::has_linear_solver<decltype(open)>);
+    static_assert(sc::has_second_order_components<decltype(open)>);
     const auto a =
         sc::integrate(sc::radau_iia<3>(), sc::fully_implicit<1>(dae::cubic{}), Vector2d(0, 1), 0, 2, tol);
     const auto b = sc::integrate(sc::radau_iia<3>(), open, VectorXd(Vector2d(0, 1)), 0, 2, tol);

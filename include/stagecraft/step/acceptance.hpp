@@ -88,7 +88,7 @@ class acceptance {
         const auto estimate_size = [&] {
             scalar whole =
                 method.error_size(system, trial.now, reading.ratio, error_, counts.error_solves, size);
-            if (share_ < scalar(1)) raise(whole, unexplained(system, reading.ratio));
+            if (share_ < scalar(1) && refused.for_error < 4) raise(whole, unexplained(system, reading.ratio));
             return whole;
         };
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
@@ -192,15 +192,15 @@ class acceptance {
         }
         system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
     }
-    /// What of the estimate cannot come from z_n: the step before was accepted with an error of at most one,
-    /// and so it shows at most two. (An iteration that has gone to another solution of the constraints shows
-    /// more.)
+    /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
+    /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of
+    /// the first attempts at a step only: what smaller steps do not take away does come from z_n.
     template <class System>
     scalar unexplained(const System& system, const scalar& ratio) {
         system.weigh_raised(weights_, scalar(1) / share_);
         const scalar whole = weighted_norm(error_, weights_, system.size()) * ratio;
         system.weigh_raised(weights_, share_);
-        return whole - 2;
+        return whole - 40;
     }
     /// An estimate of one in components of index 2 and 3 stands for an error of a quarter, so that |h| e_z
     /// stays within about ten tolerances; with one it would stay within three, for a third more steps.
