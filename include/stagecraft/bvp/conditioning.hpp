@@ -116,9 +116,9 @@ class conditioning_of {
     /// The largest entry of |Phi(t)|, every row relative to floor + the size of that component of y.
     scalar relative(const scalar& floor) const {
         scalar kappa(0);
-        for (const wide& column : phi_)
+        for (const wide& response : phi_)
             for (int r = 0; r < equations_.n(); ++r)
-                kappa = std::max(kappa, scalar(column.row(r).cwiseAbs().maxCoeff() /
+                kappa = std::max(kappa, scalar(response.row(r).cwiseAbs().maxCoeff() /
                                                (floor + x_.y.row(r).cwiseAbs().maxCoeff())));
         return kappa;
     }
