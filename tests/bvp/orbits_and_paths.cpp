@@ -6,6 +6,7 @@
 #include <stagecraft/bvp/periodic_orbit.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/last_return.hpp>
 #include <string>
 
 namespace sc = stagecraft;

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include <stagecraft/bvp/solve.hpp>
-#include <stagecraft/integrate.hpp>
-#include <stagecraft/observe/event.hpp>
 #include <stagecraft/observe/solution.hpp>
 
 namespace stagecraft {
@@ -25,38 +23,6 @@ struct orbit_guess {
     solution<Vector> y;
     scalar begin{0}, period{0};
 };
-
-/// Integrates from t0 to t1, once to find the last state and once with an event where the trajectory passes the
-/// plane through it that is normal to f; the last pass near that state and t1 bound one return. Throws
-/// std::invalid_argument where the trajectory does not come back.
-template <class Method, class Rhs, class Vector>
-orbit_guess<Vector> last_return(const Method& method, const Rhs& f, const Vector& y0,
-                                typename Vector::Scalar t0, typename Vector::Scalar t1) {
-    using scalar = typename Vector::Scalar;
-    const options<scalar> o{.rtol = scalar(1e-8), .atol = scalar(1e-8)};
-    const auto first = integrate(method, f, y0, t0, t1, o);
-    if (!first.ok()) throw std::invalid_argument("last_return: the integration does not reach t1");
-    const Vector end = first.y;
-    Vector normal(end.size());
-    f(t1, end, normal);
-    orbit_guess<Vector> guess;
-    integrate(method, f, y0, t0, t1, o, guess.y);
-    const auto plane = [&](const scalar&, const Vector& y) { return scalar(normal.dot(y - end)); };
-    auto passes = events<Vector>(event(plane, {.direction = crossing::rising}));
-    scalar size(0);
-    integrate(method, f, y0, t0, t1, o, passes);
-    for (const auto& pass : passes.found()) size = std::max(size, scalar((pass.y - end).norm()));
-    for (int k = 0; k <= 200; ++k)
-        size = std::max(size, scalar((guess.y(t0 + (t1 - t0) * scalar(k) / 200) - end).norm()));
-    const auto& found = passes.found();
-    for (auto pass = found.rbegin(); pass != found.rend(); ++pass)
-        if (t1 - pass->t > (t1 - t0) / 1000000 && (pass->y - end).norm() < size / 10) {
-            guess.begin = pass->t;
-            guess.period = t1 - pass->t;
-            return guess;
-        }
-    throw std::invalid_argument("last_return: the trajectory does not come back to its last state before t1");
-}
 
 /// What periodic_orbit may be told; see bvp_options.
 template <class Scalar>

@@ -165,7 +165,7 @@ class acceptance {
   private:
     /// The weights in which an estimate that is multiplied by `ratio` then is measured; differ from those of
     /// the trial with components of index 2 and 3 only. Their errors are of the order of the estimate itself
-    /// (Hairer-Lubich-Roche 1989, Theorems 4.4 and 6.1: |h| e_z and h^2 e_u are O(h^{s+1}) for Radau IIA), not
+    /// (HLR89, Theorems 4.4 and 6.1: |h| e_z and h^2 e_u are O(h^{s+1}) for Radau IIA), not
     /// of that of y, so that the ratio says nothing about them. And what the estimate shows of them comes from
     /// two steps: by u'(0) - z_n it is the error (-1)^s K h^s of the derivative of the collocation polynomial
     /// at the left end, less that of z_n, s K h^s of the step before (the nodal polynomial of Radau IIA has
