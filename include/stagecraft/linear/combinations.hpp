@@ -2,17 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include <stagecraft/linear/packet.hpp>
 
 namespace stagecraft {
 
+/// The scalars that the processor knows: their loops are written in packets and inlined to the last call. With
+/// wide ones, where every operation is a function itself, that would only cost the compiler minutes.
+template <class Scalar>
+inline constexpr bool built_in = std::is_floating_point_v<Scalar>;
+
 /// out := c[0] in_0 + c[1] in_1 + ..., as many vectors of n numbers as there are j, one behind the other in
 /// memory; added to what is in `out` if `Add`.
 template <bool Add, class Scalar, int... j>
-[[gnu::flatten]] inline void combine(int n, const Scalar* c, const Scalar* in, Scalar* out,
-                                     std::integer_sequence<int, j...>) {
+requires(built_in<Scalar>)
+    [[gnu::flatten]] inline void combine(int n, const Scalar* c, const Scalar* in, Scalar* out,
+                                         std::integer_sequence<int, j...>) {
     int i = 0;
     const auto run = [&]<class P>(P) {
         const typename P::type by[] = {P::all(c[j])...};
@@ -31,7 +38,13 @@ template <bool Add, class Scalar, int... j>
 /// The same for `count` vectors: Count, or any number where that is -1.
 template <bool Add, int Count, class Scalar>
 void combine(int n, int count, const Scalar* c, const Scalar* in, Scalar* out) {
-    if constexpr (Count > 0) {
+    if constexpr (!built_in<Scalar>) {
+        for (int i = 0; i < n; ++i) {
+            Scalar sum = in[i] * c[0];
+            for (int j = 1; j < count; ++j) sum += in[static_cast<std::ptrdiff_t>(j) * n + i] * c[j];
+            out[i] = Add ? Scalar(out[i] + sum) : sum;
+        }
+    } else if constexpr (Count > 0) {
         combine<Add>(n, c, in, out, std::make_integer_sequence<int, Count>());
     } else {
         const auto from = [&](int j) { return in + static_cast<std::ptrdiff_t>(j) * n; };
@@ -45,8 +58,10 @@ void combine(int n, int count, const Scalar* c, const Scalar* in, Scalar* out) {
 
 /// out := base + h (c[0] in_0 + c[1] in_1 + ...), n being N or, where that is -1, any number.
 template <int N, class Scalar, int... j>
-[[gnu::flatten]] inline void combine_onto(int any, const Scalar* base, const Scalar& h, const Scalar* c,
-                                          const Scalar* in, Scalar* out, std::integer_sequence<int, j...>) {
+requires(built_in<Scalar>)
+    [[gnu::flatten]] inline void combine_onto(int any, const Scalar* base, const Scalar& h, const Scalar* c,
+                                              const Scalar* in, Scalar* out,
+                                              std::integer_sequence<int, j...>) {
     const int n = N >= 0 ? N : any;
     int i = 0;
     const auto run = [&]<class P>(P) {
@@ -64,8 +79,18 @@ template <int N, class Scalar, int... j>
 /// out := factor (c[0] a[0] + c[1] a[1] + ...) for `count` > 0 vectors of n numbers, wherever they are; added
 /// to what is in `out` if `Add`.
 template <bool Add, class Scalar>
-[[gnu::flatten]] inline void combine_scattered(int n, int count, const Scalar& factor, const Scalar* c,
-                                               const Scalar* const* a, Scalar* out) {
+requires(!built_in<Scalar>) void combine_scattered(int n, int count, const Scalar& factor, const Scalar* c,
+                                                   const Scalar* const* a, Scalar* out) {
+    for (int i = 0; i < n; ++i) {
+        Scalar sum = a[0][i] * c[0];
+        for (int t = 1; t < count; ++t) sum += a[t][i] * c[t];
+        out[i] = Add ? Scalar(out[i] + factor * sum) : Scalar(factor * sum);
+    }
+}
+template <bool Add, class Scalar>
+requires(built_in<Scalar>)
+    [[gnu::flatten]] inline void combine_scattered(int n, int count, const Scalar& factor, const Scalar* c,
+                                                   const Scalar* const* a, Scalar* out) {
     int i = 0;
     const auto run = [&]<class P, int... q>(P, std::integer_sequence<int, q...>) {
         constexpr int width = P::size * static_cast<int>(sizeof...(q));
@@ -91,8 +116,8 @@ template <bool Add, class Scalar>
 
 /// The sum of (x_ij w_i)^2 over the columns j of x and i < n.
 template <class Scalar, int... j>
-[[gnu::flatten]] inline Scalar weighted_squares(int n, const Scalar* x, const Scalar* w,
-                                                std::integer_sequence<int, j...>) {
+requires(built_in<Scalar>) [[gnu::flatten]] inline Scalar
+    weighted_squares(int n, const Scalar* x, const Scalar* w, std::integer_sequence<int, j...>) {
     int i = 0;
     const auto square = [](const auto& v) { return v * v; };
     const auto run = [&]<class P>(P) {
@@ -107,7 +132,15 @@ template <class Scalar, int... j>
 }
 template <int Count, class Scalar>
 Scalar weighted_squares(int n, int count, const Scalar* x, const Scalar* w) {
-    if constexpr (Count > 0) {
+    if constexpr (!built_in<Scalar>) {
+        Scalar sum = Scalar(0);
+        for (int j = 0; j < count; ++j)
+            for (int i = 0; i < n; ++i) {
+                const Scalar v = x[static_cast<std::ptrdiff_t>(j) * n + i] * w[i];
+                sum += v * v;
+            }
+        return sum;
+    } else if constexpr (Count > 0) {
         return weighted_squares(n, x, w, std::make_integer_sequence<int, Count>());
     } else {
         Scalar sum = Scalar(0);

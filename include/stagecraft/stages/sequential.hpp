@@ -83,7 +83,8 @@ class sequential_stages {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
-        if constexpr (Stages > 0)
+        // With more stages, f unrolled as often costs the compiler more than the run gains.
+        if constexpr (Stages > 0 && Stages <= 7 && built_in<Scalar>)
             if (!implicit() && !v.by_value) {
                 if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
                 return slowest;
