@@ -40,12 +40,13 @@ BOOST_AUTO_TEST_CASE(the_kind_is_that_of_the_least_exact_entry) {
     BOOST_TEST((kind("1/2", "1") == number_kind::rational));
     BOOST_TEST((kind("sqrt(2)", "\"sqrt(8)\"") == number_kind::quadratic));
     BOOST_TEST((kind("sqrt(2)", "\"sqrt(3)\"") == number_kind::enclosed));
-    BOOST_TEST((kind("sqrt(2)", "0.5") == number_kind::rounded));
-    BOOST_TEST((kind("sqrt(2)+sqrt(3)", "\"1.0\"") == number_kind::rounded));
+    BOOST_TEST((kind("sqrt(2)", "0.707106781186548") == number_kind::rounded));
+    BOOST_TEST((kind("sqrt(2)+sqrt(3)", "\"1.00000000001\"") == number_kind::rounded));
+    BOOST_TEST((kind("sqrt(2)", "0.5") == number_kind::quadratic));  // alone, so short a decimal is exact
 }
 
 BOOST_AUTO_TEST_CASE(json_numbers_are_integers_or_doubles) {
-    const auto file = read_tableau(R"({"A":[[0.5]],"b":[1],"c":[-0.5]})");
+    const auto file = read_tableau(R"({"A":[[0.3333333333333333]],"b":[1],"c":[-0.5]})");
     BOOST_TEST(file.A[0][0].rounded);
     BOOST_TEST(file.b[0].exact.value() == 1);
     BOOST_TEST(file.c[0].enclosure.middle() == rational(-1, 2));
