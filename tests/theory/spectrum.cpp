@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(rounded_data_give_enclosures_as_wide_as_the_rounding) {
     // Radau IIA-2 to 9 digits: eigenvalues 1/3 +- i sqrt(2)/6
     Eigen::Matrix<ball, -1, -1> A(2, 2);
     A << rounded({5, 12}, 9), rounded({-1, 12}, 9), rounded({3, 4}, 9), rounded({1, 4}, 9);
-    const auto all = detail::enclosed_eigenvalues(A);
+    const auto all = theory::detail::enclosed_eigenvalues(A);
     BOOST_REQUIRE_EQUAL(all.size(), 1U);
     BOOST_TEST(all[0].value.re.contains({1, 3}));
     BOOST_TEST(all[0].value.re.radius() < 1e-7L);
@@ -171,5 +171,5 @@ BOOST_AUTO_TEST_CASE(rounded_data_give_enclosures_as_wide_as_the_rounding) {
     BOOST_TEST(text(all).find(" within ") != std::string::npos);
     BOOST_TEST(to_json(all)[0].contains("radius"));
     A << rounded({1, 2}, 9), rounded({0}, 9), rounded({0}, 9), rounded({1, 2}, 9);  // double, or is it?
-    BOOST_CHECK_THROW(detail::enclosed_eigenvalues(A), undecided);
+    BOOST_CHECK_THROW(theory::detail::enclosed_eigenvalues(A), undecided);
 }
