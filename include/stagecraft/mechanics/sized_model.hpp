@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#include <algorithm>
 #include <concepts>
 #include <stdexcept>
 #include <utility>
