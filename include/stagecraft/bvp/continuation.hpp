@@ -74,9 +74,9 @@ struct extrapolated {
 template <class Scalar, int S, class Rhs, class Conditions, class Vector>
 class path_follower {
     using conditions = arclength_conditions<Conditions, Vector>;
-    using problem = two_point_problem<Rhs, conditions>;
+    using extended_problem = two_point_problem<Rhs, conditions>;
     using parameters = Eigen::Matrix<Scalar, 1, 1>;
-    using solver = bvp_solver<Scalar, S, problem, Vector, parameters, 0>;
+    using solver = bvp_solver<Scalar, S, extended_problem, Vector, parameters, 0>;
     using point = continuation_point<Vector>;
 
     struct state {
@@ -154,7 +154,7 @@ class path_follower {
                state& out) {
         bvp_options<Scalar> b;
         b.rtol = rtol_, b.intervals = o_.intervals, b.mesh = mesh, b.conditioning = false;
-        problem both{problem_.f, r};
+        extended_problem both{problem_.f, r};
         const int n = static_cast<int>(r.left0.size());
         solver s(method_, both, n, parameters(p), b);
         auto solved = s.run(guess, a_, b_);
