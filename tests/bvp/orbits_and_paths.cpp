@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_lies_where_it_is_known_to) {
         BOOST_TEST(sc::name(point.status) == std::string("success"));
         if (point.kind == sc::point_kind::fold) {
             ++folds;
-            BOOST_TEST(std::abs(point.p[0] - 3.513830719125161) < 1e-9);
+            BOOST_TEST(std::abs(point.p[0] - 3.513830719125161) < 1e-12);
         }
         last = point.p[0];
         slope = point.y(0.0)[1];

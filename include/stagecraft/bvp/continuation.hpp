@@ -188,7 +188,7 @@ class path_follower {
         for (int k = 0; k < 30; ++k) {
             const Scalar s = (low * at_high - high * at_low) / (at_high - at_low);
             if (!advance(now, before, last_step, s, middle)) break;
-            if (abs(middle.p_slope) < Scalar(1e-8) || high - low < Scalar(1e-8) * step) break;
+            if (abs(middle.p_slope) < Scalar(1e-8) || abs(high - low) < Scalar(1e-8) * step) break;
             if (middle.p_slope * at_high < Scalar(0)) {
                 low = high, at_low = at_high;
             } else {
