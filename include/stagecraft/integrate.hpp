@@ -59,9 +59,11 @@ result<Vector> run_to_the_end(const Method& method, Problem& problem, const Vect
     stagecraft::status ended = status::success;
     try {
         while (run.step()) {
-            correct(observer, run, start);
             if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
-                if (!observe(observer, run.t(), run.y(), run.output().step(), run.output())) run.stop();
+                run.between_steps([&] {
+                    correct(observer, run, start);
+                    return observe(observer, run.t(), run.y(), run.output().step(), run.output());
+                });
         }
         ended = run.status();
     } catch (const bad_problem&) {
@@ -90,7 +92,7 @@ result<Vector> run_to_the_end(const Method& method, Problem& problem, const Vect
 /// problem  Anything that can be called as problem(t, y, f) and writes f, or as problem(t, y) and returns it (then a
 ///          copy of it is called). Optional members are detected:
 ///          jacobian(t, y, J), mass(), index(), constant_jacobian(), second_order_components, bandwidth(),
-///          sparsity() (problem/capabilities.hpp). Without jacobian(), a generic right-hand side is
+///          sparsity(), matrix(), add_up() (problem/capabilities.hpp). Without jacobian(), a generic right-hand side is
 ///          differentiated automatically and any other by finite differences. problem/with.hpp adds such
 ///          members to a lambda; problem/semi_explicit.hpp and problem/fully_implicit.hpp make a problem of
 ///          y' = f(t, y, z), 0 = g and of F(t, y, y') = 0; dae/consistent.hpp finds and checks their initial

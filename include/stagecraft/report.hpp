@@ -11,7 +11,8 @@ enum class jacobian_source { none, member, automatic_differentiation, difference
 struct found_capabilities {
     jacobian_source jacobian = jacobian_source::none;
     bool mass = false, index = false, constant_jacobian = false, second_order_components = false,
-         bandwidth = false, sparsity = false, linear_solver = false, measure = false;
+         bandwidth = false, sparsity = false, matrix = false, linear_solver = false, add_up = false,
+         measure = false;
 };
 
 /// What a run cost, and what it was told: plain counts, filled by every integrator.

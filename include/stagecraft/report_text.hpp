@@ -68,7 +68,9 @@ inline void print(std::ostream& out, const found_capabilities& found) {
     name(found.second_order_components, "second_order_components");
     name(found.bandwidth, "bandwidth");
     name(found.sparsity, "sparsity");
+    name(found.matrix, "matrix");
     name(found.linear_solver, "linear_solver");
+    name(found.add_up, "add_up");
     name(found.measure, "measure");
     if (found.jacobian == jacobian_source::automatic_differentiation)
         out << "; Jacobian by automatic differentiation";

@@ -9,24 +9,30 @@
 namespace stagecraft {
 
 /// A first step size: one that changes the solution by about one per cent in the weighted norm, and at most a
-/// thousandth of the span if the solution hardly moves. f is scaled to a derivative by the rows of M;
-/// algebraic equations do not enter. The error test corrects a bad guess.
-template <class Mass, class Vector>
+/// thousandth of the span if the solution hardly moves. f is scaled to a derivative by the rows of M (their largest
+/// entries, or their sums where products are all that is known); algebraic equations do not enter. The error test corrects a bad guess.
+template <class Mass, class Vector, class Sums>
 typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vector& f, const Vector& weights,
-                                   const typename Vector::Scalar& span) {
+                                   const typename Vector::Scalar& span, const Sums& sums) {
     using scalar = typename Vector::Scalar;
     using std::abs;
     const int n = static_cast<int>(y.size());
-    if (n == 0) return span;
+    if (Sums::complete && n == 0) return span;
     Vector slope = f;
     if constexpr (!Mass::identity) {
         Vector row = Vector::Zero(n);
-        for (const auto& e : mass.entries())
-            if (abs(e.value) > row[e.row]) row[e.row] = abs(e.value);
+        if constexpr (has_entries<Mass>) {
+            for (const auto& e : mass.entries())
+                if (abs(e.value) > row[e.row]) row[e.row] = abs(e.value);
+        } else {
+            const Vector ones = Vector::Ones(n);
+            add_mass_times(mass, scalar(1), ones.data(), row.data(), n);
+            row = row.cwiseAbs();
+        }
         for (int i = 0; i < n; ++i) slope[i] = row[i] > scalar(0) ? scalar(f[i] / row[i]) : scalar(0);
     }
-    scalar size = weighted_norm(y, weights, n);
-    const scalar change = weighted_norm(slope, weights, n);
+    scalar size = weighted_norm(y, weights, n, sums);
+    const scalar change = weighted_norm(slope, weights, n, sums);
     if (size < scalar(1)) size = scalar(1);
     return change * span > size / 1000 ? scalar(size / change / scalar(100)) : scalar(span / 1000);
 }

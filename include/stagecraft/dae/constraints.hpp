@@ -39,6 +39,10 @@ template <class Problem, class Vector>
 class constraint_system {
   public:
     using scalar = typename Vector::Scalar;
+    static_assert(
+        !has_add_up<Problem, scalar>,
+        "problem.add_up: consistent initial values, hidden constraints and projections are not found "
+        "for a distributed problem, of which one process sees a part");
     static constexpr int N = Vector::RowsAtCompileTime;
     /// Of constraints and hidden constraints there are at most 3 N: on the stack for small fixed sizes.
     static constexpr int most = N > 0 && N <= 16 && std::is_floating_point_v<scalar> ? 3 * N

@@ -55,6 +55,24 @@ class entry_mass {
     std::vector<entry> entries_;
 };
 
+/// A constant mass matrix that is known by its products alone (Operator::add_times).
+template <class Operator>
+class mass_by_products {
+  public:
+    static constexpr bool identity = false;
+    explicit mass_by_products(const Operator& m) : operator_(m) {}
+    const Operator& get() const { return operator_; }
+
+  private:
+    Operator operator_;
+};
+
+/// True if the entries of a mass matrix can be looked at.
+template <class Mass>
+inline constexpr bool has_entries = Mass::identity || requires(const Mass& m) {
+    m.entries();
+};
+
 /// Adds `factor` M x to r, both pointers to n contiguous numbers.
 template <class Scalar>
 void add_mass_times(const identity_mass&, const Scalar& factor, const Scalar* x, Scalar* r, int n) {
@@ -63,6 +81,12 @@ void add_mass_times(const identity_mass&, const Scalar& factor, const Scalar* x,
 template <class Scalar>
 void add_mass_times(const entry_mass<Scalar>& m, const Scalar& factor, const Scalar* x, Scalar* r, int) {
     for (const auto& e : m.entries()) r[e.row] += factor * e.value * x[e.column];
+}
+
+template <class Operator, class Scalar>
+void add_mass_times(const mass_by_products<Operator>& m, const Scalar& factor, const Scalar* x, Scalar* r,
+                    int) {
+    m.get().add_times(factor, x, r);
 }
 
 /// Adds `factor` M to the dense matrix given by its column-major entries with leading dimension n.

@@ -17,10 +17,15 @@ namespace stagecraft {
 template <class Scalar, class Blocks>
 class mass_solver {
   public:
-    /// False if M is singular, or so nearly singular that solutions would be dominated by rounding.
+    /// False if M is singular, or so nearly singular that solutions would be dominated by rounding. Where its
+    /// entries, those of J or parts of the state are not here, that cannot be decided, and no M but the identity is
+    /// taken to be regular.
     template <class System>
     bool prepare(const System& system) {
-        if constexpr (!System::mass_type::identity) {
+        if constexpr (!System::mass_type::identity && (!has_entries<typename System::mass_type> ||
+                                                       System::opaque || !System::sums_type::complete)) {
+            return false;
+        } else if constexpr (!System::mass_type::identity) {
             const int n = system.size();
             bool diagonal = true;
             for (const auto& e : system.mass().entries()) diagonal = diagonal && e.row == e.column;

@@ -2,26 +2,67 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace stagecraft {
 
-/// True if the first n components of x are finite.
-template <class Vector>
-bool all_finite(const Vector& x, int n) {
+/// Where every component of a vector is in this process: a sum over them is complete as it is. Norms take one of
+/// these, or an object that adds up over processes: sums(x, k) replaces k numbers by their sums over all of them,
+/// the same bits on each (problem/distributed.hpp).
+struct complete_sums {
+    static constexpr bool complete = true;
+    template <class Scalar>
+    void operator()(Scalar*, int) const {}
+};
+
+/// True if the first n components of x are finite, on every process.
+template <class Vector, class Sums = complete_sums>
+bool all_finite(const Vector& x, int n, const Sums& sums = {}) {
     typename Vector::Scalar sum(0);
     for (int i = 0; i < n; ++i) sum += x[i] - x[i];
+    sums(&sum, 1);
     return sum == typename Vector::Scalar(0);
 }
 
-/// The root mean square of x_i w_i over n components, which are all of x; 0 for n = 0. Where the squares overflow it is taken
-/// relative to the largest component, so that it is finite whenever the products are; else infinite or NaN.
-template <class Vector, class Weights>
-typename Vector::Scalar weighted_norm(const Vector& x, const Weights& w, int n) {
+/// The root mean square over all processes of values whose sum of squares here is squares(unit), each multiplied by
+/// `unit` first; `count` of them here. One addition over the processes, of sum and count together; a second one of
+/// small multiples where the squares overflow.
+template <class Scalar, class Squares, class Sums>
+Scalar added_norm(Squares&& squares, int count, const Sums& sums) {
+    using std::sqrt;
+    Scalar part[2] = {squares(Scalar(1)), Scalar(count)};
+    sums(part, 2);
+    if (part[1] == Scalar(0)) return Scalar(0);
+    if (part[0] - part[0] == Scalar(0)) return sqrt(part[0] / part[1]);
+    using limits = std::numeric_limits<Scalar>;
+    const Scalar unit = sqrt(limits::min()) * limits::epsilon();
+    part[0] = squares(unit);
+    part[1] = Scalar(count);
+    sums(part, 2);
+    return sqrt(part[0] / part[1]) / unit;
+}
+
+/// The root mean square of x_i w_i over n components, which are all of x here; 0 for n = 0. Where the squares overflow it
+/// is taken relative to the largest component, so that it is finite whenever the products are; else infinite or
+/// NaN.
+template <class Vector, class Weights, class Sums = complete_sums>
+typename Vector::Scalar weighted_norm(const Vector& x, const Weights& w, int n, const Sums& sums = {}) {
     using scalar = typename Vector::Scalar;
     using std::abs;
     using std::sqrt;
     // A size that the compiler knows, told to it: else it warns of iterations beyond it that are never made.
     if constexpr (int(Vector::SizeAtCompileTime) > 0) n = int(Vector::SizeAtCompileTime);
+    if constexpr (!Sums::complete) {
+        const auto squares = [&](const scalar& unit) {
+            scalar sum(0);
+            for (int i = 0; i < n; ++i) {
+                const scalar v = x[i] * w[i] * unit;
+                sum += v * v;
+            }
+            return sum;
+        };
+        return added_norm<scalar>(squares, n, sums);
+    }
     if (n == 0) return scalar(0);
     scalar sum = scalar(0);
     for (int i = 0; i < n; ++i) {

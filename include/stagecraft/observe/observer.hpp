@@ -123,6 +123,10 @@ template <class Observer, class Run, class Vector>
 void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[maybe_unused]] Vector& y) {
     if constexpr (has_member_named<Observer, correct_member> ||
                   correcting_observer<Observer, typename Vector::Scalar, Vector>) {
+        static_assert(
+            !Run::distributed,
+            "problem.add_up: projections and other observers with correct() see the components of one "
+            "process alone and cannot be used in a distributed run");
         y = run.y();
         if (correct_state(observer, run.t(), y)) run.replace_state(y);
     }

@@ -59,12 +59,40 @@ concept has_linear_solver = requires {
     typename Problem::linear_solver::complex;
 };
 
+/// Optional: `problem.matrix()` returns the object that jacobian(t, y, J) writes df/dy into, of any type: the
+/// steppers call its rows() and cols() alone, which are the size of y, and hand it to the problem's own linear_solver
+/// (factor_shifted). It must be movable. For matrices that other libraries hold, and those that are never formed.
+template <class Problem>
+concept has_matrix = requires(Problem& p) {
+    p.matrix().rows();
+    p.matrix().cols();
+};
+
+/// Optional: `problem.add_up(x, k)` makes the problem a distributed one: y is the part of the state that belongs to
+/// this process, every process calls integrate() with its own, and add_up replaces k numbers at x by their sums over
+/// all processes, the same bits on each. All that a run decides it decides from such sums, so that the
+/// processes stay in step; options, method and times must be the same on all. jacobian(), linear_solver and f may
+/// communicate as long as all processes do so together; what throws must complete its communication first.
+/// An exception on one process ends the run on all: there with status::function_threw, on the others with
+/// status::non_finite. (Arguments refused on one, y0 say, are std::invalid_argument on all.)
+template <class Problem, class Scalar>
+concept has_add_up = requires(Problem& p, Scalar* x, int k) {
+    p.add_up(x, k);
+};
+
 /// Optional: `problem.mass()` returns the constant matrix M (dense, sparse or diagonal of Eigen's, or a
-/// banded_matrix), singular allowed. With bandwidth() it must lie within that band.
+/// banded_matrix), singular allowed. With bandwidth() it must lie within that band. With a linear_solver of the
+/// problem's own M may be an operator instead, with rows(), cols() and add_times(factor, x, r), which adds factor M x
+/// to r, both pointers to n contiguous numbers; a copy of it is kept.
 template <class Problem>
 concept has_mass = requires(Problem& p) {
     p.mass().rows();
     p.mass().cols();
+};
+
+template <class Mass, class Scalar>
+concept mass_operator = requires(const Mass& m, const Scalar& factor, const Scalar* x, Scalar* r) {
+    m.add_times(factor, x, r);
 };
 
 /// Optional: `problem.index()` returns something indexable with size(): the differentiation index 1, 2 or 3

@@ -64,6 +64,24 @@ struct second_order_components_member {
         &T::second_order_components;
     };
 };
+struct add_up_member {
+    int add_up;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::add_up;
+    };
+};
+struct matrix_member {
+    int matrix;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::matrix;
+    };
+};
+template <class T>
+concept has_type_named_matrix = requires {
+    typename T::matrix;
+};
 struct measure_member {
     int measure;
     template <class T>
@@ -106,6 +124,15 @@ struct checked_capabilities {
                   "problem.second_order_components must be a `static constexpr int`");
     static_assert(absent<detail::linear_solver_member> || has_linear_solver<Problem>,
                   "Problem::linear_solver must be a type with member types `real` and `complex`");
+    static_assert(
+        absent<detail::add_up_member> || has_add_up<Problem, typename Vector::Scalar>,
+        "problem.add_up must be a member function `void add_up(Scalar* x, int k) const` that replaces "
+        "k numbers by their sums over all processes");
+    static_assert(
+        absent<detail::matrix_member> || detail::has_type_named_matrix<Problem> || has_matrix<Problem>,
+        "problem.matrix must be a member function `auto matrix() const` that returns what jacobian(t, "
+        "y, J) writes into, with rows() and cols(); give a member that means something else another "
+        "name");
     static_assert(absent<detail::measure_member> || has_stopwatch<Problem>,
                   "problem.measure must be a member function `auto measure(stagecraft::work) const`");
 };

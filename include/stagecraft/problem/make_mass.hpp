@@ -3,11 +3,22 @@
 
 #include <Eigen/Core>
 #include <stdexcept>
+#include <type_traits>
 
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 
 namespace stagecraft {
+
+/// The entries of a mass matrix; std::invalid_argument if one is not finite.
+template <class Scalar, class Matrix>
+entry_mass<Scalar> finite_entries(const Matrix& m) {
+    entry_mass<Scalar> result(m);
+    for (const auto& e : result.entries())
+        if (!(e.value - e.value == Scalar(0)))
+            throw std::invalid_argument("integrate: problem.mass() must be finite");
+    return result;
+}
 
 /// The mass matrix of a problem of size n in the form that costs least; throws std::invalid_argument if its
 /// size is not n x n or an entry is not finite.
@@ -17,11 +28,10 @@ auto make_mass(Problem& problem, Eigen::Index n) {
         const auto& m = problem.mass();
         if (m.rows() != n || m.cols() != n)
             throw std::invalid_argument("integrate: problem.mass() must be n x n with n the size of y0");
-        entry_mass<Scalar> result(m);
-        for (const auto& e : result.entries())
-            if (!(e.value - e.value == Scalar(0)))
-                throw std::invalid_argument("integrate: problem.mass() must be finite");
-        return result;
+        if constexpr (mass_operator<std::remove_cvref_t<decltype(m)>, Scalar>)
+            return mass_by_products<std::remove_cvref_t<decltype(m)>>(m);
+        else
+            return finite_entries<Scalar>(m);
     } else {
         return identity_mass{};
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/problem/distributed.hpp>
 #include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/problem/unwritten.hpp>
 #include <stagecraft/report.hpp>
@@ -27,12 +29,17 @@ struct bad_problem : std::invalid_argument {
 
 namespace detail {
 
-/// The matrix that holds the Jacobian of a problem: banded, sparse, or dense. A dense one has no storage
+/// The matrix that holds the Jacobian of a problem: its own, banded, sparse, or dense. A dense one has no storage
 /// before system::take_jacobian().
 template <class Problem, class Vector>
 auto make_jacobian(Problem& problem, int n) {
     using scalar = typename Vector::Scalar;
-    if constexpr (has_bandwidth<Problem>) {
+    if constexpr (has_matrix<Problem>) {
+        auto J = problem.matrix();
+        if (J.rows() != n || J.cols() != n)
+            throw std::invalid_argument("integrate: problem.matrix() must be n x n with n the size of y0");
+        return J;
+    } else if constexpr (has_bandwidth<Problem>) {
         return banded_matrix<scalar>(n, problem.bandwidth());
     } else if constexpr (has_sparsity<Problem>) {
         auto J = problem.sparsity();
@@ -56,6 +63,24 @@ struct run_time<Problem> {
     explicit run_time(Problem& problem) : lap(problem.measure(work::run)) {}
 };
 
+/// What a problem brings that its run cannot use, and what it lacks; a message for each.
+template <class Problem, class Scalar, bool Analytic>
+struct checked_distribution {
+    static constexpr bool distributed = has_add_up<Problem, Scalar>;
+    static_assert(!distributed || Analytic,
+                  "problem.add_up: finite differences and automatic differentiation do not see components on "
+                  "other processes: write jacobian(t, y, J), J of the type of matrix()");
+    static_assert(
+        !distributed || has_linear_solver<Problem>,
+        "problem.add_up: the built-in linear solvers do not see components on other processes: give "
+        "the problem a linear_solver");
+    static_assert(!distributed || !has_second_order_components<Problem>,
+                  "problem.add_up: second_order_components cannot be used in a distributed problem");
+    static_assert(!has_matrix<Problem> || has_type_named_matrix<Problem> ||
+                      (Analytic && has_linear_solver<Problem>),
+                  "problem.matrix needs jacobian(t, y, J), J of its type, and a linear_solver that takes it");
+};
+
 template <class Problem, class Matrix>
 struct blocks_for : default_blocks<Matrix> {};
 template <class Problem, class Matrix>
@@ -77,14 +102,21 @@ struct blocks_for<Problem, Matrix> {
 template <class Problem, class Vector>
 class system
     : checked_capabilities<Problem, Vector,
-                           decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0))> {
+                           decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0))>,
+      detail::checked_distribution<
+          Problem, typename Vector::Scalar,
+          has_jacobian<Problem, Vector,
+                       decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0))>> {
   public:
     using scalar = typename Vector::Scalar;
     static constexpr int size_at_compile_time = Vector::RowsAtCompileTime;
     using matrix = decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0));
     using blocks = typename detail::blocks_for<std::remove_const_t<Problem>, matrix>::type;
     using mass_type = decltype(make_mass<scalar>(std::declval<Problem&>(), 0));
-    static constexpr bool structured = has_bandwidth<Problem> || has_sparsity<Problem>;
+    using sums_type = decltype(sums_over<scalar>(std::declval<Problem&>()));
+    /// The entries of the Jacobian cannot be looked at.
+    static constexpr bool opaque = has_matrix<Problem>;
+    static constexpr bool structured = opaque || has_bandwidth<Problem> || has_sparsity<Problem>;
     static constexpr bool analytic = has_jacobian<Problem, Vector, matrix>;
     static constexpr bool automatic =
         !analytic && !structured && automatically_differentiable<Problem, scalar, size_at_compile_time>;
@@ -104,9 +136,13 @@ class system
                          .second_order_components = has_second_order_components<Problem>,
                          .bandwidth = has_bandwidth<Problem>,
                          .sparsity = has_sparsity<Problem>,
+                         .matrix = has_matrix<Problem>,
                          .linear_solver = has_linear_solver<Problem>,
+                         .add_up = has_add_up<Problem, scalar>,
                          .measure = has_stopwatch<Problem>};
-        if constexpr (has_bandwidth<Problem> && !mass_type::identity)
+        static_assert(has_entries<mass_type> || has_linear_solver<Problem>,
+                      "problem.mass() with add_times needs a linear_solver of the problem's own");
+        if constexpr (has_bandwidth<Problem> && !mass_type::identity && has_entries<mass_type>)
             for (const auto& e : mass_.entries())
                 if (!J_.in_band(e.row, e.column))
                     throw std::invalid_argument(
@@ -142,10 +178,24 @@ class system
     }
 
     int size() const { return n_; }
+    /// What the norms of states take.
+    sums_type sums() const { return sums_over<scalar>(problem_); }
+    /// What is known of the state here, and later what all processes know.
+    joint_state extent() const { return {largest_index_, all_}; }
+    void set_extent(const joint_state& all) {
+        largest_index_ = all.largest_index;
+        all_ = all.size;
+    }
+    /// Number of components on all processes.
+    int total_size() const { return all_; }
+    /// True if a call has thrown on another process. What a call has thrown here leaves now. One sum; free in runs
+    /// that are not distributed, where it has left already.
+    bool failed_elsewhere() { return failure_.anywhere(sums()); }
     const mass_type& mass() const { return mass_; }
     const matrix& jacobian() const { return J_; }
     /// A matrix of zeros in the structure of the Jacobian.
     matrix zeros() const {
+        static_assert(!opaque, "the entries of problem.matrix() are not known");
         if constexpr (structured) {
             matrix zero = J_;
             zero.setZero();
@@ -177,22 +227,28 @@ class system
         }
     }
 
-    /// f(t, y), counted.
+    /// f(t, y), counted. NaN where a call has thrown and the other processes have not heard of it yet.
     void operator()(const scalar& t, const Vector& y, Vector& f) {
         ++report_.f;
         expect_written(f);
-        measure(work::f, [&] { problem_(t, y, f); });
-        if constexpr (size_at_compile_time == Eigen::Dynamic)
-            if (f.size() != n_) throw size_change{};
+        failure_.keep([&] {
+            measure(work::f, [&] { problem_(t, y, f); });
+            if constexpr (size_at_compile_time == Eigen::Dynamic)
+                if (f.size() != n_) throw size_change{};
+        });
+        if constexpr (!sums_type::complete)
+            if (failure_.here()) f.setConstant(n_, std::numeric_limits<scalar>::quiet_NaN());
     }
 
     /// Evaluates the Jacobian at (t, y); f0 = f(t, y) and `negligible` serve finite differences only.
     void evaluate_jacobian(const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible) {
         ++report_.jacobians;
         if constexpr (analytic) {
-            measure(work::jacobian, [&] { problem_.jacobian(t, y, J_); });
-            if constexpr (size_at_compile_time == Eigen::Dynamic)
-                if (J_.rows() != n_ || J_.cols() != n_) throw size_change{};
+            failure_.keep([&] {
+                measure(work::jacobian, [&] { problem_.jacobian(t, y, J_); });
+                if constexpr (size_at_compile_time == Eigen::Dynamic)
+                    if (J_.rows() != n_ || J_.cols() != n_) throw size_change{};
+            });
         } else if constexpr (automatic) {
             report_.f_jacobian += measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, J_); });
         } else {
@@ -271,7 +327,8 @@ class system
     [[no_unique_address]] engine engine_;
     matrix J_;
     std::vector<raised> raised_;
-    int largest_index_ = 1;
+    int largest_index_ = 1, all_ = n_;
+    [[no_unique_address]] shared_failure<scalar, sums_type> failure_;
     [[no_unique_address]] std::conditional_t<has_index<Problem>, Vector, no_engine> followed_{n_};
 };
 

@@ -36,6 +36,8 @@ class coupled_stages {
           yi_(n),
           fi_(n) {}
 
+    /// True if the systems are solved by eigenvectors of A: what a Jacobian whose entries are not known asks for.
+    bool splits() const { return !systems_.exact(); }
     template <class System>
     bool factor(const System& system, const Scalar& h) {
         return system.measure(work::factorisation, [&] { return systems_.factor(system, h); });
@@ -66,7 +68,7 @@ class coupled_stages {
             ++solves;
             for (int i = first_; i < s; ++i)
                 for (int r = 0; r < n_; ++r) v.k(r, i) += x_[(i - first_) * n_ + r];
-            if (monitor.over(change(m, h, weights))) break;
+            if (monitor.over(change(m, h, weights, system.sums()))) break;
         }
         for (int i = 0; i < s; ++i) {
             v.combine([&](int j) { return m.A(i, j); }, s, h, yi_);
@@ -97,20 +99,38 @@ class coupled_stages {
 
     /// Size of the increments of the z_i and of y1 that result, through A and b, from the increments of the
     /// slopes in x_.
-    Scalar change(const tableau<Scalar, Stages>& m, const Scalar& h, const vector& weights) {
+    template <class Sums>
+    Scalar change(const tableau<Scalar, Stages>& m, const Scalar& h, const vector& weights,
+                  const Sums& sums) {
         using std::sqrt;
+        if constexpr (!Sums::complete) {
+            const auto squares = [&](const Scalar& unit) {
+                Scalar sum(0);
+                for (int i = first_; i <= m.stages(); ++i) {
+                    increment(m, h, i);
+                    sum += (fi_.array() * weights.array() * unit).square().sum();
+                }
+                return sum / Scalar(count_ + 1);
+            };
+            return added_norm<Scalar>(squares, n_, sums);
+        }
         Scalar sum = Scalar(0), largest = Scalar(0);
         for (int i = first_; i <= m.stages(); ++i) {
-            fi_.setZero();
-            for (int j = 0; j < count_; ++j) {
-                const Scalar a = i < m.stages() ? m.A(i, first_ + j) : m.b[first_ + j];
-                for (int r = 0; r < n_; ++r) fi_[r] += h * a * x_[j * n_ + r];
-            }
+            increment(m, h, i);
             const Scalar size = weighted_norm(fi_, weights, n_);
             sum += size * size;
             if (!(size <= largest)) largest = size;
         }
         return sum - sum == Scalar(0) ? Scalar(sqrt(sum / Scalar(count_ + 1))) : largest;
+    }
+
+    /// fi_ := the increment of z_i, or of y1 for i = s, from that of the slopes in x_.
+    void increment(const tableau<Scalar, Stages>& m, const Scalar& h, int i) {
+        fi_.setZero();
+        for (int j = 0; j < count_; ++j) {
+            const Scalar a = i < m.stages() ? m.A(i, first_ + j) : m.b[first_ + j];
+            for (int r = 0; r < n_; ++r) fi_[r] += h * a * x_[j * n_ + r];
+        }
     }
 
     int n_, first_, count_;

@@ -138,6 +138,11 @@ class coupled_systems {
     }
 
     template <class System>
+    bool factor_dense(const System&,
+                      const Scalar&) requires(System::opaque || !has_entries<typename System::mass_type>) {
+        return false;  // tableau_step::prepare has refused it
+    }
+    template <class System>
     bool factor_dense(const System& system, const Scalar& h) {
         const int m = m_ * n_;
         Scalar* e = lu_.entries();

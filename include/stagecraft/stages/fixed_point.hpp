@@ -48,7 +48,7 @@ class fixed_point_stages {
             for (int i = 0; i < s; ++i) {
                 stage(i);
                 value_ = stage_ - Z.col(i);
-                const scalar size = weighted_norm(value_, weights, n_);
+                const scalar size = weighted_norm(value_, weights, n_, system.sums());
                 if (!(size <= largest)) largest = size;
                 Z.col(i) = stage_;
             }

@@ -17,15 +17,15 @@ namespace stagecraft {
 /// smaller than the tolerance. But then a real eigenvalue of the pencil (J, M) lies beyond gamma/h, and each
 /// such eigenvalue changes the sign of det(gamma/h M - J) relative to det M. The factorisation of a real
 /// block gives the sign; without a real block (even s) a factorisation is made for it. Not detected: two such
-/// eigenvalues at once, complex ones, and anything with a singular M, with banded or sparse matrices, or with
-/// a linear solver of the problem's own.
+/// eigenvalues at once, complex ones, and anything with a singular M, with banded or sparse matrices, with a
+/// linear solver of the problem's own, or where parts of the state are on other processes.
 template <class Scalar>
 class growth_watch {
   public:
     /// True if the stages, which have just been factored, show such growth beyond what rounding can explain.
     template <class System, class Stages>
     bool sees(const System& system, Stages& stages) {
-        if constexpr (!System::structured && Stages::knows_determinant) {
+        if constexpr (!System::structured && System::sums_type::complete && Stages::knows_determinant) {
             const Scalar shift = stages.growth_shift();
             if (shift == Scalar(0)) return false;
             if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);

@@ -97,7 +97,7 @@ class sequential_stages {
                 v.mass.solve(fi_.data());
                 v.k.col(i) = fi_;
                 if (implicit()) Z.col(i) = r_;
-                if (!all_finite(fi_, n_)) {
+                if (!all_finite(fi_, n_, system.sums())) {
                     slowest.end = newton_end::non_finite;
                     return slowest;
                 }
@@ -177,7 +177,7 @@ class sequential_stages {
             if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
             const int n = Vector::RowsAtCompileTime >= 0 ? Vector::RowsAtCompileTime : n_;
             for (int c = 0; c < n; ++c) v.k.data()[c + i * n] = fi_[c];
-            finite = all_finite(fi_, n);
+            finite = all_finite(fi_, n, system.sums());
         });
         last_ = yi_;
         return finite;
@@ -198,7 +198,7 @@ class sequential_stages {
             system.measure(work::solve, [&] { blocks_[b].solve(fi_.data()); });
             ++solves;
             z_ += fi_;
-            if (monitor.over(weighted_norm(fi_, weights, n_))) break;
+            if (monitor.over(weighted_norm(fi_, weights, n_, system.sums()))) break;
         }
         return monitor.outcome();
     }

@@ -103,14 +103,14 @@ class transformed_stages {
     /// measured times at n = 2, 3, 8 and 12, s = 3, 5 and 7.
     template <class System>
     block_work<Scalar> work(const System& system) const {
-        const Scalar s = Scalar(stages()), n = Scalar(size()), m = n - Scalar(positions);
+        const Scalar s = Scalar(stages()), n = Scalar(system.total_size()), m = n - Scalar(positions);
         block_work<Scalar> blocks;
         if constexpr (in_lanes) {
             blocks = {m * m * m * 6 / 5, m * m * 4};
         } else {
             block_work<Scalar> one;
             if constexpr (requires { Blocks::work(1); })
-                one = Blocks::work(size());
+                one = Blocks::work(system.total_size());
             else
                 one = work_of<typename System::matrix>::template estimate<Scalar>(system.jacobian());
             blocks = {s * one.step, s * one.iteration};
@@ -138,7 +138,7 @@ class transformed_stages {
             ++solves;
             W_ += F_;
             mix(T_.data(), F_.data(), D_.data());
-            const Scalar size = norm(D_, weights);
+            const Scalar size = norm(D_, weights, system.sums());
             if (size - size == Scalar(0))
                 for (int i = 0; i < s; ++i) Z.col(i) += D_.col(i);
             if (monitor.over(size)) break;
@@ -229,19 +229,26 @@ class transformed_stages {
         }
     }
 
-    Scalar norm(const matrix& x, const vector& weights) const {
+    template <class Sums>
+    Scalar norm(const matrix& x, const vector& weights, const Sums& sums) const {
         using std::sqrt;
-        const int n = size(), s = stages();
-        const Scalar sum = weighted_squares<Stages>(n, s, x.data(), weights.data());
+        const int s = stages();
+        Scalar n(size()), sum = weighted_squares<Stages>(size(), s, x.data(), weights.data());
+        if constexpr (!Sums::complete) {
+            Scalar part[2] = {sum, n};
+            sums(part, 2);
+            sum = part[0];
+            n = part[1];
+        }
         if (!(sum - sum == Scalar(0))) {  // the squares may have overflowed where the products have not
             Scalar largest = Scalar(0);
             for (int j = 0; j < s; ++j) {
-                const Scalar one = weighted_norm(x.col(j), weights, n);
+                const Scalar one = weighted_norm(x.col(j), weights, size(), sums);
                 if (!(one <= largest)) largest = one;
             }
             return largest;
         }
-        return n == 0 ? Scalar(0) : Scalar(sqrt(sum / Scalar(n * s)));
+        return n == Scalar(0) ? Scalar(0) : Scalar(sqrt(sum / (n * Scalar(s))));
     }
 
     tableau_type method_;

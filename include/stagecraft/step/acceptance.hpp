@@ -80,8 +80,8 @@ class acceptance {
                  const refusals& refused, bool first, report<scalar>& counts) {
         const Vector& judged = system.largest_index() > 1 ? weights_ : trial.weights;
         const auto size = [&](const Vector& x, bool reduced) {
-            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : judged,
-                                 system.size());
+            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : judged, system.size(),
+                                 system.sums());
         };
         auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
         weigh(method, system, trial, reading.ratio, refused.all > 0);
@@ -104,7 +104,7 @@ class acceptance {
             const Vector& f1 = trial.f.right(system, trial.plan.t_next, trial.y1);
             if (const int solves = method.estimate_right(system, trial.plan.h, f1, trial.now, error_)) {
                 counts.error_solves += solves;
-                raise(err, weighted_norm(error_, trial.weights, system.size()) *
+                raise(err, weighted_norm(error_, trial.weights, system.size(), system.sums()) *
                                method.right_ratio(reading.ratio));
             }
         }
@@ -117,7 +117,7 @@ class acceptance {
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
         if (continuous_) {
-            const scalar between = method.output_error(trial.now, trial.weights);
+            const scalar between = method.output_error(trial.now, trial.weights, system.sums());
             if (err < between) err = between;
         }
         return err;
@@ -126,10 +126,10 @@ class acceptance {
     /// The next step after an accepted one of error err < 1, and the method that makes it. `newton` is what
     /// the iteration told, theta its last known contraction; `kept` is true if the factors of the step would
     /// serve another one of its size.
-    template <class Step>
+    template <class Step, class Sums>
     scalar after_accepted(Step& method, const trial_step<Vector, typename Step::output>& trial, scalar err,
                           const newton_outcome<scalar>& newton, const scalar& theta, bool kept,
-                          const refusals& refused) {
+                          const refusals& refused, const Sums& sums) {
         last_h_ = trial.plan.h;
         last_method_ = this->method();
         if (jumps_.accepted(method)) {
@@ -142,7 +142,7 @@ class acceptance {
         if (refused.all > 0 && factor > scalar(1)) factor = scalar(1);
         if constexpr (Methods > 1) {
             if (order_.wants_evidence() && refused.all == 0 && !jumps_.doubted()) {
-                const scalar decay = method.decay(trial.now, trial.weights);
+                const scalar decay = method.decay(trial.now, trial.weights, sums);
                 const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations});
                 if (change > scalar(0)) {
                     factor = change;
@@ -198,7 +198,7 @@ class acceptance {
     template <class System>
     scalar unexplained(const System& system, const scalar& ratio) {
         system.weigh_raised(weights_, scalar(1) / share_);
-        const scalar whole = weighted_norm(error_, weights_, system.size()) * ratio;
+        const scalar whole = weighted_norm(error_, weights_, system.size(), system.sums()) * ratio;
         system.weigh_raised(weights_, share_);
         return whole - 40;
     }

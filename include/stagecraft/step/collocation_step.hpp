@@ -232,9 +232,10 @@ class collocation_step : public step_defaults<Space> {
 
     /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
     /// weighted norm; 0 < decay <= 1. Where the run demands it (between).
-    Scalar decay(const output& now, const vector& norm_weights) {
+    template <class Sums>
+    Scalar decay(const output& now, const vector& norm_weights, const Sums& sums) {
         using std::sqrt;
-        Scalar size[2];
+        Scalar size[3];
         for (int r = 0; r < 2; ++r) {
             scratch_ = top_(0, r) * now.increments().col(nodes_.first_column);
             for (int j = 1; j < nodes_.size; ++j)
@@ -244,8 +245,12 @@ class collocation_step : public step_defaults<Space> {
                 const Scalar v = scratch_[i] * norm_weights[i];
                 sum += v * v;
             }
-            size[r] = sqrt(sum);
+            size[r] = sum;
         }
+        size[2] = Scalar(static_cast<int>(norm_weights.size()));
+        sums(size, 3);
+        components_ = size[2];
+        for (int r = 0; r < 2; ++r) size[r] = sqrt(size[r]);
         last_coefficient_ = size[0];
         const Scalar least = Scalar(1) / 10000;
         if (!(size[1] > Scalar(0))) return Scalar(1);
@@ -258,11 +263,11 @@ class collocation_step : public step_defaults<Space> {
     /// About the largest error of the continuous solution over the step, O(h^{s+1}): twice the Legendre
     /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
     /// and J enters, so that stiff components count in full.
-    Scalar output_error(const output& now, const vector& norm_weights) {
+    template <class Sums>
+    Scalar output_error(const output& now, const vector& norm_weights, const Sums& sums) {
         using std::sqrt;
-        if (norm_weights.size() == 0) return Scalar(0);
-        const Scalar next = decay(now, norm_weights) * last_coefficient_;
-        return 2 * next / sqrt(Scalar(static_cast<int>(norm_weights.size())));
+        const Scalar next = decay(now, norm_weights, sums) * last_coefficient_;
+        return components_ == Scalar(0) ? Scalar(0) : Scalar(2 * next / sqrt(components_));
     }
 
   private:
@@ -305,7 +310,8 @@ class collocation_step : public step_defaults<Space> {
     vector scratch_, second_, rest_;
     bool stiffly_accurate_ = false, jump_ = false;
     int order_ = 0;
-    Scalar last_coefficient_{0};
+    Scalar last_coefficient_{0},
+        components_{0};  // of the decay: a_s, and how many components all processes have
 };
 
 }  // namespace stagecraft

@@ -35,12 +35,14 @@ class integrator {
     using steps = detail::steps_of<std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>,
                                    Vector, typename system<Problem, Vector>::blocks>;
     using output_type = dense_output<Vector, steps::max_stages>;
+    static constexpr bool distributed = !system<Problem, Vector>::sums_type::complete;
     static_assert(std::is_same_v<scalar, typename steps::scalar>,
                   "method and state must have the same scalar type");
 
     integrator(const Method& method, Problem& problem, const Vector& y0, const scalar& t0, const scalar& t1,
                const options<scalar>& o, bool keeps_output = true)
-        : options_(o),
+        : start_(sums_over<scalar>(problem)),
+          options_(o),
           n_(static_cast<int>(y0.size())),
           system_(problem, y0, report_),
           steps_(steps::make(detail::as_tuple(method), n_)),
@@ -55,6 +57,7 @@ class integrator {
           f_(n_),
           outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())},
           keeps_output_(keeps_output) {
+        system_.set_extent(start_.agree(system_.extent()));
         report_.set_tolerances(o);
         set_weights(options_, y_, scale_);
         h_ = plan_.equal().h;
@@ -76,11 +79,27 @@ class integrator {
     bool finished() const { return t_ == plan_.end() || status_ != status::success; }
     /// Ends the run here: status::stopped.
     void stop() { status_ = status::stopped; }
+    /// Does what `watch` does between two steps; where that returns false the run ends here. In a distributed run
+    /// all processes call it together, and all of them end where one does; an exception leaves on its own process
+    /// and is status::non_finite on the others.
+    template <class F>
+    void between_steps(F&& watch) {
+        const auto sums = system_.sums();
+        shared_failure<scalar, typename system_type::sums_type> failure;
+        scalar stops(0);
+        failure.keep([&] { stops = scalar(watch() ? 0 : 1); });
+        if (failure.anywhere(sums)) {
+            give_up(status::non_finite);
+            return;
+        }
+        sums(&stops, 1);
+        if (stops > scalar(0)) stop();
+    }
     /// Goes on from `y` in place of y() (a projection, say), both of about the accuracy asked for. The
     /// continuous solution of the last step is bent to end there, the next step starts there in every
     /// respect. std::invalid_argument where y is not finite or of another size.
     void replace_state(const Vector& y) {
-        if (y.size() != n_ || !all_finite(y, n_))
+        if (y.size() != n_ || !all_finite(y, n_, system_.sums()))
             throw std::invalid_argument("integrate: the corrected state must be finite and of the same size");
         if (has_output_) outputs_[current_].move_end(y - y_);
         y_ = y;
@@ -93,12 +112,18 @@ class integrator {
     /// (status()).
     bool step() {
         if (finished()) return false;
-        if (!started_ && !start()) return false;
+        if (!started_ && !start()) {
+            system_.failed_elsewhere();
+            return false;
+        }
         refused_ = {};
         obstacle_ = status::step_underflow;
         progress now = progress::again;
-        while (now == progress::again)
+        while (now == progress::again) {
             now = visit_current([this](auto& method) { return this->attempt(method); });
+            if ((now != progress::accepted || finished()) && system_.failed_elsewhere())
+                now = give_up(status::non_finite);
+        }
         return now == progress::accepted;
     }
 
@@ -153,7 +178,7 @@ class integrator {
         const bool choose = !plan_.fixed() && options_.initial_step == scalar(0);
         if (left || choose || has_second_order_components<Problem>) {
             const Vector& f0 = f_.left(system_, t_, y_);
-            const scalar size = weighted_norm(f0, scale_, n_);
+            const scalar size = weighted_norm(f0, scale_, n_, system_.sums());
             if (!(size - size == scalar(0))) return give_up(status::non_finite) == progress::accepted;
             if constexpr (has_second_order_components<Problem>)
                 for (int i = 0, m = position_components<Problem>(n_); i < m; ++i)
@@ -163,10 +188,10 @@ class integrator {
         }
         started_ = true;
         if (plan_.fixed()) return true;
-        h_ = plan_.first(
-            choose ? first_step(system_.mass(), y_, f_.value(), scale_, scalar(abs(plan_.end() - t_)))
-                   : options_.initial_step,
-            t_);
+        h_ = plan_.first(choose ? first_step(system_.mass(), y_, f_.value(), scale_,
+                                             scalar(abs(plan_.end() - t_)), system_.sums())
+                                : options_.initial_step,
+                         t_);
         return true;
     }
 
@@ -189,7 +214,8 @@ class integrator {
         const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
         if (!(error < scalar(1))) return refuse_error(method, plan.h, error);
         h_ = plan_.bounded(acceptance_.after_accepted(method, trial, error, newton, linear_.theta(),
-                                                      method.implicit() && linear_.serves_well(), refused_));
+                                                      method.implicit() && linear_.serves_well(), refused_,
+                                                      system_.sums()));
         return accept(method, plan, now);
     }
 
@@ -243,7 +269,8 @@ class integrator {
         obstacle_ = status::newton_failed;
         if (how == newton_end::non_finite) obstacle_ = status::non_finite;
         if (linear == linear_state::singular)
-            obstacle_ = all_finite(f_.value(), n_) ? status::singular_matrix : status::non_finite;
+            obstacle_ =
+                all_finite(f_.value(), n_, system_.sums()) ? status::singular_matrix : status::non_finite;
         ++report_.rejected_newton;
         ++refused_.all;
         if (method.implicit() && linear_.renew(system_)) return progress::again;
@@ -276,10 +303,10 @@ class integrator {
     template <class Step>
     progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
         using std::abs;
-        if (!all_finite(y1_, n_)) return give_up(status::non_finite);
+        if (!all_finite(y1_, n_, system_.sums())) return give_up(status::non_finite);
         if (method.ends_with_value()) {
             const Vector& f1 = f_.right(system_, plan.t_next, y1_);
-            if (all_finite(f1, n_))
+            if (all_finite(f1, n_, system_.sums()))
                 method.end(f1);
             else
                 method.end_without_value(plan.h, y_, y1_);
@@ -330,6 +357,7 @@ class integrator {
         return {factor, 4 * rounding, 100 * rounding, most, report_.steps > 0 && linear_.constant(system_)};
     }
 
+    [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;
     options<scalar> options_;
     int n_;
     report<scalar> report_{};

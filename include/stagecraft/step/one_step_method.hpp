@@ -53,7 +53,7 @@ struct run_demands {
 ///   - m.finish(t, y, h, y1, now): the step is accepted, now := its continuous solution; s^2 n.
 ///
 /// Everything else may be left to step_defaults, from which a model derives. A method for variable_order has
-/// decay(now, w) and, in its stages, work(system) besides.
+/// decay(now, w, sums) and, in its stages, work(system) besides.
 template <class Step, class System>
 concept one_step_method = requires(
     Step& m, const Step& c, System& system, const run_demands& demands, const typename Step::vector& x,
@@ -131,9 +131,12 @@ class step_defaults {
 
     // The continuous solution.
 
-    /// True if output_error(now, w) bounds its error between the ends.
+    /// True if output_error(now, w, sums) bounds its error between the ends.
     static constexpr bool knows_output_error() { return false; }
-    static scalar output_error(const output&, const vector& /*weights*/) { return scalar(0); }
+    template <class Sums>
+    static scalar output_error(const output&, const vector& /*weights*/, const Sums&) {
+        return scalar(0);
+    }
 
     // Jumps of f (jumps/jump_guard.hpp).
 

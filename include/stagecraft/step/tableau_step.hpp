@@ -72,6 +72,11 @@ class tableau_step : public step_defaults<Space> {
                 "integrate: method has no embedded weights to estimate errors with; use options.fixed_step, "
                 "or "
                 "step_doubling(method) of tableau/step_doubling.hpp");
+        if constexpr (System::opaque || !has_entries<typename System::mass_type>)
+            if (!is_.lower && !coupled_.splits())
+                throw std::invalid_argument(
+                    "integrate: method, whose A has no basis of eigenvectors, needs the entries of the "
+                    "Jacobian and of M, which problem.matrix() and mass().add_times do not show");
         if constexpr (!System::mass_type::identity) {
             if ((is_.left_stage || !is_.regular) && !v_.mass.prepare(system)) {
                 if (!is_.regular || !is_.stiffly_accurate)

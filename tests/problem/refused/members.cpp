@@ -8,6 +8,8 @@
 // says: problem.second_order_components must be
 // says: Problem::linear_solver must be a type
 // says: problem.measure must be a member function
+// says: problem.add_up must be a member function
+// says: problem.matrix must be a member function
 #include <array>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
@@ -44,6 +46,15 @@ struct solver {
 struct stopwatch {
     int measure(stagecraft::work) const;
 };
+struct distributed {
+    void add_up(double*, int) const;
+};
+struct opaque {
+    Matrix2d matrix() const;
+};
+struct not_opaque {
+    using matrix = Matrix2d;
+};
 #else
 struct massive {
     Matrix2d mass();
@@ -74,6 +85,13 @@ struct solver {
 struct stopwatch {
     int measure() const;
 };
+struct distributed {
+    double add_up(double) const;
+};
+struct opaque {
+    Matrix2d matrix;
+};
+struct not_opaque {};
 #endif
 
 template struct stagecraft::checked_capabilities<const massive, Vector2d, Matrix2d>;
@@ -85,3 +103,6 @@ template struct stagecraft::checked_capabilities<const constant, Vector2d, Matri
 template struct stagecraft::checked_capabilities<const second_order, Vector2d, Matrix2d>;
 template struct stagecraft::checked_capabilities<const solver, Vector2d, Matrix2d>;
 template struct stagecraft::checked_capabilities<const stopwatch, Vector2d, Matrix2d>;
+template struct stagecraft::checked_capabilities<const distributed, Vector2d, Matrix2d>;
+template struct stagecraft::checked_capabilities<const opaque, Vector2d, Matrix2d>;
+template struct stagecraft::checked_capabilities<const not_opaque, Vector2d, Matrix2d>;
