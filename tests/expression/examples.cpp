@@ -10,6 +10,7 @@
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/theory/models/legendre_model.hpp>
 #include <stagecraft/theory/models/matrix_model.hpp>
+#include <stagecraft/theory/models/pair_model.hpp>
 #include <stagecraft/theory/statements/expression.hpp>
 #include <stagecraft/theory/statements/expression_text.hpp>
 #include <stagecraft/theory/statements/expression_tree.hpp>
@@ -151,4 +152,23 @@ BOOST_AUTO_TEST_CASE(statements_hold_alike_in_the_legendre_ring_and_over_the_nod
     BOOST_TEST((holds(D<4>, iiib) && !holds(D<5>, iiib)));
     static_assert(holds(D<3>, legendre_model<fixed_rational>(tableaux::family::gauss, 3)));
     static_assert(!holds(D<4>, legendre_model<fixed_rational>(tableaux::family::gauss, 3)));
+}
+
+BOOST_AUTO_TEST_CASE(a_pair_of_tableaux_has_two_colours) {
+    using q = fixed_rational;
+    // Lobatto IIIA and IIIB with three stages, of order 4 together.
+    constexpr matrix_model<q, 3> iiia(
+        {{{0, 0, 0}, {q(5, 24), q(1, 3), q(-1, 24)}, {q(1, 6), q(2, 3), q(1, 6)}}},
+        {q(1, 6), q(2, 3), q(1, 6)}, {0, q(1, 2), 1});
+    constexpr matrix_model<q, 3> iiib(
+        {{{q(1, 6), q(-1, 6), 0}, {q(1, 6), q(1, 3), 0}, {q(1, 6), q(5, 6), 0}}}, {q(1, 6), q(2, 3), q(1, 6)},
+        {0, q(1, 2), 1});
+    constexpr pair_model pair(iiia, iiib);
+    static_assert(holds(dot(b, A_hat * c) == 1 / 6_q, pair));
+    static_assert(holds(dot(b_hat, c * (A * c_hat)) == 1 / 8_q, pair));
+    static_assert(holds(dot(b, A * (A_hat * c)) == 1 / 24_q, pair));
+    static_assert(!holds(dot(b, A_hat * (c * c * c)) == 1 / 20_q, pair));
+    PRINTS_ITSELF(dot(b_hat, c_hat * (A * (A_hat * c))) == 1 / 40_q);
+    BOOST_TEST(latex(dot(b_hat, c_hat * (A_hat * c))) ==
+               "\\sum_{i} \\hat b_{i} \\hat c_{i} \\sum_{j} \\hat a_{ij} c_{j}");
 }

@@ -5,6 +5,7 @@
 #include <stagecraft/theory/stability/algebraic_stability.hpp>
 #include <stagecraft/theory/stability/ssp.hpp>
 #include <stagecraft/theory/stability/symmetry.hpp>
+#include <stagecraft/theory/stability/symplectic_pair.hpp>
 
 #include "methods.hpp"
 
@@ -178,4 +179,19 @@ BOOST_AUTO_TEST_CASE(ssp_radii_are_the_published_ones) {
     BOOST_TEST(is(ssp_radius(methods::trapezoidal()), 2));
     BOOST_TEST(ssp_radius(methods::implicit_euler()).infinite);
     BOOST_TEST(ssp_radius(methods::gauss2()).high == quadratic(0));
+}
+
+BOOST_AUTO_TEST_CASE(lobatto_iiia_and_iiib_are_a_symplectic_pair_for_every_s) {
+    using tableaux::family;
+    for (int s = 2; s <= 60; ++s) {
+        const legendre_model<rational> iiia(family::lobatto_iiia, s), iiib(family::lobatto_iiib, s);
+        BOOST_TEST(symplectic_pair(iiia, iiib).is_proved());
+        BOOST_TEST(symplectic_pair(iiib, iiia).is_proved());
+        BOOST_TEST(symplectic_pair(iiia, iiia).is_refuted());
+        BOOST_TEST(symplectic_pair(iiia, legendre_model<rational>(family::lobatto_iiic, s)).is_refuted());
+    }
+    const legendre_model<rational> gauss(family::gauss, 5);  // symplectic by itself
+    BOOST_TEST(symplectic_pair(gauss, gauss).is_proved());
+    BOOST_CHECK_THROW(symplectic_pair(gauss, legendre_model<rational>(family::radau_iia, 5)),
+                      std::invalid_argument);
 }

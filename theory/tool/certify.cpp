@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
+#include <stagecraft/theory/stability/symplectic_pair.hpp>
 #include <string>
 #include <vector>
 
@@ -46,7 +48,30 @@ void certify_family(const options& o) {
         std::cout << certificate.text();
 }
 
+/// Two families on the same nodes, "lobatto_iiia+lobatto_iiib": whether they are a symplectic pair.
+void certify_family_pair(const options& o, std::size_t plus) {
+    const std::string& names = o.methods.front();
+    const auto first = tableaux::family_from_name(names.substr(0, plus));
+    const auto second = tableaux::family_from_name(names.substr(plus + 1));
+    const int least = std::max(tableaux::least_stages(first), tableaux::least_stages(second));
+    if (o.methods.size() != 2) throw std::invalid_argument("stages: missing after " + names);
+    const int s = tool::whole_number("stages", o.methods[1], least, 1000);
+    using model = theory::legendre_model<tableaux::rational>;
+    const auto verdict = theory::symplectic_pair(model(first, s), model(second, s));
+    if (o.files.json)
+        std::cout << nlohmann::ordered_json{{"method", names},
+                                            {"stages", s},
+                                            {"symplectic", theory::to_json(verdict)}}
+                         .dump(2)
+                  << '\n';
+    else
+        std::cout << names << ", " << s << " stages\n  symplectic pair  " << verdict.text() << '\n';
+}
+
 void run(options o) {
+    if (const auto plus = o.methods.front().find('+');
+        plus != std::string::npos && is_family(o.methods.front()))
+        return certify_family_pair(o, plus);
     if (is_family(o.methods.front())) return certify_family(o);
     if (o.from != "json" && o.from != "text")
         throw std::invalid_argument("from: '" + o.from + "', allowed: json, text");
@@ -75,6 +100,8 @@ const tool::command certify{[](CLI::App& app) {
     sub->add_option("--tolerance", o.tolerance, "absolute error that every entry but whole numbers may have");
     sub->add_option("--junit", o.files.junit, "write a JUnit report to this file");
     sub->footer(
+        "Files may hold several tableaux: additive, partitioned, separable and Nystrom methods. A pair of\n"
+        "families, lobatto_iiia+lobatto_iiib 4, is certified as symplectic.\n"
         "Exit code: 0 nothing claimed is refuted; 1 something is; 2 unusable input; 3 a claim is beyond "
         "what\n"
         "the digits given can test. Of several files the first of 1, 2, 3, 0 that occurs.");

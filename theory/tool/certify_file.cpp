@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 #include <stagecraft/tableaux/program_text.hpp>
-#include <stagecraft/theory/judging/certify_file.hpp>
+#include <stagecraft/theory/judging/certify_partitioned.hpp>
 #include <stagecraft/theory/judging/difference.hpp>
 #include <stagecraft/theory/judging/junit.hpp>
 #include <stagecraft/theory/judging/method_table.hpp>
@@ -17,7 +17,7 @@ namespace {
 using theory::file_certificate;
 
 file_certificate certificate_of(const std::string& path, const certify_options& o) {
-    if (!o.from_text) return theory::certify(tableaux::read_tableau_file(path, o.how));
+    if (!o.from_text) return theory::certify(tableaux::read_method_file(path, o.how));
     try {
         return theory::certify(tableaux::read_program_text(tableaux::text_of_file(path), o.how));
     } catch (const tableaux::unusable_input& e) {

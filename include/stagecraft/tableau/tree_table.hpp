@@ -20,6 +20,7 @@ struct tree_row {
     std::uint32_t right = 0;
     std::int16_t order = 1;
     std::int16_t multiplicity = 0;  ///< how many of the root's children equal `right`
+    std::int32_t colour = 0;        ///< of the root
     std::int64_t density = 1;       ///< gamma
     std::int64_t symmetry = 1;      ///< sigma
 };
@@ -49,29 +50,34 @@ struct tree_view {
 namespace detail {
 
 /// Fills rows for all orders; every tree arises once, because its smallest child is split off. The number of
-/// pairs looked at exceeds the number of trees by a small factor only. With a time leaf (view.has_time_leaf)
-/// the trees are those of non-autonomous problems, whose leaves are of two kinds.
-template <class Append>
-constexpr void generate_trees(tree_view& view, int max_order, const Append& append) {
-    append(tree_row{});
-    if (view.has_time_leaf) append(tree_row{});
+/// pairs looked at exceeds the number of trees by a small factor only. The vertices bear one of `colours`
+/// colours; `admits(left, right)` says whether `right` may hang at the root of `left` besides its children.
+template <class Admits, class Append>
+constexpr void generate_trees(tree_view& view, int max_order, int colours, const Admits& admits,
+                              const Append& append) {
+    for (int k = 0; k < colours; ++k) {
+        tree_row leaf;
+        leaf.colour = k;
+        append(leaf);
+    }
     view.first[1] = 0;
-    view.first[2] = view.has_time_leaf ? 2 : 1;
+    view.first[2] = static_cast<std::uint32_t>(colours);
     for (int n = 2; n <= max_order; ++n) {
         std::uint32_t next = view.first[n];
         for (int m = 1; m < n; ++m) {  // order of the left factor
             for (std::uint32_t l = view.first[m]; l < view.first[m + 1]; ++l) {
-                if (view.is_time_leaf(l)) continue;  // it has no children
                 const tree_row left = view.rows[l];
                 for (std::uint32_t r = view.first[n - m]; r < view.first[n - m + 1]; ++r) {
                     if (m > 1 && r > left.right) break;
                     const tree_row& right = view.rows[r];
+                    if (!admits(left, right)) continue;
                     tree_row t;
                     t.left = l;
                     t.right = r;
                     t.order = static_cast<std::int16_t>(n);
                     t.multiplicity =
                         static_cast<std::int16_t>(m > 1 && r == left.right ? left.multiplicity + 1 : 1);
+                    t.colour = left.colour;
                     t.density = n * (left.density / m) * right.density;
                     t.symmetry = left.symmetry * right.symmetry * t.multiplicity;
                     append(t);
@@ -83,6 +89,11 @@ constexpr void generate_trees(tree_view& view, int max_order, const Append& appe
     }
     view.max_order = max_order;
 }
+
+/// Trees of one colour, and of two where the second is that of the time leaf, which bears no children.
+struct admits_first_colour {
+    constexpr bool operator()(const tree_row& left, const tree_row&) const { return left.colour == 0; }
+};
 
 }  // namespace detail
 
@@ -98,10 +109,17 @@ class tree_table {
         for (int n = 1; n <= max_order; ++n) count += number_of_trees(n);
         if (count == 0) throw std::invalid_argument("max_order: trees have at least one vertex");
         rows_.reserve(static_cast<std::size_t>(count));
-        detail::generate_trees(view_, max_order, [this](const tree_row& row) {
-            rows_.push_back(row);
-            view_.rows = rows_;
-        });
+        generate(max_order, with_time_leaf ? 2 : 1, detail::admits_first_colour{});
+    }
+    /// Trees whose vertices have one of `colours` colours (P-trees, N-trees: Hairer-Norsett-Wanner I.II.14 and
+    /// II.15). `admits(left, right)`: whether the tree of row `right` may hang at the root of `left` besides
+    /// its children; what it admits must not depend on the order in which children are attached. Throws
+    /// std::invalid_argument for an order outside 1..14 or colours outside 1..8.
+    template <class Admits>
+    tree_table(int max_order, int colours, const Admits& admits) {
+        if (max_order < 1 || max_order > 14 || colours < 1 || colours > 8)
+            throw std::invalid_argument("coloured trees: order 1 to 14, 1 to 8 colours");
+        generate(max_order, colours, admits);
     }
     tree_table(const tree_table&) = delete;  // views point into it
     tree_table& operator=(const tree_table&) = delete;
@@ -110,6 +128,14 @@ class tree_table {
     std::size_t size() const { return rows_.size(); }
 
   private:
+    template <class Admits>
+    void generate(int max_order, int colours, const Admits& admits) {
+        detail::generate_trees(view_, max_order, colours, admits, [this](const tree_row& row) {
+            rows_.push_back(row);
+            view_.rows = rows_;
+        });
+    }
+
     std::vector<tree_row> rows_;
     tree_view view_;
 };
@@ -127,7 +153,7 @@ class fixed_tree_table {
     constexpr fixed_tree_table() {
         tree_view view;
         std::size_t used = 0;
-        detail::generate_trees(view, MaxOrder, [&](const tree_row& row) {
+        detail::generate_trees(view, MaxOrder, 1, detail::admits_first_colour{}, [&](const tree_row& row) {
             rows_[used++] = row;
             view.rows = {rows_.data(), used};
         });

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -70,7 +71,10 @@ struct line_counting_iterator {
 /// SAX handler that stops at the value with a given path, to find its line; also finds repeated keys.
 class path_finder {
   public:
-    path_finder(std::string wanted, const int& line) : wanted_(std::move(wanted)), line_(line) {}
+    path_finder(std::string wanted, const int& line)
+        : wanted_(std::move(wanted)),
+          depth_(static_cast<std::size_t>(std::count(wanted_.begin(), wanted_.end(), '/'))),
+          line_(line) {}
 
     int line() const { return found_; }
     const std::string& repeated_key() const { return repeated_; }
@@ -107,7 +111,7 @@ class path_finder {
     /// False where the walk has arrived.
     bool match() {
         std::string here;
-        if (levels_.size() <= 3)  // no wanted path is deeper
+        if (levels_.size() <= depth_)
             for (const level& l : levels_)
                 here += "/" + (l.keys.empty() ? std::to_string(l.index) : l.current);
         if (here != wanted_) return true;
@@ -130,6 +134,7 @@ class path_finder {
     }
 
     std::string wanted_;
+    std::size_t depth_;
     const int& line_;
     int found_ = 0;
     std::string repeated_;
@@ -144,18 +149,27 @@ inline path_finder find_path(std::string_view text, const std::string& path, int
     return finder;
 }
 
-/// Raises unusable_input for the entry at a JSON path.
-[[noreturn]] inline void reject(std::string_view text, const std::string& path, const std::string& entry_name,
-                                const std::string& what) {
-    int line = 1;
-    const int found = find_path(text, path, line).line();
-    throw unusable_input("line " + std::to_string(std::max(found, 1)) + ", " + entry_name + ": " + what);
-}
-
+/// A JSON object in a text: the whole of it, or one that stands at the path `at` and is called `within`.
 struct document {
     std::string_view text;
     json root;
+    std::string at = {};
+    std::string within = {};
+
+    document part(const std::string& path, const std::string& part_name, const json& value) const {
+        return {text, value, at + path, within + part_name + "."};
+    }
 };
+
+/// Raises unusable_input for the entry at a path in the document.
+[[noreturn]] inline void reject(const document& d, const std::string& path, const std::string& entry_name,
+                                const std::string& what) {
+    int line = 1;
+    const int found = find_path(d.text, d.at + path, line).line();
+    const std::string where = d.within + entry_name;
+    throw unusable_input("line " + std::to_string(std::max(found, 1)) + (where.empty() ? "" : ", ") + where +
+                         ": " + what);
+}
 
 inline document parse(std::string_view text) {
     int line = 1;
@@ -164,7 +178,7 @@ inline document parse(std::string_view text) {
         throw unusable_input("line " + std::to_string(finder.line()) + ": key " +
                              in_quotes(finder.repeated_key()) + " appears twice");
     try {
-        return {text, json::parse(text)};
+        return {text, json::parse(text), {}, {}};
     } catch (const json::parse_error& e) {
         const auto upto = text.substr(0, std::min(e.byte, text.size()));
         const auto breaks = std::count(upto.begin(), upto.end(), '\n');
@@ -196,15 +210,15 @@ inline entry number(const document& d, const json& value, const std::string& pat
     } catch (const std::invalid_argument& error) {
         const std::string shown =
             value.is_string() ? in_quotes(value.get_ref<const std::string&>()) + " " : "";
-        reject(d.text, path, entry_name, shown + error.what());
+        reject(d, path, entry_name, shown + error.what());
     }
 }
 
 inline std::vector<entry> numbers(const document& d, const json& value, const std::string& path,
                                   const std::string& vector_name, std::size_t expected) {
-    if (!value.is_array()) reject(d.text, path, vector_name, "must be a list of numbers");
+    if (!value.is_array()) reject(d, path, vector_name, "must be a list of numbers");
     if (expected != 0 && value.size() != expected)
-        reject(d.text, path, vector_name,
+        reject(d, path, vector_name,
                "has " + std::to_string(value.size()) + " entries, b has " + std::to_string(expected));
     std::vector<entry> all;
     for (std::size_t i = 0; i < value.size(); ++i)
@@ -213,9 +227,40 @@ inline std::vector<entry> numbers(const document& d, const json& value, const st
     return all;
 }
 
+/// Throws for a key that is not known, and where a required one is missing.
+inline void require_keys(const document& d, const std::set<std::string>& known,
+                         std::initializer_list<const char*> required) {
+    for (const auto& [key, value] : d.root.items())
+        if (!known.contains(key)) reject(d, "/" + key, in_quotes(key), "unknown key");
+    for (const char* key : required)
+        if (!d.root.contains(key)) reject(d, "", "", std::string(key) + " is missing");
+}
+
+/// b, whose length is the number of stages.
+inline std::vector<entry> weights(const document& d) {
+    auto b = numbers(d, d.root["b"], "/b", "b", 0);
+    if (b.empty()) reject(d, "/b", "b", "is empty");
+    if (b.size() > most_stages)
+        reject(d, "/b", "b", "has more than " + std::to_string(most_stages) + " entries");
+    return b;
+}
+
+/// The square matrix of that key.
+inline std::vector<std::vector<entry>> rows(const document& d, const std::string& key, std::size_t s) {
+    const auto& A = d.root[key];
+    if (!A.is_array() || A.size() != s)
+        reject(d, "/" + key, key,
+               "must be a list of " + std::to_string(s) + " rows, as many as b has entries");
+    std::vector<std::vector<entry>> all;
+    for (std::size_t i = 0; i < s; ++i)
+        all.push_back(numbers(d, A[i], "/" + key + "/" + std::to_string(i),
+                              key + "[" + std::to_string(i + 1) + "]", s));
+    return all;
+}
+
 inline std::string text_field(const document& d, const char* key) {
     if (!d.root.contains(key)) return {};
-    if (!d.root[key].is_string()) reject(d.text, std::string("/") + key, key, "must be a text");
+    if (!d.root[key].is_string()) reject(d, std::string("/") + key, key, "must be a text");
     return d.root[key].get<std::string>();
 }
 
@@ -230,10 +275,10 @@ inline tableaux::claims read_claims(const document& d) {
     tableaux::claims claims;
     if (!d.root.contains("claims")) return claims;
     const json& stated = d.root["claims"];
-    if (!stated.is_object()) reject(d.text, "/claims", "claims", "must be an object");
+    if (!stated.is_object()) reject(d, "/claims", "claims", "must be an object");
     for (const auto& [key, value] : stated.items()) {
         const auto refuse = [&, &key = key](const std::string& what) {
-            reject(d.text, "/claims/" + key, "claims." + in_quotes(key), what);
+            reject(d, "/claims/" + key, "claims." + in_quotes(key), what);
         };
         const auto counted = std::find_if(counted_claims.begin(), counted_claims.end(),
                                           [&key = key](const auto& c) { return c.name == key; });
@@ -253,6 +298,30 @@ inline tableaux::claims read_claims(const document& d) {
     return claims;
 }
 
+/// The tableau that a document holds, as read_tableau.
+inline tableau_file tableau(const document& d, const reading& how) {
+    if (!d.root.is_object()) reject(d, "", "", "a tableau must be a JSON object");
+    if (d.root.contains("tableau")) return tableau(d.part("/tableau", "tableau", d.root["tableau"]), how);
+    static const std::set<std::string> known{"name",       "source", "note",   "A",      "b",     "c",
+                                             "b_embedded", "claims", "family", "stages", "digits"};
+    require_keys(d, known, {"A", "b"});
+
+    tableau_file file;
+    file.name = text_field(d, "name");
+    file.source = text_field(d, "source");
+    file.b = weights(d);
+    const std::size_t s = file.b.size();
+    file.A = rows(d, "A", s);
+    if (d.root.contains("c")) file.c = numbers(d, d.root["c"], "/c", "c", s);
+    if (d.root.contains("b_embedded"))
+        file.b_embedded = numbers(d, d.root["b_embedded"], "/b_embedded", "b_embedded", s);
+    file.claims = read_claims(d);
+    if (file.claims.embedded_order && file.b_embedded.empty())
+        reject(d, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
+    apply(how, file);
+    return file;
+}
+
 }  // namespace json_reader
 
 /// Reads a tableau from JSON text (this header needs nlohmann-json):
@@ -262,39 +331,7 @@ inline tableaux::claims read_claims(const document& d) {
 /// `how` says what decimals mean. Throws unusable_input, one line naming line and entry: bad JSON, a missing, repeated or unknown key, wrong
 /// sizes, and whatever read_entry refuses.
 inline tableau_file read_tableau(std::string_view text, const reading& how = {}) {
-    using json_reader::reject;
-    const auto d = json_reader::parse(text);
-    if (!d.root.is_object()) throw unusable_input("line 1: a tableau must be a JSON object");
-    if (d.root.contains("tableau")) return read_tableau(d.root["tableau"].dump(), how);
-    static const std::set<std::string> known{"name",       "source", "note",   "A",      "b",     "c",
-                                             "b_embedded", "claims", "family", "stages", "digits"};
-    for (const auto& [key, value] : d.root.items())
-        if (!known.contains(key)) reject(text, "/" + key, json_reader::in_quotes(key), "unknown key");
-    for (const char* required : {"A", "b"})
-        if (!d.root.contains(required))
-            throw unusable_input(std::string("line 1: ") + required + " is missing");
-
-    tableau_file file;
-    file.name = json_reader::text_field(d, "name");
-    file.source = json_reader::text_field(d, "source");
-    file.b = json_reader::numbers(d, d.root["b"], "/b", "b", 0);
-    const std::size_t s = file.b.size();
-    if (s == 0) reject(text, "/b", "b", "is empty");
-    if (s > most_stages) reject(text, "/b", "b", "has more than " + std::to_string(most_stages) + " entries");
-    const auto& A = d.root["A"];
-    if (!A.is_array() || A.size() != s)
-        reject(text, "/A", "A", "must be a list of " + std::to_string(s) + " rows, as many as b has entries");
-    for (std::size_t i = 0; i < s; ++i)
-        file.A.push_back(
-            json_reader::numbers(d, A[i], "/A/" + std::to_string(i), "A[" + std::to_string(i + 1) + "]", s));
-    if (d.root.contains("c")) file.c = json_reader::numbers(d, d.root["c"], "/c", "c", s);
-    if (d.root.contains("b_embedded"))
-        file.b_embedded = json_reader::numbers(d, d.root["b_embedded"], "/b_embedded", "b_embedded", s);
-    file.claims = json_reader::read_claims(d);
-    if (file.claims.embedded_order && file.b_embedded.empty())
-        reject(text, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
-    apply(how, file);
-    return file;
+    return json_reader::tableau(json_reader::parse(text), how);
 }
 
 /// The text of a file, "-" for standard input. Throws unusable_input that names it where it cannot be read,

@@ -8,6 +8,14 @@
 
 namespace stagecraft::tableaux {
 
+/// Adds what is claimed, where anything is, as "claims".
+inline void add_claims(const claims& stated, nlohmann::ordered_json& j) {
+    for (const auto& [key, value] : counted_claims)
+        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
+    for (const auto& [key, value] : yes_no_claims)
+        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
+}
+
 /// The file as JSON that read_tableau reads: every entry as the text it was written in.
 inline nlohmann::ordered_json to_json(const tableau_file& file) {
     const auto texts = [](const std::vector<entry>& entries) {
@@ -20,10 +28,7 @@ inline nlohmann::ordered_json to_json(const tableau_file& file) {
     for (const auto& row : file.A) j["A"].push_back(texts(row));
     j["b"] = texts(file.b);
     if (!file.b_embedded.empty()) j["b_embedded"] = texts(file.b_embedded);
-    for (const auto& [key, value] : counted_claims)
-        if (file.claims.*value) j["claims"][std::string(key)] = *(file.claims.*value);
-    for (const auto& [key, value] : yes_no_claims)
-        if (file.claims.*value) j["claims"][std::string(key)] = *(file.claims.*value);
+    add_claims(file.claims, j);
     return j;
 }
 

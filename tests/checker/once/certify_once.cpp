@@ -2,7 +2,7 @@
 #include "certify_once.hpp"
 
 #include <sstream>
-#include <stagecraft/theory/judging/certify_file.hpp>
+#include <stagecraft/theory/judging/certify_partitioned.hpp>
 
 namespace certify_once {
 
@@ -12,6 +12,10 @@ stagecraft::theory::file_certificate certify(std::string_view text) {
 
 stagecraft::theory::file_certificate certify_file(const std::string& path) {
     return stagecraft::theory::certify(stagecraft::tableaux::read_tableau_file(path));
+}
+
+stagecraft::theory::file_certificate certify_method(std::string_view text, const std::string& folder) {
+    return stagecraft::theory::certify(stagecraft::tableaux::read_method(text, {}, folder));
 }
 
 int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err,

@@ -30,6 +30,7 @@ inline file_certificate certify(const tableaux::tableau_file& file) {
     certificate.data = tableaux::name(file.kind());
     certificate.stages = file.stages();
     certificate.file = file;
+    certificate.tableau = tableaux::to_json(file);
     const auto examine = [&](const auto& subject) {
         judge(subject, file.claims, certificate);
         certificate.spectra = spectra_of(subject);

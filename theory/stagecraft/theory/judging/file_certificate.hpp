@@ -75,13 +75,18 @@ struct file_certificate {
     std::vector<std::string> notes;  ///< how the file was read, and what is remarkable
     std::optional<nearest_family> nearest;
     theory::spectra spectra;
-    tableaux::tableau_file file;  ///< what was judged
+    tableaux::tableau_file file;             ///< what was judged, where it is a single tableau
+    nlohmann::ordered_json tableau;          ///< what was judged, as JSON that the command reads
+    std::vector<file_certificate> partners;  ///< of a method of several tableaux, each for itself
 
     /// Refuted where any claim is, else inconclusive where any is, proved where all are, consistent otherwise.
     standing overall() const {
         const auto any = [&](standing s) {
-            return std::any_of(findings.begin(), findings.end(),
-                               [&](const finding& f) { return f.judgement && f.judgement->standing() == s; });
+            return std::any_of(
+                       findings.begin(), findings.end(),
+                       [&](const finding& f) { return f.judgement && f.judgement->standing() == s; }) ||
+                   std::any_of(partners.begin(), partners.end(),
+                               [&](const file_certificate& p) { return p.overall() == s; });
         };
         for (const standing s : {standing::refuted, standing::inconclusive, standing::consistent})
             if (any(s)) return s;
@@ -127,7 +132,7 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
         }
         j[f.name] = std::move(entry);
     }
-    add_to_json(c.spectra, j);
+    if (c.partners.empty()) add_to_json(c.spectra, j);
     j["failures"] = nlohmann::ordered_json::array();
     for (const failure& f : c.failures)
         j["failures"].push_back({{"condition", f.condition}, {"tree", f.tree}, {"residual", f.residual}});
@@ -141,7 +146,11 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
                         {"stages", c.nearest->stages},
                         {"error", c.nearest->error},
                         {"entry", c.nearest->entry}};
-    if (c.file.stages() > 0) j["tableau"] = tableaux::to_json(c.file);
+    for (file_certificate p : c.partners) {
+        p.tableau = nullptr;  // it stands in that of the whole
+        j["partners"].push_back(to_json(p));
+    }
+    if (!c.tableau.is_null()) j["tableau"] = c.tableau;
     return j;
 }
 
@@ -149,6 +158,19 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
 inline std::string json_text(const file_certificate& c) {
     return to_json(c).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
+
+namespace detail {
+inline std::string indented(const std::string& lines) {
+    std::string out;
+    bool start = true;
+    for (const char ch : lines) {
+        if (start) out += "  ";
+        out += ch;
+        start = ch == '\n';
+    }
+    return out;
+}
+}  // namespace detail
 
 /// The certificate for a reader, several lines.
 inline std::string to_text(const file_certificate& c) {
@@ -191,6 +213,7 @@ inline std::string to_text(const file_certificate& c) {
         out += "  nearest: " + c.nearest->family + ", s = " + std::to_string(c.nearest->stages) +
                ", largest error " + c.nearest->error +
                (c.nearest->entry.empty() ? "" : " at " + c.nearest->entry) + "\n";
+    for (const file_certificate& p : c.partners) out += detail::indented(to_text(p));
     return out + "  verdict: " + std::string(name(c.overall())) + "\n";
 }
 

@@ -37,48 +37,42 @@ inline int matching_digits(tableaux::bound residual) {
     return residual > 0 ? static_cast<int>(std::floor(-std::log10(residual))) : 0;
 }
 
-/// The finding on one set of weights, and its failures.
-template <class K, class Weights>
-finding judge_order(const subject<K>& s, const Weights& weights, const std::string& which,
-                    std::optional<int> claimed, bool row_sums_fail, std::vector<failure>& failures) {
-    auto found = find_order(s, weights, search_limit(s, claimed));
+/// What is known of the order of some weights besides the search.
+struct order_facts {
+    int value = 0;         ///< to be reported
+    int refuted_from = 0;  ///< the first order that certainly fails
+    bool by_time = false;  ///< for non-autonomous problems only, which see that c is not A*1
+    std::string barrier;   ///< why that order fails where no condition was looked at
+};
+
+/// The verdict on an order, from a search whose failures begin at `first`. Exact: the residuals decide.
+template <class Failure>
+finding order_verdict(std::string name, std::optional<int> claimed, const search_for_order<Failure>& found,
+                      const order_facts& facts, bool exact, const failure* first) {
     finding f;
-    f.name = which == "b" ? "order" : "embedded_order";
-    f.value = exact_scalar<K> ? found.order : std::min(found.order, found.tested);
-    int refuted_from = found.order + 1;  // the first order that certainly fails
-    if (row_sums_fail && found.order > 1) {
-        const int searched = std::min(found.order, 8);
-        const int order = non_autonomous_order(s, weights, searched);
-        if (order < searched) refuted_from = order + 1;
-        f.value = std::min(*f.value, order);
-    }
-    const std::size_t first = failures.size();
-    for (const auto& [tree, residual] : found.failing) {
-        std::string condition = condition_text(tree);
-        if (which != "b") condition.replace(condition.find("dot(b,"), 6, "dot(" + which + ",");
-        failures.push_back({std::move(condition), bracket(tree), shown(residual), in_words(residual)});
-    }
+    f.name = std::move(name);
+    f.value = facts.value;
     if (claimed) f.claimed = std::to_string(*claimed);
     auto& judged = claimed ? f.judgement : f.truth;
-    const int order = claimed.value_or(*f.value);
+    const int order = claimed.value_or(facts.value);
     const auto& size = found.up_to(order);
-    if (refuted_from <= order) {
-        std::string why = "order " + std::to_string(refuted_from - 1);
-        if (refuted_from <= found.order)
+    if (facts.refuted_from <= order) {
+        std::string why = "order " + std::to_string(facts.refuted_from - 1);
+        if (facts.by_time)
             why += ": c is not A*1, and a non-autonomous problem sees it";
-        else if (found.failing.empty())
-            why += ", the most that " + std::to_string(s.stages()) + " stages can have";
+        else if (!first)
+            why += facts.barrier;
         else
-            why += ": " + failures[first].condition + " leaves " + failures[first].in_words;
-        if (found.numerical > *f.value) {
+            why += ": " + first->condition + " leaves " + first->in_words;
+        if (found.numerical > facts.value) {
             const auto left = found.up_to(found.numerical).residual;
             f.numerical = numerical_order{found.numerical, brief(left), matching_digits(left)};
             why += "; " + in_words(*f.numerical);
         }
         judged = verdict::refuted(std::move(why));
-    } else if constexpr (exact_scalar<K>) {
+    } else if (exact) {
         std::string why = "every condition up to order " + std::to_string(order) + " holds";
-        if (*f.value > order) why += ", and the order is " + std::to_string(*f.value);
+        if (facts.value > order) why += ", and the order is " + std::to_string(facts.value);
         judged = verdict::proved(std::move(why));
     } else if (order > found.tested) {
         judged = verdict::inconclusive(brief(size.residual), brief(size.bound),
@@ -87,6 +81,32 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
         judged = verdict::consistent(brief(size.residual), brief(size.bound), data_reason);
     }
     return f;
+}
+
+/// The finding on one set of weights, and its failures.
+template <class K, class Weights>
+finding judge_order(const subject<K>& s, const Weights& weights, const std::string& which,
+                    std::optional<int> claimed, bool row_sums_fail, std::vector<failure>& failures) {
+    auto found = find_order(s, weights, search_limit(s, claimed));
+    order_facts facts;
+    facts.value = exact_scalar<K> ? found.order : std::min(found.order, found.tested);
+    facts.refuted_from = found.order + 1;
+    facts.barrier = ", the most that " + std::to_string(s.stages()) + " stages can have";
+    if (row_sums_fail && found.order > 1) {
+        const int searched = std::min(found.order, 8);
+        const int order = non_autonomous_order(s, weights, searched);
+        if (order < searched) facts.refuted_from = order + 1;
+        facts.by_time = facts.refuted_from <= found.order;
+        facts.value = std::min(facts.value, order);
+    }
+    const std::size_t first = failures.size();
+    for (const auto& [tree, residual] : found.failing) {
+        std::string condition = condition_text(tree);
+        if (which != "b") condition.replace(condition.find("dot(b,"), 6, "dot(" + which + ",");
+        failures.push_back({std::move(condition), bracket(tree), shown(residual), in_words(residual)});
+    }
+    return order_verdict(which == "b" ? "order" : "embedded_order", claimed, found, facts, exact_scalar<K>,
+                         found.failing.empty() ? nullptr : &failures[first]);
 }
 
 template <class K>

@@ -31,27 +31,42 @@ struct condition_sizes {
     tableaux::bound bound = 0;
     tableaux::bound relative_residual = 0;
     tableaux::bound relative_bound = 0;
+
+    /// Takes in a condition that leaves `defect`/gamma.
+    template <class K>
+    void take(const K& defect, tableaux::bound gamma);
 };
+
+/// Residuals of conditions beyond this part of 1/gamma are no rounding errors, but a lower order.
+inline constexpr tableaux::bound rounding_level = 1e-6L;
 
 /// The order of one set of weights: `order` is the largest order no condition of which certainly fails;
 /// `failing` the conditions of the next order that do, empty where the search ended first. Over enclosures
 /// `tested` is the largest order up to which every bound is small enough to refute. `numerical` is the largest
 /// order up to which no condition leaves more than `rounding_level` of its 1/gamma.
-template <class K>
-struct order_finding {
+template <class Failure>
+struct search_for_order {
     int order = 0;
     int tested = 0;
     int numerical = 0;
-    std::vector<tree_residual<K>> failing;
+    std::vector<Failure> failing;
     std::vector<condition_sizes> sizes{1};  ///< sizes[n]: up to order n, as far as was looked
 
     const condition_sizes& up_to(int n) const {
         return sizes[std::min(static_cast<std::size_t>(n), sizes.size() - 1)];
     }
+    /// Takes in order n, all conditions of which have been looked at: whether the search goes on.
+    bool conclude(int n, const condition_sizes& size) {
+        if (failing.empty()) order = n;
+        if (order == n && tested == n - 1 && !says_nothing(size.relative_bound, 1)) tested = n;
+        if (numerical == n - 1 && size.relative_residual <= rounding_level) numerical = n;
+        sizes.push_back(size);
+        return failing.empty() || numerical == n;
+    }
 };
 
-/// Residuals of conditions beyond this part of 1/gamma are no rounding errors, but a lower order.
-inline constexpr tableaux::bound rounding_level = 1e-6L;
+template <class K>
+using order_finding = search_for_order<tree_residual<K>>;
 
 /// |x|: of an enclosure, of its middle.
 template <class K>
@@ -69,6 +84,19 @@ tableaux::bound uncertainty_of(const K& x) {
         return x.radius();
     else
         return 0;
+}
+
+template <class K>
+void condition_sizes::take(const K& defect, tableaux::bound gamma) {
+    const bool fails = certainly_nonzero(defect);
+    if constexpr (exact_scalar<K>)
+        if (!fails) return;
+    const auto left = size_of(defect), bound_on_it = uncertainty_of(defect);
+    relative_residual = std::max(relative_residual, left);
+    residual = std::max(residual, left / gamma);
+    if (fails) return;
+    relative_bound = std::max(relative_bound, bound_on_it);
+    bound = std::max(bound, bound_on_it / gamma);
 }
 
 /// No method with s stages exceeds order 2s (lecture, Lemma 2.6), no explicit one order s
@@ -90,23 +118,11 @@ bool look_at_order(const tree_weights<matrix_model<K>>& walk, const tree_view& t
     for (std::size_t i = 0; i < walk.weights().size(); ++i) {
         const std::uint32_t row = walk.first_row() + static_cast<std::uint32_t>(i);
         const K defect = walk.defect(i);
-        const auto gamma = static_cast<tableaux::bound>(trees.rows[row].density);
-        const bool fails = certainly_nonzero(defect);
-        if (fails && holds_so_far) found.failing.push_back({trees.tree(row), walk.residual(i)});
-        if constexpr (exact_scalar<K>)
-            if (!fails) continue;
-        const auto left = size_of(defect), bound = uncertainty_of(defect);
-        size.relative_residual = std::max(size.relative_residual, left);
-        size.residual = std::max(size.residual, left / gamma);
-        if (fails) continue;
-        size.relative_bound = std::max(size.relative_bound, bound);
-        size.bound = std::max(size.bound, bound / gamma);
+        if (certainly_nonzero(defect) && holds_so_far)
+            found.failing.push_back({trees.tree(row), walk.residual(i)});
+        size.take(defect, static_cast<tableaux::bound>(trees.rows[row].density));
     }
-    if (found.failing.empty()) found.order = n;
-    if (found.order == n && found.tested == n - 1 && !says_nothing(size.relative_bound, 1)) found.tested = n;
-    if (found.numerical == n - 1 && size.relative_residual <= rounding_level) found.numerical = n;
-    found.sizes.push_back(size);
-    return found.failing.empty() || found.numerical == n;
+    return found.conclude(n, size);
 }
 
 }  // namespace detail

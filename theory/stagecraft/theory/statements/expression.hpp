@@ -16,7 +16,8 @@
 /// Four sorts: maps (A, transposed(A), P), stage vectors (one, c, A*v, u*v pointwise, pow<n>(v), P*v), rows,
 /// that is functionals (b, b*v, transposed(A)*b, last), and numbers (dot(row, vector)). u and v stand for
 /// arbitrary stage vectors; an equation with them holds if it holds for all. An expression that could be read
-/// in two ways does not compile, and the message says how to write what is meant.
+/// in two ways does not compile, and the message says how to write what is meant. A_hat, b_hat and c_hat are
+/// those of the second tableau of a pair_model: dot(b, A_hat*c) == 1/6_q.
 namespace stagecraft::theory {
 
 template <expression L, expression R>
@@ -27,6 +28,8 @@ constexpr auto operator*(L l, R r) {
                       "transposed(A) acts on rows: write transposed(A)*b or transposed(A)*(b*v)");
         if constexpr (std::is_same_v<L, map_A>)
             return application<R>{r};
+        else if constexpr (std::is_same_v<L, map_A_hat>)
+            return hat_application<R>{r};
         else if constexpr (std::is_same_v<L, map_P>)
             return reflection<R>{r};
         else
@@ -141,6 +144,9 @@ constexpr auto operator==(L l, right_hand_side r) {
 
 namespace symbols {
 inline constexpr map_A A{};
+inline constexpr map_A_hat A_hat{};
+inline constexpr hat_node_vector c_hat{};
+inline constexpr hat_weight_row b_hat{};
 inline constexpr map_P P{};  ///< reverses the stages
 inline constexpr unit_vector one{};
 inline constexpr node_vector c{};

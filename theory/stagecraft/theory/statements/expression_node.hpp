@@ -133,6 +133,11 @@ struct map_P {
     static constexpr sorts sort = sorts::map;
 };
 
+// A_hat, c_hat, b_hat: those of the second tableau of a pair_model, whose hat() is it.
+struct map_A_hat {
+    static constexpr sorts sort = sorts::map;
+};
+
 struct unit_vector {
     static constexpr sorts sort = sorts::vector;
     static constexpr unsigned free = 0;
@@ -147,6 +152,14 @@ struct node_vector {
     template <stage_algebra M>
     constexpr element_of<M> in(const M& m, const bindings<M>&) const {
         return m.c();
+    }
+};
+struct hat_node_vector {
+    static constexpr sorts sort = sorts::vector;
+    static constexpr unsigned free = 0;
+    template <stage_algebra M>
+    constexpr element_of<M> in(const M& m, const bindings<M>&) const {
+        return m.hat().c();
     }
 };
 template <int I>  // 0: u, 1: v
@@ -166,6 +179,16 @@ struct application {  // A*v
     template <stage_algebra M>
     constexpr element_of<M> in(const M& m, const bindings<M>& any) const {
         return m.apply(argument.in(m, any));
+    }
+};
+template <vector_expression V>
+struct hat_application {  // A_hat*v
+    static constexpr sorts sort = sorts::vector;
+    static constexpr unsigned free = V::free;
+    V argument;
+    template <stage_algebra M>
+    constexpr element_of<M> in(const M& m, const bindings<M>& any) const {
+        return m.hat().apply(argument.in(m, any));
     }
 };
 template <vector_expression V>
@@ -211,6 +234,14 @@ struct weight_row {
     template <stage_algebra M>
     constexpr element_of<M> in(const M& m, const bindings<M>&) const {
         return detail::weights(m);
+    }
+};
+struct hat_weight_row {
+    static constexpr sorts sort = sorts::row;
+    static constexpr unsigned free = 0;
+    template <stage_algebra M>
+    constexpr element_of<M> in(const M& m, const bindings<M>&) const {
+        return detail::weights(m.hat());
     }
 };
 struct last_stage {  // v -> v_s; stands in the first place of dot only
@@ -316,5 +347,7 @@ template <class>
 inline constexpr bool is_application = false;
 template <class V>
 inline constexpr bool is_application<application<V>> = true;
+template <class V>
+inline constexpr bool is_application<hat_application<V>> = true;
 
 }  // namespace stagecraft::theory

@@ -31,6 +31,8 @@ struct in_source {
     static formula of(unit_vector) { return {"one"}; }
     static formula of(node_vector) { return {"c"}; }
     static formula of(weight_row) { return {"b"}; }
+    static formula of(hat_node_vector) { return {"c_hat"}; }
+    static formula of(hat_weight_row) { return {"b_hat"}; }
     static formula of(last_stage) { return {"last"}; }
     template <int I>
     static formula of(any_vector<I>) {
@@ -42,6 +44,10 @@ struct in_source {
     template <class V>
     static formula of(const application<V>& e) {
         return {"A*" + of(e.argument).at_least(atomic), multiplicative};
+    }
+    template <class V>
+    static formula of(const hat_application<V>& e) {
+        return {"A_hat*" + of(e.argument).at_least(atomic), multiplicative};
     }
     template <class V>
     static formula of(const reflection<V>& e) {
@@ -120,14 +126,11 @@ struct in_latex {
     }
     template <class V>
     static formula of(const application<V>& e, const place& at) {
-        const place inside = deeper(at);
-        const std::string separator = at.index.size() > 1 ? "," : "";
-        const std::string entry = "a_{" + at.index + separator + inside.index + "}";
-        const std::string sum = "\\sum_{" + inside.index + "} ";
-        if constexpr (std::is_same_v<V, unit_vector>)
-            return {sum + entry, open_sum};
-        else
-            return {sum + entry + " " + of(e.argument, inside).latex_at_least(open_sum), open_sum};
+        return application_of("a", e.argument, at);
+    }
+    template <class V>
+    static formula of(const hat_application<V>& e, const place& at) {
+        return application_of("\\hat a", e.argument, at);
     }
     template <class F>
     static formula of(const transposed_application<F>& e, const place& at) {
@@ -162,6 +165,17 @@ struct in_latex {
     }
 
   private:
+    template <class V>
+    static formula application_of(const std::string& name, const V& argument, const place& at) {
+        const place inside = deeper(at);
+        const std::string separator = at.index.size() > 1 ? "," : "";
+        const std::string entry = name + "_{" + at.index + separator + inside.index + "}";
+        const std::string sum = "\\sum_{" + inside.index + "} ";
+        if constexpr (std::is_same_v<V, unit_vector>)
+            return {sum + entry, open_sum};
+        else
+            return {sum + entry + " " + of(argument, inside).latex_at_least(open_sum), open_sum};
+    }
     static place deeper(const place& at) { return {index_letter(at.next), at.next + 1}; }
 
     template <class E>
@@ -194,6 +208,12 @@ struct in_latex {
     static void collect(unit_vector, const place&, factor_list&) {}
     static void collect(node_vector, const place& at, factor_list& f) { append(f, {"c_{" + at.index + "}"}); }
     static void collect(weight_row, const place& at, factor_list& f) { append(f, {"b_{" + at.index + "}"}); }
+    static void collect(hat_node_vector, const place& at, factor_list& f) {
+        append(f, {"\\hat c_{" + at.index + "}"});
+    }
+    static void collect(hat_weight_row, const place& at, factor_list& f) {
+        append(f, {"\\hat b_{" + at.index + "}"});
+    }
     template <int I>
     static void collect(any_vector<I>, const place& at, factor_list& f) {
         append(f, {(I == 0 ? "u_{" : "v_{") + at.index + "}"});

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/tableaux/tableau_file.hpp>
+#include <stagecraft/tableaux/tableau_json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// How several tableaux with the same number of stages belong together.
+enum class coupling {
+    additive,     ///< y' = f_1(y) + f_2(y) + ..., implicit-explicit methods above all
+    partitioned,  ///< y' = f(y, z), z' = g(y, z): the first tableau for y, the second for z
+    separable,    ///< y' = f(z), z' = g(y)
+    nystrom       ///< y'' = f(t, y), or y'' = f(t, y, y') where the file has A
+};
+
+struct named_coupling {
+    std::string_view name;  ///< "form" in the file
+    tableaux::coupling value;
+};
+inline constexpr std::array<named_coupling, 4> couplings{{{"additive", coupling::additive},
+                                                          {"partitioned", coupling::partitioned},
+                                                          {"separable", coupling::separable},
+                                                          {"nystrom", coupling::nystrom}}};
+
+constexpr std::string_view name(coupling c) {
+    for (const auto& each : couplings)
+        if (each.value == c) return each.name;
+    return {};
+}
+
+/// A method of several tableaux as a file gives it. A Nystrom method has two: A_bar, b_bar, which make y from
+/// h^2 f, and A, b, which make y' from h f; both have its c.
+struct partitioned_file {
+    std::string name;
+    std::string source;
+    tableaux::coupling coupling = coupling::additive;
+    std::vector<tableau_file> partners;
+    bool uses_velocity = false;  ///< Nystrom: f depends on y', A is given
+    tableaux::claims claims;     ///< on the whole: orders, symplectic
+
+    int stages() const { return partners.front().stages(); }
+
+    /// All entries together.
+    number_kind kind() const {
+        tableau_file all;
+        for (const auto& p : partners) p.for_each_entry([&](const entry& e) { all.b.push_back(e); });
+        return all.kind();
+    }
+};
+
+/// What a message calls the k-th tableau: its name, or its number.
+inline std::string partner_name(const partitioned_file& file, std::size_t k) {
+    if (file.coupling == coupling::nystrom) return k == 0 ? "the formula for y" : "the formula for y'";
+    const std::string& given = file.partners[k].name;
+    return given.empty() ? "tableau " + std::to_string(k + 1) : given;
+}
+
+/// The file as JSON that read_method reads.
+inline nlohmann::ordered_json to_json(const partitioned_file& file) {
+    nlohmann::ordered_json j{{"name", file.name}, {"source", file.source}, {"form", name(file.coupling)}};
+    if (file.coupling == coupling::nystrom) {
+        const auto position = to_json(file.partners[0]), velocity = to_json(file.partners[1]);
+        j["c"] = position["c"];
+        j["A_bar"] = position["A"];
+        j["b_bar"] = position["b"];
+        if (file.uses_velocity) j["A"] = velocity["A"];
+        j["b"] = velocity["b"];
+        if (position.contains("b_embedded")) {
+            j["b_bar_embedded"] = position["b_embedded"];
+            j["b_embedded"] = velocity["b_embedded"];
+        }
+    } else {
+        for (const auto& p : file.partners) j["partners"].push_back(to_json(p));
+    }
+    add_claims(file.claims, j);
+    return j;
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stagecraft/tableaux/read_partitioned.hpp>
+#include <stagecraft/theory/judging/certify_file.hpp>
+#include <stagecraft/theory/judging/judge_coupling.hpp>
+#include <utility>
+#include <variant>
+
+namespace stagecraft::theory {
+
+/// Judges a method of several tableaux: order of all together by coloured trees and which of them fails, stage
+/// order, symplecticity; of additive and partitioned methods also each tableau for itself, of which the order
+/// of the whole is claimed.
+inline file_certificate certify(const tableaux::partitioned_file& file) {
+    file_certificate certificate;
+    certificate.name = file.name;
+    certificate.source = file.source;
+    certificate.data = std::string(name(file.coupling)) + ", " + std::string(tableaux::name(file.kind()));
+    certificate.stages = file.stages();
+    certificate.tableau = to_json(file);
+    const auto examine = [&]<class K>(subject<K> (*convert)(const tableaux::tableau_file&)) {
+        coupled_subject<K> s{&file, {}};
+        for (const auto& p : file.partners) s.partners.push_back(convert(p));
+        judge(s, certificate);
+    };
+    if (file.kind() <= tableaux::number_kind::quadratic)
+        examine(detail::exact_subject);
+    else
+        examine(detail::enclosed_subject);
+    using tableaux::coupling;
+    if (file.coupling != coupling::additive && file.coupling != coupling::partitioned) return certificate;
+    for (std::size_t k = 0; k < file.partners.size(); ++k) {
+        tableaux::tableau_file alone = file.partners[k];
+        alone.name = partner_name(file, k);
+        if (!alone.claims.order) alone.claims.order = file.claims.order;
+        if (!alone.claims.embedded_order && !alone.b_embedded.empty())
+            alone.claims.embedded_order = file.claims.embedded_order;
+        certificate.partners.push_back(certify(alone));
+    }
+    return certificate;
+}
+
+inline file_certificate certify(const tableaux::method_file& file) {
+    return std::visit([](const auto& f) { return certify(f); }, file);
+}
+
+}  // namespace stagecraft::theory

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <stagecraft/tableau/tree_table.hpp>
+#include <stagecraft/tableaux/partitioned_file.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::theory {
+
+/// Which trees belong to a form of system, by the colours of a vertex and of what may hang at it. Additive and
+/// partitioned: any (P-trees, Hairer-Norsett-Wanner I.II.15). Separable: the colours alternate. Nystrom
+/// (N-trees, I.II.14): colour 0 stands for y, whose derivative is y', so it bears one child at most, and that
+/// is of colour 1; colour 1 stands for y', whose derivative is f(y) or f(y, y').
+struct admits_coupling {
+    tableaux::coupling coupling;
+    bool uses_velocity;
+
+    constexpr bool operator()(const tree_row& left, const tree_row& right) const {
+        if (coupling == tableaux::coupling::separable) return left.colour != right.colour;
+        if (coupling != tableaux::coupling::nystrom) return true;
+        if (left.colour == 0) return left.order == 1 && right.colour == 1;
+        return uses_velocity || right.colour == 0;
+    }
+};
+
+/// The trees of orders 1..max_order for a method of so many tableaux.
+inline tree_table coupled_trees(tableaux::coupling c, bool uses_velocity, int partners, int max_order) {
+    return tree_table(max_order, partners, admits_coupling{c, uses_velocity});
+}
+
+/// A method of several tableaux over K: matrices and weights by colour, c for Nystrom methods only.
+template <class K>
+struct coloured_method {
+    using matrix = Eigen::Matrix<K, Eigen::Dynamic, Eigen::Dynamic>;
+    using column = Eigen::Matrix<K, Eigen::Dynamic, 1>;
+    bool nystrom = false;
+    std::vector<matrix> A;
+    std::vector<column> b;
+    column c;
+};
+
+/// visit(row, weight) for each tree with a condition, by the number of vertices: the elementary weight
+/// b^T phi, which the condition wants to be 1/gamma (gamma does not depend on the colours: Hairer-Norsett-
+/// Wanner I.II.15, Theorem 15.9, and II.14, Theorem 14.10). A vertex multiplies A phi of its children, each
+/// with the A of the child's colour. Ends where visit returns false. s^2 operations a tree.
+template <class K, class Visit>
+void visit_coloured_trees(const coloured_method<K>& m, const tree_view& trees, Visit&& visit) {
+    using column = typename coloured_method<K>::column;
+    const auto s = m.b.front().size();
+    const auto times_a = [&](std::size_t colour, const column& v) {
+        column product(s);
+        for (Eigen::Index i = 0; i < s; ++i) {
+            product[i] = m.A[colour](i, 0) * v[0];
+            for (Eigen::Index j = 1; j < s; ++j) product[i] = product[i] + m.A[colour](i, j) * v[j];
+        }
+        return product;
+    };
+    column one(s);
+    for (Eigen::Index i = 0; i < s; ++i) one[i] = K(1);
+    std::vector<column> stages, branches;  // phi and A phi, by row of the table
+    for (std::uint32_t row = 0; row < trees.rows.size(); ++row) {
+        const tree_row& t = trees.rows[row];
+        const auto colour = static_cast<std::size_t>(t.colour);
+        if (m.nystrom && colour == 0 && t.order == 1) {  // y itself: no condition
+            stages.push_back(one);
+            branches.push_back(m.c);
+            continue;
+        }
+        column phi = one;
+        if (m.nystrom && colour == 0)
+            phi = stages[t.right];
+        else if (t.order > 1)
+            for (Eigen::Index i = 0; i < s; ++i) phi[i] = stages[t.left][i] * branches[t.right][i];
+        K weight = m.b[colour][0] * phi[0];
+        for (Eigen::Index i = 1; i < s; ++i) weight = weight + m.b[colour][i] * phi[i];
+        if (!visit(row, weight)) return;
+        if (t.order == trees.max_order) continue;
+        branches.push_back(times_a(colour, phi));
+        stages.push_back(std::move(phi));
+    }
+}
+
+/// Bit k is set where a vertex of the tree has colour k.
+inline unsigned colours_of(const tree_view& trees, std::uint32_t row) {
+    const tree_row& t = trees.rows[row];
+    const unsigned own = 1U << static_cast<unsigned>(t.colour);
+    return t.order == 1 ? own : own | colours_of(trees, t.left) | colours_of(trees, t.right);
+}
+
+/// How conditions name the coefficients of each colour: "", "_hat" for a pair, "_1", "_2", ... for more;
+/// "_bar", "" for Nystrom methods.
+inline std::string colour_suffix(bool nystrom, std::size_t partners, std::int32_t colour) {
+    if (nystrom) return colour == 0 ? "_bar" : "";
+    if (partners > 2) return "_" + std::to_string(colour + 1);
+    return colour == 0 ? "" : "_hat";
+}
+
+/// Conditions and coloured trees as text.
+class coloured_text {
+  public:
+    coloured_text(const tree_view& trees, bool nystrom, std::size_t partners)
+        : trees_(trees), nystrom_(nystrom), partners_(partners) {}
+
+    /// "dot(b, c_hat*(A*c)) == 1/8": in the expression language.
+    std::string condition(std::uint32_t row) const {
+        const tree_row& t = trees_.rows[row];
+        return "dot(b" + suffix(row) + ", " + vector(row).text + ") == " + (t.order == 1 ? "" : "1/") +
+               std::to_string(t.density);
+    }
+    /// Brackets with the colour's suffix at each vertex: "[tau_hat,[tau]]_hat".
+    std::string bracket(std::uint32_t row) const {
+        const tree_row& t = trees_.rows[row];
+        if (t.order == 1) return "tau" + suffix(row);
+        std::string text;
+        for (const std::uint32_t child : children(row)) text += (text.empty() ? "[" : ",") + bracket(child);
+        return text + "]" + suffix(row);
+    }
+
+  private:
+    struct written {
+        std::string text;
+        bool is_atom;
+    };
+    std::string suffix(std::uint32_t row) const {
+        return colour_suffix(nystrom_, partners_, trees_.rows[row].colour);
+    }
+    /// Rows of the subtrees, the smallest first.
+    std::vector<std::uint32_t> children(std::uint32_t row) const {
+        std::vector<std::uint32_t> all;
+        for (std::uint32_t r = row; trees_.rows[r].order > 1; r = trees_.rows[r].left)
+            all.push_back(trees_.rows[r].right);
+        return all;
+    }
+    /// The stage vector at the root.
+    written vector(std::uint32_t row) const {
+        const auto all = children(row);
+        if (all.empty()) return {"one", true};
+        if (nystrom_ && trees_.rows[row].colour == 0) return vector(all.front());
+        std::string text;
+        bool application = false;
+        for (const std::uint32_t child : all) {
+            const bool leaf = trees_.rows[child].order == 1;
+            const written inside = leaf ? written{} : vector(child);
+            std::string factor =
+                leaf ? (nystrom_ && trees_.rows[child].colour == 0 ? "c" : "c" + suffix(child))
+                     : "A" + suffix(child) + "*" + (inside.is_atom ? inside.text : "(" + inside.text + ")");
+            application = !leaf;
+            if (!leaf && all.size() > 1) factor = "(" + factor + ")";
+            text += (text.empty() ? "" : "*") + factor;
+        }
+        return {text, all.size() == 1 && !application};
+    }
+
+    tree_view trees_;
+    bool nystrom_;
+    std::size_t partners_;
+};
+
+}  // namespace stagecraft::theory
