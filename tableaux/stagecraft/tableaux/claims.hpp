@@ -9,11 +9,14 @@ namespace stagecraft::tableaux {
 
 /// What a tableau file claims about its method. Only what is stated is judged. `order` = p claims every order
 /// condition up to p, but not that order p + 1 fails. `stage_order` = q claims B(q) and C(q); a file that
-/// gives c claims c = A*1 with it, unless it states stage_order 0.
+/// gives c claims c = A*1 with it, unless it states stage_order 0. `dense_order`: the order of b(theta) at every
+/// theta; `dense_smoothness`: 0 continuous from step to step, 1 continuously differentiable.
 struct claims {
     std::optional<int> order;
     std::optional<int> embedded_order;
     std::optional<int> stage_order;
+    std::optional<int> dense_order;
+    std::optional<int> dense_smoothness;
     std::optional<bool> a_stable;
     std::optional<bool> l_stable;
     std::optional<bool> algebraically_stable;
@@ -34,9 +37,12 @@ struct yes_no_claim {
     std::optional<bool> claims::*value;
 };
 
-inline constexpr std::array<counted_claim, 3> counted_claims{{{"order", &claims::order},
-                                                              {"embedded_order", &claims::embedded_order},
-                                                              {"stage_order", &claims::stage_order}}};
+inline constexpr std::array<counted_claim, 5> counted_claims{
+    {{"order", &claims::order},
+     {"embedded_order", &claims::embedded_order},
+     {"stage_order", &claims::stage_order},
+     {"dense_order", &claims::dense_order},
+     {"dense_smoothness", &claims::dense_smoothness}}};
 
 inline constexpr std::array<yes_no_claim, 6> yes_no_claims{
     {{"A_stable", &claims::a_stable},

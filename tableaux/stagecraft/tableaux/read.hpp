@@ -258,6 +258,22 @@ inline std::vector<std::vector<entry>> rows(const document& d, const std::string
     return all;
 }
 
+/// b_theta: for each stage the coefficients of theta, theta^2, ...
+inline std::vector<std::vector<entry>> polynomials(const document& d, std::size_t s) {
+    const auto& all = d.root["b_theta"];
+    if (!all.is_array() || all.size() != s)
+        reject(d, "/b_theta", "b_theta", "must be a list of " + std::to_string(s) + " lists of coefficients");
+    std::vector<std::vector<entry>> polynomials;
+    for (std::size_t i = 0; i < s; ++i) {
+        const std::string path = "/b_theta/" + std::to_string(i);
+        const std::string name = "b_theta[" + std::to_string(i + 1) + "]";
+        polynomials.push_back(numbers(d, all[i], path, name, 0));
+        if (polynomials.back().size() > largest_degree)
+            reject(d, path, name, "has more than " + std::to_string(largest_degree) + " coefficients");
+    }
+    return polynomials;
+}
+
 inline std::string text_field(const document& d, const char* key) {
     if (!d.root.contains(key)) return {};
     if (!d.root[key].is_string()) reject(d, std::string("/") + key, key, "must be a text");
@@ -302,8 +318,8 @@ inline tableaux::claims read_claims(const document& d) {
 inline tableau_file tableau(const document& d, const reading& how) {
     if (!d.root.is_object()) reject(d, "", "", "a tableau must be a JSON object");
     if (d.root.contains("tableau")) return tableau(d.part("/tableau", "tableau", d.root["tableau"]), how);
-    static const std::set<std::string> known{"name",       "source", "note",   "A",      "b",     "c",
-                                             "b_embedded", "claims", "family", "stages", "digits"};
+    static const std::set<std::string> known{"name",       "source",  "note",   "A",      "b",      "c",
+                                             "b_embedded", "b_theta", "claims", "family", "stages", "digits"};
     require_keys(d, known, {"A", "b"});
 
     tableau_file file;
@@ -315,7 +331,13 @@ inline tableau_file tableau(const document& d, const reading& how) {
     if (d.root.contains("c")) file.c = numbers(d, d.root["c"], "/c", "c", s);
     if (d.root.contains("b_embedded"))
         file.b_embedded = numbers(d, d.root["b_embedded"], "/b_embedded", "b_embedded", s);
+    if (d.root.contains("b_theta")) file.b_theta = polynomials(d, s);
     file.claims = read_claims(d);
+    for (const char* claim : {"dense_order", "dense_smoothness"})
+        if (file.b_theta.empty() && d.root.contains("claims") && d.root["claims"].contains(claim))
+            reject(d, std::string("/claims/") + claim, std::string("claims.") + claim, "there is no b_theta");
+    if (file.claims.dense_smoothness.value_or(0) > 1)
+        reject(d, "/claims/dense_smoothness", "claims.dense_smoothness", "must be 0 or 1");
     if (file.claims.embedded_order && file.b_embedded.empty())
         reject(d, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
     apply(how, file);
@@ -325,7 +347,7 @@ inline tableau_file tableau(const document& d, const reading& how) {
 }  // namespace json_reader
 
 /// Reads a tableau from JSON text (this header needs nlohmann-json):
-/// {"name","source","note","c":[...],"A":[[...]],"b":[...],"b_embedded":[...],"claims":{...}}, with A and b
+/// {"name","source","note","c":[...],"A":[[...]],"b":[...],"b_embedded":[...],"b_theta":[[...]],"claims":{...}}, with A and b
 /// required; or what the command prints as JSON, where the tableau stands under "tableau", or has "family",
 /// "stages" and "digits" besides. Entries are strings as in read_entry, or JSON numbers: integers are exact, others are doubles.
 /// `how` says what decimals mean. Throws unusable_input, one line naming line and entry: bad JSON, a missing, repeated or unknown key, wrong

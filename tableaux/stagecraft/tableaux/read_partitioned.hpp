@@ -45,6 +45,8 @@ inline claims coupled_claims(const document& d, int largest) {
         if ((stated.*(c.value)).value_or(0) > largest)
             reject(d, "/claims/" + std::string(c.name), "claims." + std::string(c.name),
                    "must be at most " + std::to_string(largest));
+    if (stated.dense_order || stated.dense_smoothness)
+        reject(d, "/claims", "claims", "dense output belongs to one of the tableaux");
     for (const auto& c : yes_no_claims)
         if (c.name != "symplectic" && stated.*(c.value))
             reject(

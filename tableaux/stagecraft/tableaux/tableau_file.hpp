@@ -35,6 +35,8 @@ struct tableau_file {
     std::vector<entry> b;
     std::vector<entry> c;           ///< empty where the file leaves it to the row sums
     std::vector<entry> b_embedded;  ///< empty where there is none
+    std::vector<std::vector<entry>>
+        b_theta;  ///< coefficients of theta, theta^2, ... of each b_i(theta), or empty
     tableaux::claims claims;
     int short_decimals = 0;  ///< decimals read as exact though written with a point
 
@@ -46,6 +48,8 @@ struct tableau_file {
             for (const auto& e : row) visit(e);
         for (const auto* v : {&b, &c, &b_embedded})
             for (const auto& e : *v) visit(e);
+        for (const auto& row : b_theta)
+            for (const auto& e : row) visit(e);
     }
     template <class Visitor>
     void for_each_entry(Visitor visit) {
@@ -53,6 +57,8 @@ struct tableau_file {
             for (auto& e : row) visit(e);
         for (auto* v : {&b, &c, &b_embedded})
             for (auto& e : *v) visit(e);
+        for (auto& row : b_theta)
+            for (auto& e : row) visit(e);
     }
 
     number_kind kind() const {
@@ -72,6 +78,8 @@ struct tableau_file {
 
 /// Most stages a file may have.
 inline constexpr int most_stages = 64;
+/// Most coefficients of a b_i(theta).
+inline constexpr int largest_degree = 20;
 /// Largest order a file may claim: there are 53,272 conditions up to 14.
 inline constexpr int largest_order = 14;
 

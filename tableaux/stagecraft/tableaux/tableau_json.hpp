@@ -28,6 +28,7 @@ inline nlohmann::ordered_json to_json(const tableau_file& file) {
     for (const auto& row : file.A) j["A"].push_back(texts(row));
     j["b"] = texts(file.b);
     if (!file.b_embedded.empty()) j["b_embedded"] = texts(file.b_embedded);
+    for (const auto& row : file.b_theta) j["b_theta"].push_back(texts(row));
     add_claims(file.claims, j);
     return j;
 }

@@ -7,6 +7,7 @@
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/find_suspects.hpp>
 #include <stagecraft/theory/judging/judge_claims.hpp>
+#include <stagecraft/theory/judging/judge_dense.hpp>
 #include <stagecraft/theory/judging/nearest_family.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/judging/subject_spectrum.hpp>
@@ -31,16 +32,18 @@ inline file_certificate certify(const tableaux::tableau_file& file) {
     certificate.stages = file.stages();
     certificate.file = file;
     certificate.tableau = tableaux::to_json(file);
-    const auto examine = [&](const auto& subject) {
+    const auto examine = [&](const auto& subject, const auto& convert) {
         judge(subject, file.claims, certificate);
+        if (!file.b_theta.empty()) judge_dense(make_dense_subject(subject, file, convert), file, certificate);
         certificate.spectra = spectra_of(subject);
     };
     if (file.kind() <= tableaux::number_kind::quadratic)
-        examine(detail::exact_subject(file));
+        examine(detail::exact_subject(file), detail::exact_entry);
     else
-        examine(detail::enclosed_subject(file));
+        examine(detail::enclosed_subject(file), detail::enclosed_entry);
     certificate.nearest = nearest(file);
-    if (certificate.overall() == standing::refuted) detail::find_suspects(file, certificate);
+    const bool explained = !certificate.suspects.empty() || !certificate.suspects_note.empty();
+    if (certificate.overall() == standing::refuted && !explained) detail::find_suspects(file, certificate);
     return certificate;
 }
 

@@ -18,12 +18,14 @@ namespace detail {
 
 /// One instantiation serves Q and Q(sqrt d): a rational number in tableaux::quadratic costs what it costs
 /// alone.
-inline subject<tableaux::quadratic> exact_subject(const tableaux::tableau_file& file) {
-    return make_subject<tableaux::quadratic>(file, [](const tableaux::entry& e) { return *e.exact; });
-}
+inline tableaux::quadratic exact_entry(const tableaux::entry& e) { return *e.exact; }
+inline tableaux::ball enclosed_entry(const tableaux::entry& e) { return to_ball(e.enclosure); }
 
+inline subject<tableaux::quadratic> exact_subject(const tableaux::tableau_file& file) {
+    return make_subject<tableaux::quadratic>(file, exact_entry);
+}
 inline subject<tableaux::ball> enclosed_subject(const tableaux::tableau_file& file) {
-    return make_subject<tableaux::ball>(file, [](const tableaux::entry& e) { return to_ball(e.enclosure); });
+    return make_subject<tableaux::ball>(file, enclosed_entry);
 }
 
 /// Whether some repair was at the level of rounding.

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE dense
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <certify_once.hpp>
+#include <cmath>
+#include <filesystem>
+#include <stagecraft/tableaux/read.hpp>
+#include <string>
+#include <vector>
+
+// Dense output b(theta): the published ones, their order at every theta and their smoothness, and defects.
+
+using namespace stagecraft;
+using certify_once::certify;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string folder = STAGECRAFT_SOURCE_DIR "/tableaux/dense/";
+
+double number(const tableaux::entry& e) { return e.enclosure.middle().to<double>(); }
+
+/// Error at t = theta h of the dense output of one explicit step for y' = y - y^2, y(0) = 1/4.
+double error_at(const tableaux::tableau_file& m, double h, double theta) {
+    const auto exact = [](double t) { return std::exp(t) / (3 + std::exp(t)); };
+    std::vector<double> k;
+    double y = 0.25;
+    for (std::size_t i = 0; i < m.b.size(); ++i) {
+        double stage = 0.25;
+        for (std::size_t j = 0; j < i; ++j) stage += h * number(m.A[i][j]) * k[j];
+        k.push_back(stage - stage * stage);
+        double weight = 0;
+        for (std::size_t n = m.b_theta[i].size(); n-- > 0;)
+            weight = theta * (weight + number(m.b_theta[i][n]));
+        y += h * weight * k[i];
+    }
+    return std::abs(y - exact(theta * h));
+}
+
+bool is_explicit(const tableaux::tableau_file& m) {
+    for (std::size_t i = 0; i < m.b.size(); ++i)
+        if (number(m.A[i][i]) != 0) return false;
+    return true;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_published_dense_outputs_have_the_order_that_is_claimed) {
+    int files = 0;
+    for (const auto& item : fs::directory_iterator(folder)) BOOST_TEST_CONTEXT(item.path()) {
+            const auto file = tableaux::read_tableau_file(item.path().string());
+            const auto c = certify(tableaux::text_of_file(item.path().string()));
+            BOOST_TEST(c.exit_code() == 0);
+            BOOST_REQUIRE(file.claims.dense_order);
+            BOOST_TEST(*c.find("dense_order")->value == *file.claims.dense_order);
+            if (file.kind() <= tableaux::number_kind::quadratic)
+                BOOST_TEST(c.find("dense_order")->judgement->is_proved());
+            BOOST_TEST(certify(theory::json_text(c)).exit_code() == 0);
+            ++files;
+            if (!is_explicit(file)) continue;
+            // Local errors, measured.
+            const double h = *file.claims.dense_order > 5 ? 1 : 0.125;
+            for (const double theta : {0.3, 0.75}) {
+                const double seen = std::log2(error_at(file, h, theta) / error_at(file, h / 2, theta));
+                BOOST_TEST(seen > *file.claims.dense_order + 1 - 0.4);
+            }
+        }
+    BOOST_TEST(files >= 9);
+}
+
+BOOST_AUTO_TEST_CASE(a_defect_of_the_polynomials_is_found) {
+    const std::string good = tableaux::text_of_file(folder + "dormand_prince_5_4_quartic.json");
+    const auto with = [&](const std::string& what, const std::string& instead) {
+        std::string text = good;
+        text.replace(text.find(what), what.size(), instead);
+        return certify(text);
+    };
+    const auto sign = with("\"-110615467/29380423\"", "\"110615467/29380423\"");
+    BOOST_TEST(sign.exit_code() == 1);
+    BOOST_TEST(*sign.find("dense_order")->value == 0);
+    BOOST_TEST(sign.find("dense_smoothness")->judgement->is_refuted());
+    const auto of_dense = std::find_if(sign.failures.begin(), sign.failures.end(),
+                                       [](const auto& f) { return f.condition.starts_with("dot(b(theta)"); });
+    BOOST_REQUIRE(of_dense != sign.failures.end());
+    BOOST_TEST(of_dense->condition == "dot(b(theta), one) == theta, coefficient of theta^3");
+    BOOST_REQUIRE(!sign.suspects.empty());
+    BOOST_TEST(sign.suspects.front().entry == "b_theta[7][3]");
+    BOOST_TEST(sign.suspects.front().suggest == "-110615467/29380423");
+    const auto digit = with("\"87487479700/32700410799\"", "\"87487479070/32700410799\"");
+    BOOST_TEST(digit.exit_code() == 1);
+    BOOST_REQUIRE(!digit.suspects.empty());
+    BOOST_TEST(digit.suspects.front().entry == "b_theta[3][4]");
+    BOOST_TEST(digit.suspects.front().suggest == "87487479700/32700410799");
+
+    // An order too high, and a derivative that jumps.
+    BOOST_TEST(with("\"dense_order\": 4", "\"dense_order\": 5").exit_code() == 1);
+    std::string rk4 = tableaux::text_of_file(folder + "classical_rk4.json");
+    rk4.replace(rk4.find("\"dense_smoothness\": 0"), 21, "\"dense_smoothness\": 1");
+    const auto jumps = certify(rk4);
+    BOOST_TEST(jumps.exit_code() == 1);
+    BOOST_TEST(*jumps.find("dense_smoothness")->value == 0);
+
+    // Decimals: the 15th digit of DOP853's d_4,1.
+    std::string dop = tableaux::text_of_file(folder + "dormand_prince_8_5_3.json");
+    for (std::size_t at = 0; (at = dop.find("8.4289382761090128", at)) != std::string::npos; at += 10)
+        dop.replace(at, 18, "8.4289382761090218");
+    const auto rounded = certify(dop);
+    BOOST_TEST(rounded.exit_code() == 1);
+    BOOST_TEST(rounded.find("dense_order")->judgement->is_refuted());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_with_the_polynomials_is_said) {
+    const auto complaint = [](const std::string& rest) -> std::string {
+        try {
+            certify(R"({"A":[["0"]],"b":["1"],)" + rest + "}");
+            return "accepted";
+        } catch (const tableaux::unusable_input& e) {
+            return e.what();
+        }
+    };
+    BOOST_TEST(complaint(R"("b_theta":[["1"]])") == "accepted");
+    BOOST_TEST(complaint(R"("b_theta":[["1"],["0"]])") ==
+               "line 1, b_theta: must be a list of 1 lists of coefficients");
+    BOOST_TEST(complaint(R"("b_theta":[["1","x"]])") == "line 1, b_theta[1][2]: 'x' unknown symbol 'x'");
+    BOOST_TEST(complaint(R"("claims":{"dense_order":1})") ==
+               "line 1, claims.dense_order: there is no b_theta");
+}
