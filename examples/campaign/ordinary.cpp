@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Ordinary differential equations: linear ones from large t0, nonlinear ones with curved slow manifolds.
+#include <Eigen/LU>
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 

@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE diagonally_implicit
 #include "methods.hpp"
 
+#include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <functional>
 #include <stagecraft/integrate.hpp>
