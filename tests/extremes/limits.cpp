@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE limits
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
@@ -22,6 +23,14 @@ sc::transformed_tableau<double> radau(int s) { return sc::tableaux::transformed<
 
 // y' = y cos t, y(0) = 1: exp(sin t).
 const auto wave = [](double t, const V1& y, V1& f) { f[0] = y[0] * std::cos(t); };
+
+// y' = f(t, y) with df/dy = -rate: many problems, one type.
+struct decay {
+    double rate;
+    std::function<double(double, double)> right;
+    void operator()(double t, const V1& y, V1& f) const { f[0] = right(t, y[0]); }
+    void jacobian(double, const V1&, Eigen::Matrix<double, 1, 1>& J) const { J(0, 0) = -rate; }
+};
 
 }  // namespace
 
@@ -172,4 +181,54 @@ BOOST_AUTO_TEST_CASE(spans_of_1e300_are_integrated) {
     const auto r = sc::integrate(radau(3), decay, V1(1.0), 0, 1e300);
     BOOST_TEST(sc::name(r.status) == "success");
     BOOST_TEST(std::abs(r.y[0]) < 1e-5);
+}
+
+// The h of a step is the difference of the rounded times: what rounds is t, not the length of the way.
+BOOST_AUTO_TEST_CASE(runs_from_large_t_keep_to_the_tolerance_and_to_their_clock) {
+    for (const int s : {3, 7})
+        for (const double t0 : {1e9, 1e11})
+            for (const double tol : {1e-10, 1e-12}) {
+                // At 1e11 neighbouring doubles are 1.5e-5 apart: of the fast one a step is 1/100.
+                for (const double rate : {1.0, t0 < 1e10 ? 1e4 : 655.0}) {
+                    const decay p{rate, [rate](double, double y) { return -rate * y; }};
+                    const auto r =
+                        sc::integrate(radau(s), p, V1(1.0), t0, t0 + 1, {.rtol = tol, .atol = tol});
+                    BOOST_TEST_CONTEXT("s = " << s << ", t0 = " << t0 << ", tol = " << tol
+                                              << ", rate = " << rate) {
+                        BOOST_TEST(sc::name(r.status) == "success");
+                        BOOST_TEST(std::abs(r.y[0] - std::exp(-rate)) < 10 * tol);
+                    }
+                }
+            }
+}
+
+// Within the smallest step that t resolves the place of the jump is not known: h |jump of f| is 20 tolerances.
+BOOST_AUTO_TEST_CASE(a_jump_found_to_the_resolution_of_t_is_passed) {
+    for (const int s : {3, 7})
+        for (const double rate : {2.5e5, 6e6})
+            for (const double jump : {0.523, 0.7652008075363, 1.1}) {
+                const decay p{rate, [=](double t, double y) { return -rate * (y - (t < jump ? 1 : -1)); }};
+                const auto r = sc::integrate(radau(s), p, V1(2.0), 0, 1.3, {.rtol = 1e-11, .atol = 1e-11});
+                BOOST_TEST(sc::name(r.status) == "success",
+                           "s = " << s << ", rate " << rate << ", jump at " << jump << ", ended at " << r.t);
+                BOOST_TEST(std::abs(r.y[0] + 1) < 1e-9);
+            }
+    // A pole is none: the run ends in front of it.
+    const decay pole{0, [](double t, double) { return 1 / ((1 - t) * (1 - t)); }};
+    const auto r = sc::integrate(radau(3), pole, V1(1.0), 0, 2, {.rtol = 1e-9, .atol = 1e-9});
+    BOOST_TEST(!r.ok());
+    BOOST_TEST(r.t < 1);
+}
+
+// The same value of f at all nodes of a step that spans whole periods: what has been seen bounds the steps.
+BOOST_AUTO_TEST_CASE(a_right_hand_side_that_is_switched_periodically_is_not_stepped_over) {
+    const decay wave{0, [](double t, double) { return std::fmod(t, 2) < 1 ? 1.0 : -1.0; }};
+    for (const int s : {3, 5, 7})
+        for (const double tol : {1e-4, 1e-6})
+            for (const double end : {11.0, 1001.0}) {
+                const auto r = sc::integrate(radau(s), wave, V1(0.0), 0, end, {.rtol = tol, .atol = tol});
+                BOOST_TEST(r.ok());
+                BOOST_TEST(std::abs(r.y[0] - 1) < 20 * end * tol,
+                           "s = " << s << ", tol " << tol << ", end " << end << ": " << r.y[0]);
+            }
 }

@@ -10,11 +10,13 @@
 
 namespace stagecraft {
 
-/// The step to be tried next, from t to t_next, unless there is none: then `obstacle` says why.
+/// The step to be tried next, from t to t_next, unless there is none: then `obstacle` says why. h is the
+/// difference of the rounded times: at large t a run with other sizes would drift away from its own clock.
 template <class Scalar>
 struct planned_step {
     Scalar h{0}, t_next{0};
     status obstacle = status::success;
+    bool smallest = false;  ///< t resolves no smaller step
 };
 
 /// Fits the steps into a run from t0 to t1. Equal steps follow from their number; others are chosen so that
@@ -51,8 +53,8 @@ class step_plan {
     }
 
     /// The step to try from t where `h` is wanted, `done` steps have been accepted and the present one has
-    /// been tried `failures` times. A step is too small if t does not resolve it well, if it is below
-    /// options.min_step, or after more than 60 failures.
+    /// been tried `failures` times. A step is too small if it is below options.min_step, or after more than 60
+    /// failures; one below the resolution of t becomes the smallest that there is.
     planned_step<Scalar> next(const Scalar& t, const Scalar& h, long done, int failures) {
         if (attempts_left_-- <= 0) return {h, t, status::too_many_steps};
         return fixed() ? next_equal(t, h, done) : next_free(t, h, failures);
@@ -65,16 +67,21 @@ class step_plan {
     }
     planned_step<Scalar> next_free(const Scalar& t, const Scalar& wanted, int failures) const {
         using std::abs;
-        const Scalar rest = t1_ - t;
-        planned_step<Scalar> step{wanted, t1_};
-        if (abs(wanted) * stretch() >= abs(rest)) {
-            step.h = not_beyond(t, rest, t1_);
+        const Scalar resolved = std::numeric_limits<Scalar>::epsilon() * abs(t), rest = abs(t1_ - t);
+        Scalar size = abs(wanted);
+        planned_step<Scalar> step{wanted, t1_, status::success, size < 2 * resolved};
+        if (step.smallest)
+            size = resolved;
+        else if (failures > 0 && size < 16 * resolved)
+            size -= resolved / 2;  // or rounding might take the step that has failed
+        if (size * stretch() >= rest || rest < 2 * resolved) {
+            step.h = not_beyond(t, Scalar(t1_ - t), t1_);
         } else {
-            if (abs(wanted) * 2 > abs(rest)) step.h = rest / 2;
-            step.t_next = t + step.h;
+            if (size * 2 > rest) size = rest / 2;
+            step.t_next = t + size * Scalar(direction_);
+            step.h = step.t_next - t;
         }
-        const Scalar resolved = Scalar(10) * std::numeric_limits<Scalar>::epsilon() * abs(t);
-        if (failures > most_failures || abs(step.h) <= resolved || step.t_next == t || abs(wanted) < least_)
+        if (failures > most_failures || step.t_next == t || abs(wanted) < least_)
             step.obstacle = status::step_underflow;
         return step;
     }

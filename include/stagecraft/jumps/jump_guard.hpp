@@ -6,26 +6,28 @@
 
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/jumps/blind_spots.hpp>
+#include <stagecraft/jumps/jump_spacing.hpp>
 #include <stagecraft/jumps/jump_watch.hpp>
 #include <stagecraft/jumps/smoothness.hpp>
 
 namespace stagecraft {
 
 /// All that a run does about jumps of f and of its derivatives, for which error estimates are not made. One
-/// object per run, owned by the acceptance of steps; options.jumps = false switches it off. It does two
+/// object per run, owned by the acceptance of steps; options.jumps = false switches it off. It does four
 /// things, each only where there is something to gain:
 ///   - The error may be taken as smaller than its estimate (collocation_step::estimate_ratio), or an embedded
 ///     pair may show only a part of a jump: `smoothness` says when that must not be relied on.
 ///   - A pair may show nothing of certain jumps: combinations of the slopes at its blind spots
 ///     (find_blind_spots) are then watched by a jump_watch. That costs one combination of the slopes per spot
 ///     and step, and for each suspicion one step that is taken in two halves.
-/// Nothing is done for methods that show every jump, for fixed steps, and for steps near the smallest
-/// possible.
+///   - The jumps that have been found bound the steps that follow (jump_spacing).
+///   - A jump that has been found to the resolution of t is passed: see passes().
+/// Nothing is done for fixed steps.
 template <class Scalar>
 class jump_guard {
   public:
-    explicit jump_guard(const options<Scalar>& o)
-        : on_(o.jumps), least_step_(worthwhile_steps * o.min_step) {}
+    jump_guard(const options<Scalar>& o, const Scalar& t0)
+        : spacing_(t0), on_(o.jumps), least_step_(worthwhile_steps * o.min_step) {}
 
     /// How the estimate of an attempt is to be read.
     struct reading {
@@ -52,6 +54,32 @@ class jump_guard {
         return on_ && r.smooth < r.across && smooth_.surprised(err, expected, again);
     }
     bool doubted() const { return smooth_.doubted(); }
+
+    /// An attempt at a step of size h from t has an error of err >= 1; `again` if the same step has been
+    /// refused for its error before. Then it is a jump if the error has not fallen as h^power, nearly, which
+    /// it does where f is smooth.
+    void refused(const Scalar& t, const Scalar& h, const Scalar& err, int power, bool again) {
+        using std::abs;
+        using std::pow;
+        if (!on_) return;
+        if (again && err > Scalar(2) &&
+            err > refused_error_ * pow(abs(h / refused_h_), Scalar(power + 1) / 2))
+            spacing_.found(t, h);
+        refused_h_ = h;
+        refused_error_ = err;
+    }
+    /// h, or the largest step allowed from t.
+    Scalar bounded(const Scalar& h, const Scalar& t) const {
+        using std::abs;
+        const Scalar most = spacing_.largest(t);
+        return most > Scalar(0) && abs(h) > most ? Scalar(h < Scalar(0) ? -most : most) : h;
+    }
+    /// True if the smallest step that t resolves may be accepted with an error of `err` >= 1, where `expected`
+    /// is that predicted from the step before: a jump of f lies within, and where exactly t does not say. In
+    /// front of a singularity errors grow gradually, so that they are expected.
+    bool passes(const Scalar& err, const Scalar& expected) const {
+        return on_ && err > 100 * expected && err < Scalar(1000);
+    }
 
     /// The error of an attempt: `err`, or what replaces it if the slopes show a jump of f at a blind spot of
     /// the method. x is scratch, size(x, false) measures it.
@@ -116,6 +144,8 @@ class jump_guard {
 
     smoothness<Scalar> smooth_;
     jump_watch<Scalar> watch_;
+    jump_spacing<Scalar> spacing_;
+    Scalar refused_h_{1}, refused_error_{0};  // of the attempt refused last
     bool on_;
     Scalar least_step_;
 };

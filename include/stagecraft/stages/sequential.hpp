@@ -56,8 +56,8 @@ class sequential_stages {
     template <class System>
     bool factor(const System& system, const Scalar& h) {
         return system.measure(work::factorisation, [&] {
+            set_shifts(h);
             for (std::size_t k = 0; k < blocks_.size(); ++k) {
-                shift_[k] = Scalar(1) / (h * diagonal_[k]);
                 if (!factor_shifted(blocks_[k], system.mass(), system.jacobian(), shift_[k])) return false;
             }
             return true;
@@ -74,7 +74,8 @@ class sequential_stages {
     /// 1/(h a).
     Scalar growth_shift() const { return shift_.front(); }
 
-    /// Computes the slopes; Z brings first guesses of z_i in its columns (if v.guessed) and takes the z_i of
+    /// Computes the slopes with the current factors, which may be those of a step of nearly h; Z brings first
+    /// guesses of z_i in its columns (if v.guessed) and takes the z_i of
     /// implicit stages. The outcome is that of the stage with the slowest iteration.
     template <class System, class StageMatrix>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
@@ -89,6 +90,7 @@ class sequential_stages {
                 if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
                 return slowest;
             }
+        set_shifts(h);
         for (int i = v.left_stage ? 1 : 0; i < s; ++i) {
             v.combine([&](int j) { return m.A(i, j); }, i, h, r_);
             if (block_[i] < 0) {
@@ -152,6 +154,10 @@ class sequential_stages {
     }
 
   private:
+    void set_shifts(const Scalar& h) {
+        for (std::size_t k = 0; k < diagonal_.size(); ++k) shift_[k] = Scalar(1) / (h * diagonal_[k]);
+    }
+
     template <class System>
     void filter_with(const System& system, vector& x) {
         add_mass_times(system.mass(), shift_[0], x.data(), r_.data(), n_);

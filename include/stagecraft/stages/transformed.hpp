@@ -82,13 +82,7 @@ class transformed_stages {
     /// finite.
     template <class System>
     bool factor(const System& system, const Scalar& h) {
-        const Scalar inverse = Scalar(1) / h;
-        const int real = real_blocks();
-        for (int k = 0; k < real; ++k) shift_[k] = method_.gamma[k] * inverse;
-        for (int k = 0; 2 * k < stages() - real; ++k) {
-            shift_[real + 2 * k] = method_.alpha[k] * inverse;
-            shift_[real + 2 * k + 1] = -method_.beta[k] * inverse;
-        }
+        set_shifts(h);
         return system.measure(work::factorisation, [&] { return blocks_.factor(system, shift_.data()); });
     }
 
@@ -119,13 +113,14 @@ class transformed_stages {
                 20 + s * (15 + 3 * n) + s * s * n * 3 / 10 + blocks.iteration};
     }
 
-    /// Solves for Z (in: first guess) with the current factors.
+    /// Solves for Z (in: first guess) with the current factors, which may be those of a step of nearly h.
     template <class System, class StageMatrix>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                  const vector& weights, const newton_limits<Scalar>& limits, StageMatrix& Z,
                                  long& solves) {
         const int s = stages();
         newton_monitor<Scalar> monitor(limits);
+        set_shifts(h);
         if (!untransformed()) mix(T_inverse_.data(), Z.data(), W_.data());
         while (monitor.may_go_on()) {
             for (int i = 0; i < s; ++i) {
@@ -170,6 +165,16 @@ class transformed_stages {
             return N;
         else
             return n_;
+    }
+
+    void set_shifts(const Scalar& h) {
+        const Scalar inverse = Scalar(1) / h;
+        const int real = real_blocks();
+        for (int k = 0; k < real; ++k) shift_[k] = method_.gamma[k] * inverse;
+        for (int k = 0; 2 * k < stages() - real; ++k) {
+            shift_[real + 2 * k] = method_.alpha[k] * inverse;
+            shift_[real + 2 * k + 1] = -method_.beta[k] * inverse;
+        }
     }
 
     int real_blocks() const {

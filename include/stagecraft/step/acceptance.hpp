@@ -42,11 +42,11 @@ class acceptance {
     using scalar = typename Vector::Scalar;
 
   public:
-    acceptance(const options<scalar>& o, int n)
+    acceptance(const options<scalar>& o, const scalar& t0, int n)
         : rtol_(o.rtol),
           continuous_(o.continuous),
           controller_(o.control),
-          jumps_(o),
+          jumps_(o, t0),
           error_(n),
           weights_(n) {
         weights_.setZero();
@@ -131,6 +131,7 @@ class acceptance {
                           const newton_outcome<scalar>& newton, const scalar& theta, bool kept,
                           const refusals& refused, const Sums& sums) {
         last_h_ = trial.plan.h;
+        last_error_ = err;
         last_method_ = this->method();
         if (jumps_.accepted(method)) {
             controller_.forget();
@@ -152,13 +153,23 @@ class acceptance {
         }
         // Keep the factors while the gain from a new step size is small.
         if (kept && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
-        return trial.plan.h * factor;
+        return jumps_.bounded(scalar(trial.plan.h * factor), trial.plan.t_next);
     }
 
-    /// The step to try after one whose error was too large, or not finite; `first` in the run.
-    scalar after_rejected(const scalar& h, const scalar& err, int power, bool first) const {
+    /// True if a step of h, the smallest that t resolves, may be accepted with error err >= 1.
+    bool passes(const scalar& h, const scalar& err, int power) const {
+        using std::abs;
+        using std::pow;
+        if (last_h_ == scalar(0)) return false;
+        return jumps_.passes(err, last_error_ * scalar(pow(abs(h / last_h_), scalar(power))));
+    }
+
+    /// The step to try after one from t whose error was too large, or not finite; `first` in the run.
+    scalar after_rejected(const scalar& t, const scalar& h, const scalar& err, int power, bool first,
+                          const refusals& refused) {
         if (!(err - err == scalar(0))) return h / 8;
         if (first) return h / 10;
+        jumps_.refused(t, h, err, power, refused.for_error > 1);
         return h * controller_.after_rejected(err, power, usual_safety());
     }
 
@@ -221,6 +232,7 @@ class acceptance {
     scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
     scalar last_h_{0};  // of the step accepted last, and the number of its method
     int last_method_ = 0;
+    scalar last_error_{0};
 };
 
 }  // namespace stagecraft

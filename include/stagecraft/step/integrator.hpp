@@ -48,7 +48,7 @@ class integrator {
           steps_(steps::make(detail::as_tuple(method), n_)),
           plan_(checked_plan(y0, t0, t1, o)),
           linear_(n_),
-          acceptance_(o, n_),
+          acceptance_(o, t0, n_),
           t_(t0),
           y_(y0),
           y1_(n_),
@@ -204,15 +204,17 @@ class integrator {
         output_type& now = outputs_[1 - current_];
 
         const linear_state linear = linearise(method, plan.h);
-        if (linear == linear_state::growing) return refuse_growth(plan.h);
+        if (linear == linear_state::growing) return refuse_growth(plan);
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
-        if (newton.end != newton_end::converged) return refuse_unsolved(method, plan.h, linear, newton.end);
+        if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
         method.advance(y_, now, y1_);
         if (plan_.fixed()) return accept(method, plan, now);
 
         const trial_step<Vector, output_type> trial{plan, t_, y_, weights_, f_, y1_, now};
         const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
-        if (!(error < scalar(1))) return refuse_error(method, plan.h, error);
+        if (!(error < scalar(1)) &&
+            !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
+            return refuse_error(method, plan, error);
         h_ = plan_.bounded(acceptance_.after_accepted(method, trial, error, newton, linear_.theta(),
                                                       method.implicit() && linear_.serves_well(), refused_,
                                                       system_.sums()));
@@ -241,7 +243,7 @@ class integrator {
     template <class Step>
     newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear, output_type& now) {
         newton_outcome<scalar> newton;
-        const newton_limits<scalar> limits = newton_limits_for(method.coupled_stages_count());
+        const newton_limits<scalar> limits = newton_limits_for(method.coupled_stages_count(), h);
         if (linear == linear_state::factored) {
             method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
             newton =
@@ -254,18 +256,25 @@ class integrator {
         return newton;
     }
 
+    /// A step of h is to be tried in place of the planned one, if t resolves it.
+    progress shorten(const planned_step<scalar>& plan, const scalar& h) {
+        if (plan.smallest) return give_up(obstacle_);
+        h_ = h;
+        return progress::again;
+    }
+
     /// The step would pass over a growing mode.
-    progress refuse_growth(const scalar& h) {
+    progress refuse_growth(const planned_step<scalar>& plan) {
         obstacle_ = status::step_underflow;
         ++report_.rejected_error;
         ++refused_.all;
-        if (!linear_.stay_behind()) h_ = h / 4;
-        return progress::again;
+        return linear_.stay_behind() ? progress::again : shorten(plan, plan.h / 4);
     }
 
     /// The stage equations could not be solved.
     template <class Step>
-    progress refuse_unsolved(Step& method, const scalar& h, linear_state linear, newton_end how) {
+    progress refuse_unsolved(Step& method, const planned_step<scalar>& plan, linear_state linear,
+                             newton_end how) {
         obstacle_ = status::newton_failed;
         if (how == newton_end::non_finite) obstacle_ = status::non_finite;
         if (linear == linear_state::singular)
@@ -280,23 +289,23 @@ class integrator {
             extrapolation_.failed();
             return progress::again;
         }
-        h_ = h / 2;
         if (refused_.all > 1) acceptance_.newton_failed();
-        return progress::again;
+        return shorten(plan, plan.h / 2);
     }
 
     /// The error is too large, or not finite.
     template <class Step>
-    progress refuse_error(Step& method, const scalar& h, const scalar& error) {
+    progress refuse_error(Step& method, const planned_step<scalar>& plan, const scalar& error) {
         const bool finite = error - error == scalar(0);
         obstacle_ = finite ? status::step_underflow : status::non_finite;
         ++(finite ? report_.rejected_error : report_.rejected_newton);
         ++refused_.all;
         if (finite) ++refused_.for_error;
         f_.retry();
-        h_ = acceptance_.after_rejected(h, error, method.estimate_power(), report_.steps == 0);
+        const scalar h = acceptance_.after_rejected(t_, plan.h, error, method.estimate_power(),
+                                                    report_.steps == 0, refused_);
         linear_.rejected(system_);
-        return progress::again;
+        return shorten(plan, h);
     }
 
     /// Moves to the end of the step.
@@ -343,7 +352,7 @@ class integrator {
     /// in the stages is magnified by about gamma s^2/h ~ s^3/h, by the slope of the stage polynomial at the
     /// left end, in components of index 2 and in the estimate of their errors, twice so with index 3: beyond
     /// three stages it has to leave less.
-    newton_limits<scalar> newton_limits_for(int s) {
+    newton_limits<scalar> newton_limits_for(int s, const scalar& h) {
         const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
         const int most = options_.newton_iterations > 0 ? options_.newton_iterations
                          : plan_.fixed()                ? 50
@@ -354,7 +363,9 @@ class integrator {
             if (!plan_.fixed() && s > 3)
                 for (int k = 3 * (system_.largest_index() - 1); k > 0; --k) factor *= scalar(3) / scalar(s);
         }
-        return {factor, 4 * rounding, 100 * rounding, most, report_.steps > 0 && linear_.constant(system_)};
+        const bool affine =
+            report_.steps > 0 && linear_.constant(system_) && linear_.factored_within(h, options_.rtol / 100);
+        return {factor, 4 * rounding, 100 * rounding, most, affine};
     }
 
     [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;

@@ -64,18 +64,24 @@ class linearisation {
         factored_for(scalar(0), 0);
     }
 
-    /// Factors the systems of a step h with method number k, unless they are already. `watch` looks for
-    /// growth.
+    /// Factors the systems of a step h with method number k, unless they are already: for h, or for one that
+    /// differs from it by no more than rounding of large t explains, which slows the iteration by as little.
+    /// `watch` looks for growth.
     template <class Stages>
     linear_state factor(const System& system, Stages& stages, const scalar& h, int k, bool watch,
                         long& factorisations) {
-        if (factored_h_ == h && factored_method_ == k) return linear_state::factored;
+        if (factored_method_ == k && factored_within(h, scalar(1) / 100000)) return linear_state::factored;
         ++factorisations;
         factored_for(scalar(0), 0);
         if (!stages.factor(system, h)) return linear_state::singular;
         if (watch && growth_.sees(system, stages)) return linear_state::growing;
         factored_for(h, k);
         return linear_state::factored;
+    }
+    /// The systems have been factored for a step that differs from h by at most `part` of it.
+    bool factored_within(const scalar& h, const scalar& part) const {
+        using std::abs;
+        return factored_h_ == h || abs(factored_h_ - h) < part * abs(h);
     }
     /// The systems have been factored elsewhere.
     void factored_for(const scalar& h, int k) {
