@@ -9,7 +9,9 @@
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/dynamics/ghosts.hpp>
+#include <stagecraft/theory/dynamics/ghosts_in_box.hpp>
 #include <stagecraft/theory/dynamics/one_sided_lipschitz.hpp>
+#include <stagecraft/theory/dynamics/rk_map.hpp>
 
 using namespace stagecraft;
 using namespace stagecraft::theory;

@@ -17,14 +17,6 @@
 
 namespace stagecraft::tableaux {
 
-/// The simplest rational in [low, high], 0 <= low <= high, by continued fractions.
-inline rational simplest_between(const rational& low, const rational& high) {
-    const integer whole = floor(low);
-    if (rational(whole) == low) return low;
-    if (rational(whole) + 1 <= high) return rational(whole) + 1;
-    return rational(whole) + 1 / simplest_between(1 / (high - rational(whole)), 1 / (low - rational(whole)));
-}
-
 /// The nodes as elements of one quadratic field, increasing, or nothing where they do not lie in one: all but
 /// two of them must be rational. (Gauss and Radau up to s = 3, Lobatto up to s = 5, any rational nodes.)
 inline std::optional<std::vector<quadratic>> exact_nodes(const nodal_polynomial& w) {

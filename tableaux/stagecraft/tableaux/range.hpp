@@ -57,6 +57,17 @@ inline rational scaled(const rational& x, int k) {
     return k < 0 ? x / rational(power) : x * rational(power);
 }
 
+/// The simplest rational in [low, high], low <= high (the one with the least denominator, and among those the one
+/// nearest to 0), by continued fractions.
+inline rational simplest_between(const rational& low, const rational& high) {
+    if (low <= 0 && high >= 0) return 0;
+    if (high < 0) return -simplest_between(-high, -low);
+    const integer whole = floor(low);
+    if (rational(whole) == low) return low;
+    if (rational(whole) + 1 <= high) return rational(whole) + 1;
+    return rational(whole) + 1 / simplest_between(1 / (high - rational(whole)), 1 / (low - rational(whole)));
+}
+
 /// Largest dyadic number of working_bits bits not above x (x itself where it is short already).
 inline rational rounded_down(const rational& x) {
     if (bit_size(x) <= 2 * range::working_bits) return x;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stagecraft/theory/dynamics/dissipativity.hpp"
+#include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 #include "stagecraft/theory/stability/algebraic_stability.hpp"
 
 namespace stagecraft::theory {
@@ -32,16 +33,6 @@ template <int N>
 void require_everywhere(const dissipativity_constants<N>& d) {
     if (!d.verdict.is_proved() || d.radius)
         throw std::invalid_argument("d: the dissipativity inequality must be proved everywhere");
-}
-
-template <class K>
-interval enclosed_number(const K& x) {
-    if constexpr (std::is_same_v<K, rational>) {
-        return interval(x);
-    } else {
-        const auto r = tableaux::to_range(x);
-        return hull(interval(r.lower), interval(r.upper));
-    }
 }
 
 /// An upper bound of |f| on |x - centre| <= radius, to one per cent.
@@ -104,15 +95,14 @@ absorbing_set absorbing_ball(const tableau<K>& method, F&& f, const dissipativit
     const interval level = interval(d.alpha) / interval(d.beta) + interval(epsilon);
     std::vector<interval> R, F_;
     for (Eigen::Index j = 0; j < s; ++j) {
-        R.push_back(sqrt(level / detail::enclosed_number(method.b[j])));
+        R.push_back(sqrt(level / enclosed_number(method.b[j])));
         F_.emplace_back(detail::largest_value<N>(f, d.centre, R.back().high()));
     }
     double largest = 0, least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < s; ++i) {
         interval move = 0;
         for (Eigen::Index j = 0; j < s; ++j)
-            move += abs(detail::enclosed_number(K(method.b[j] - method.A(i, j)))) *
-                    F_[static_cast<std::size_t>(j)];
+            move += abs(enclosed_number(K(method.b[j] - method.A(i, j)))) * F_[static_cast<std::size_t>(j)];
         move *= interval(h);
         largest = std::max(largest, (sqrt(level) + move).high());
         least = std::min(least, (R[static_cast<std::size_t>(i)] + move).high());

@@ -10,10 +10,13 @@
 #include <string>
 #include <utility>
 
-#include "stagecraft/theory/dynamics/absorbing.hpp"
-#include "stagecraft/theory/dynamics/rk_map.hpp"
+#include "stagecraft/tableaux/small_solve.hpp"
+#include "stagecraft/theory/dynamics/tableau_numbers.hpp"
+#include "stagecraft/theory/statements/verdict.hpp"
 
 namespace stagecraft::theory {
+
+using tableaux::rational;
 
 /// |x_1 - y_1| <= factor |x_0 - y_0| for every problem with one-sided Lipschitz constant gamma, l = h gamma: the method is
 /// (k, l)-algebraically stable with the weights D, factor = sqrt k (Burrage-Butcher 1980).
@@ -126,7 +129,7 @@ contraction_bound<K> contraction(const tableau<K>& t, const rational& l) {
         if (*k < K(0) ||
             tableaux::diagonalise<K>(burrage_butcher_matrix<K>(t, weights, *k, K(l))).inertia().negative > 0)
             return;
-        const double factor = sqrt(detail::enclosed_number(*k)).high();
+        const double factor = sqrt(enclosed_number(*k)).high();
         if (!(factor < best.factor)) return;
         best = {verdict::proved("(k, l)-algebraically stable, k = " + k->str()), *k, D, factor};
     };

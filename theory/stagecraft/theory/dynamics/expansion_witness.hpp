@@ -2,26 +2,30 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "stagecraft/theory/dynamics/rk_map.hpp"
+#include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 #include "stagecraft/theory/stability/algebraic_stability.hpp"
 
 namespace stagecraft::theory {
 
-/// Values z_i with Re z_i <= 0 at which a method expands: |K(Z)| > 1, K(Z) = 1 + b^T Z (I - A Z)^-1 1, Z = diag(z_i). For
-/// distinct nodes they are values h lambda(t_0 + c_i h) of one function with Re lambda <= 0: the linear problem
-/// x' = lambda(t) x is contractive and one step of the method moves solutions apart.
+using tableaux::rational;
+
+/// Values z_i with Re z_i <= 0 at which a method expands: |K(Z)| > 1, K(Z) = 1 + b^T Z (I - A Z)^-1 1, Z = diag(z_i),
+/// z_i = z_j where c_i = c_j. They are values h lambda(t_0 + c_i h) of one function with Re lambda <= 0: the linear
+/// problem x' = lambda(t) x is contractive and one step of the method moves solutions apart.
 template <class K>
 struct expansion {
     std::vector<rational> real, imaginary;
     K squared_factor;  ///< |K(Z)|^2 > 1, exactly
     tableau<double> method;
 
-    double factor() const { return std::sqrt(detail_value(squared_factor)); }
+    double factor() const { return std::sqrt(near_double(squared_factor)); }
 
     /// The problem for step size h from t = 0, in the plane: x' = (Re lambda + Im lambda J) x with lambda h through the
     /// z_i at the nodes, linear between them and constant outside.
@@ -44,15 +48,6 @@ struct expansion {
         const double a = at(real), b = at(imaginary);
         f[0] = a * x[0] - b * x[1];
         f[1] = b * x[0] + a * x[1];
-    }
-
-  private:
-    static double detail_value(const K& x) {
-        if constexpr (requires { x.template to<double>(); }) {
-            return x.template to<double>();
-        } else {
-            return tableaux::to_range(x).middle().template to<double>();
-        }
     }
 };
 
@@ -84,57 +79,102 @@ std::optional<K> squared_amplification(const tableau<K>& t, const std::vector<ra
     return u * u + v * v;
 }
 
-/// Where a method with distinct nodes is not algebraically stable: an exact Z at which it expands (the converse of
-/// Crouzeix's theorem; Hairer-Wanner II, section IV.12, proof of Theorem 12.13); nothing where it is. Large real z_i at one node are tried
-/// first; else with v^T M v < 0 |K|^2 = 1 - eps^2 v^T M v + O(eps^3) at Z = i eps diag(v), and with b_k < 0
-/// K = 1 - eps b_k + O(eps^2) at z_k = -eps. Throws std::invalid_argument where nodes coincide.
+namespace detail {
+
+/// The stages in groups of equal nodes.
+template <class K>
+std::vector<std::vector<std::size_t>> stages_by_node(const tableau<K>& t) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (Eigen::Index i = 0; i < t.c.size(); ++i) {
+        auto g = std::find_if(groups.begin(), groups.end(), [&](const auto& stages) {
+            return t.c[static_cast<Eigen::Index>(stages.front())] == t.c[i];
+        });
+        if (g == groups.end()) g = groups.insert(g, std::vector<std::size_t>{});
+        g->push_back(static_cast<std::size_t>(i));
+    }
+    return groups;
+}
+
+/// A direction v, constant on equal nodes, with v^T M v < 0, scaled to max |v_i| = 1 and rounded to 1/64ths where it
+/// is as good; nothing where there is none.
+template <class K>
+std::optional<std::vector<rational>> negative_direction(const tableau<K>& t,
+                                                        const std::vector<std::vector<std::size_t>>& groups) {
+    const auto M = stability_matrix(t);
+    const auto n = static_cast<Eigen::Index>(groups.size());
+    tableaux::dense<K> sums = tableaux::dense<K>::Constant(n, n, K(0));
+    for (Eigen::Index p = 0; p < n; ++p)
+        for (Eigen::Index q = 0; q < n; ++q)
+            for (const auto i : groups[static_cast<std::size_t>(p)])
+                for (const auto j : groups[static_cast<std::size_t>(q)])
+                    sums(p, q) = sums(p, q) + M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    const auto v = tableaux::diagonalise<K>(sums).negative_direction();
+    if (!v) return {};
+    double largest = 0;
+    for (Eigen::Index p = 0; p < n; ++p) largest = std::max(largest, std::abs(near_double((*v)[p])));
+    for (const double grid : {64.0, 0x1p20, 0x1p50}) {
+        std::vector<rational> rounded;
+        for (Eigen::Index p = 0; p < n; ++p)
+            rounded.push_back(exactly(std::round(near_double((*v)[p]) / largest * grid) / grid));
+        K value(0);
+        for (Eigen::Index p = 0; p < n; ++p)
+            for (Eigen::Index q = 0; q < n; ++q)
+                value = value + K(rounded[static_cast<std::size_t>(p)]) * sums(p, q) *
+                                    K(rounded[static_cast<std::size_t>(q)]);
+        if (value < K(0)) return rounded;
+    }
+    return {};
+}
+
+}  // namespace detail
+
+/// Where a method is not algebraically stable: an exact Z at which it expands. For distinct nodes there is one always
+/// (the converse of Crouzeix's theorem; Hairer-Wanner II, section IV.12, proof of Theorem 12.13). Where nodes coincide
+/// Z is sought among those that are constant on equal nodes; there need not be one, and nothing returned says nothing
+/// then (autonomous_witness.hpp goes on). Large real z at one node are tried first, then equal z everywhere; else with
+/// v^T M v < 0 |K|^2 = 1 - eps^2 v^T M v + O(eps^3) at Z = i eps diag(v), and with weights b_k < 0 at one node
+/// K = 1 - eps b_k + O(eps^2) at z = -eps there. Nothing for an algebraically stable method.
 template <class K>
 std::optional<expansion<K>> expansion_witness(const tableau<K>& t) {
-    require_shape(t);
+    tableaux::require_shape(t);
     if (algebraically_stable(t).is_proved()) return {};
-    const auto s = t.b.size();
-    for (Eigen::Index i = 0; i < s; ++i)
-        for (Eigen::Index j = 0; j < i; ++j)
-            if (t.c[i] == t.c[j])
-                throw std::invalid_argument("method: its nodes must be distinct, c[" + std::to_string(j + 1) +
-                                            "] = c[" + std::to_string(i + 1) + "]");
-    const std::vector<rational> zero(static_cast<std::size_t>(s), rational(0));
+    const auto groups = detail::stages_by_node(t);
+    const std::vector<rational> zero(static_cast<std::size_t>(t.b.size()), rational(0));
     std::optional<expansion<K>> found;
     const auto expands = [&](const std::vector<rational>& re, const std::vector<rational>& im) {
         const auto k = squared_amplification(t, re, im);
         if (k && K(1) < *k) found = expansion<K>{re, im, *k, in_doubles(t)};
         return found.has_value();
     };
-    for (const int size : {6, 20, 2, 100}) {
-        for (std::size_t i = 0; i < zero.size(); ++i) {
+    const std::vector<rational> large{-6, -20, -2, -100};
+    for (const rational& z : large) {
+        for (const auto& g : groups) {
             auto re = zero;
-            re[i] = -size;
+            for (const auto i : g) re[i] = z;
             if (expands(re, zero)) return found;
         }
     }
-    for (std::size_t i = 0; i < zero.size(); ++i) {
-        if (!(t.b[static_cast<Eigen::Index>(i)] < K(0))) continue;
+    for (const rational& z : large)
+        if (expands(std::vector<rational>(zero.size(), z), zero)) return found;
+    for (const auto& g : groups) {
+        K weight(0);
+        for (const auto i : g) weight = weight + t.b[static_cast<Eigen::Index>(i)];
+        if (!(weight < K(0))) continue;
         auto re = zero;
-        for (re[i] = -1;; re[i] = re[i] / 2)
+        for (rational z = -1;; z = z / 2) {
+            for (const auto i : g) re[i] = z;
             if (expands(re, zero)) return found;
-    }
-    const auto v = tableaux::diagonalise<K>(stability_matrix(t)).negative_direction();
-    double largest = 0;
-    std::vector<double> near;
-    for (Eigen::Index i = 0; i < s; ++i) {
-        if constexpr (requires { (*v)[i].template to<double>(); }) {
-            near.push_back((*v)[i].template to<double>());
-        } else {
-            near.push_back(tableaux::to_range((*v)[i]).middle().template to<double>());
         }
-        largest = std::max(largest, std::abs(near.back()));
     }
-    auto im = zero;
-    for (double scale = 1; scale > 1e-9; scale /= 2) {
-        for (std::size_t i = 0; i < im.size(); ++i) im[i] = exactly(scale * near[i] / largest);
+    const auto v = detail::negative_direction(t, groups);
+    if (!v) return {};
+    for (int halvings = 0; halvings < 60; ++halvings) {
+        auto im = zero;
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            for (const auto i : groups[g]) im[i] = tableaux::scaled((*v)[g], -halvings);
         if (expands(zero, im)) return found;
     }
-    throw std::logic_error("expansion_witness: none found down to 1e-9");
+    throw std::logic_error("expansion_witness: none found down to 2^-60");
 }
 
 }  // namespace stagecraft::theory

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "stagecraft/theory/dynamics/absorbing.hpp"
-#include "stagecraft/theory/dynamics/krawczyk.hpp"
-#include "stagecraft/theory/dynamics/rk_map.hpp"
+#include "stagecraft/theory/dynamics/evaluate.hpp"
+#include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 #include "stagecraft/theory/stability/stability_function.hpp"
+#include "stagecraft/theory/statements/verdict.hpp"
 
 namespace stagecraft::theory {
 
@@ -76,10 +76,6 @@ inline rational_function composed(const rational_function& r, const rational_fun
         return sum;
     };
     return rational_function(substituted(r.numerator()), substituted(r.denominator()));
-}
-
-inline void require_step(const rational& h) {
-    if (!(h > 0)) throw std::invalid_argument("h: must be positive, is " + h.str());
 }
 
 template <class F>
@@ -167,63 +163,6 @@ template <class K>
 bool no_linear_ghosts(const stability_function<K>& r) {
     const auto p = fixed_point_equation(r);
     return p.degree() == 1 && p[0] == K(0);
-}
-
-/// The fixed points of any method for any f that evaluates in intervals, x and its stages X_i in the box: the
-/// unknowns are (x, X_1, ..., X_s) in this order, N each; the zeros that are not equilibria are ghosts. A
-/// method of one stage has none: sum b_j f(X_j) = 0 makes X_1 = x an equilibrium.
-template <int N, class K, class F>
-zeros_in_box ghosts_in(const tableau<K>& method, F&& f, const rational& h, const box<N>& where,
-                       const krawczyk_limits& limits = {}) {
-    require_shape(method);
-    detail::require_step(h);
-    require_bounded<N>(where);
-    const auto s = method.b.size();
-    const auto ha = [&](Eigen::Index i, Eigen::Index j) {
-        return interval(h) * detail::enclosed_number(method.A(i, j));
-    };
-    const auto stage = [](const interval_vector& x, Eigen::Index i) {
-        return box<N>(x.segment<N>(N * (i + 1)));
-    };
-    const auto system = [&](const interval_vector& x) {
-        interval_vector r(N * (s + 1));
-        r.template head<N>().setZero();
-        for (Eigen::Index i = 0; i < s; ++i)
-            for (int n = 0; n < N; ++n) r[N * (i + 1) + n] = x[N * (i + 1) + n] - x[n];
-        for (Eigen::Index j = 0; j < s; ++j) {
-            const box<N> fj = enclosed<N>(f, stage(x, j));
-            const interval b = detail::enclosed_number(method.b[j]);
-            for (int n = 0; n < N; ++n) {
-                r[n] += b * fj[n];
-                for (Eigen::Index i = 0; i < s; ++i) r[N * (i + 1) + n] -= ha(i, j) * fj[n];
-            }
-        }
-        return r;
-    };
-    const auto jacobian = [&](const interval_vector& x) {
-        interval_matrix D = interval_matrix::Zero(N * (s + 1), N * (s + 1));
-        for (Eigen::Index i = 0; i < s; ++i) {
-            for (int n = 0; n < N; ++n) {
-                D(N * (i + 1) + n, N * (i + 1) + n) = 1;
-                D(N * (i + 1) + n, n) = -1;
-            }
-        }
-        for (Eigen::Index j = 0; j < s; ++j) {
-            const auto J = enclosed_jacobian<N>(f, stage(x, j));
-            const interval b = detail::enclosed_number(method.b[j]);
-            for (int n = 0; n < N; ++n) {
-                for (int k = 0; k < N; ++k) {
-                    D(n, N * (j + 1) + k) += b * J(n, k);
-                    for (Eigen::Index i = 0; i < s; ++i)
-                        D(N * (i + 1) + n, N * (j + 1) + k) -= ha(i, j) * J(n, k);
-                }
-            }
-        }
-        return D;
-    };
-    interval_vector start(N * (s + 1));
-    for (Eigen::Index i = 0; i <= s; ++i) start.template segment<N>(N * i) = where;
-    return all_zeros(system, jacobian, start, limits);
 }
 
 }  // namespace stagecraft::theory

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "stagecraft/tableaux/exact_tableau.hpp"
+#include "stagecraft/tableaux/range.hpp"
 #include "stagecraft/tableaux/small_solve.hpp"
 #include "stagecraft/theory/dynamics/evaluate.hpp"
 
@@ -70,9 +70,7 @@ inline supremum largest_eigenvalue(const dense<rational>& G, const dense<rationa
         (bounds(c, G, S) ? high : low) = c;
     }
     // low < largest eigenvalue <= high; is the simplest number between them the eigenvalue itself?
-    const rational c = low >= 0    ? tableaux::simplest_between(low, high)
-                       : high <= 0 ? -tableaux::simplest_between(-high, -low)
-                                   : rational(0);
+    const rational c = tableaux::simplest_between(low, high);
     dense<rational> D = S;
     for (Eigen::Index i = 0; i < S.size(); ++i) D.data()[i] = S.data()[i] - c * G.data()[i];
     if (bounds(c, G, S) && tableaux::determinant<rational>(D) == 0) return {c, c, {}};

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "stagecraft/tableaux/exact_tableau.hpp"
 #include "stagecraft/tableaux/number_traits.hpp"
 #include "stagecraft/tableaux/polynomial.hpp"
+#include "stagecraft/tableaux/range.hpp"
 #include "stagecraft/tableaux/sturm.hpp"
 
 namespace stagecraft::theory {
@@ -117,10 +117,7 @@ inline std::optional<supremum> supremum_on_line(const rational_function& r,
     const auto simple = squarefree(slope);
     for (auto root : tableaux::isolate_real_roots(slope)) {
         root = refine(simple, root, width * width);
-        const bool negative = root.high <= 0;
-        const rational c = negative       ? -tableaux::simplest_between(-root.high, -root.low)
-                           : root.low < 0 ? rational(0)
-                                          : tableaux::simplest_between(root.low, root.high);
+        const rational c = tableaux::simplest_between(root.low, root.high);
         const rational value = r(c);
         if (!best || value > best->low || (value == best->low && !best->point))
             best = supremum{value, value, c};
@@ -129,8 +126,7 @@ inline std::optional<supremum> supremum_on_line(const rational_function& r,
         best->high = best->low + slack;
     // A rational value at an irrational point: nothing lies above it, and it is met.
     if (best->low == best->high) return best;
-    const rational shift = floor(best->low);
-    const rational v = shift + tableaux::simplest_between(best->low - shift, best->high - shift);
+    const rational v = tableaux::simplest_between(best->low, best->high);
     if (!point_above(r, v) && tableaux::sturm_chain<rational>(polynomial<rational>(v) * q - p).count() > 0)
         best->low = best->high = v;
     return best;

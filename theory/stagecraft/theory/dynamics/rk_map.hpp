@@ -4,36 +4,11 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <optional>
-#include <stagecraft/tableau.hpp>
 
 #include "stagecraft/theory/dynamics/evaluate.hpp"
+#include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 
 namespace stagecraft::theory {
-
-/// The tableau in doubles.
-template <class K>
-tableau<double> in_doubles(const tableau<K>& t) {
-    tableau<double> d;
-    const auto number = [](const K& x) {
-        if constexpr (requires { x.template to<double>(); }) {
-            return x.template to<double>();
-        } else {
-            return tableaux::to_range(x).middle().template to<double>();
-        }
-    };
-    d.A = t.A.unaryExpr(number);
-    d.b = t.b.unaryExpr(number);
-    d.c = t.c.unaryExpr(number);
-    return d;
-}
-
-template <class K>
-bool is_explicit(const tableau<K>& t) {
-    for (Eigen::Index i = 0; i < t.b.size(); ++i)
-        for (Eigen::Index j = i; j < t.b.size(); ++j)
-            if (!(t.A(i, j) == K(0))) return false;
-    return true;
-}
 
 /// The map x_0 -> x_1 of a Runge-Kutta method at one step size, solved to rounding: a measuring instrument
 /// for large steps, no integrator. Implicit stages by Newton's method with full Jacobians and halved
