@@ -85,3 +85,23 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_on_stderr_and_exit_2) {
     }
     BOOST_TEST(run("--help").status == 0);
 }
+
+BOOST_AUTO_TEST_CASE(exercise_lists_twelve_kinds_and_prints_text_latex_and_json) {
+    const result list = run("exercise");
+    BOOST_TEST(list.status == 0);
+    BOOST_TEST(std::count(list.output.begin(), list.output.end(), '\n') == 12);
+    const result text = run("exercise ghosts --seed 5");
+    BOOST_TEST(text.status == 0);
+    BOOST_TEST(text.output.starts_with("Exercise ghosts, seed 5\n\nFind all fixed points"));
+    BOOST_TEST(text.output == run("exercise ghosts --seed 5").output);
+    BOOST_TEST(run("exercise ghosts --seed 5 --latex").output.starts_with("\\documentclass"));
+    const auto j = nlohmann::json::parse(run("exercise ghosts --seed 5 --json").output);
+    BOOST_TEST(j["kind"] == "ghosts");
+    BOOST_TEST(j["seed"] == 5);
+    BOOST_TEST(j["certificate"][0]["verdict"] == "proved");
+    BOOST_TEST(text.output.find(j["solution"].get<std::string>()) != std::string::npos);
+    refused("exercise ghosts --seed -1",
+            "stagecraft: --seed: '-1' is not a whole number from 0 to 2147483647");
+    refused("exercise ghosts --json --latex", "stagecraft: exercise: give --latex or --json, not both");
+    BOOST_TEST(run("exercise quiz").status == 2);
+}
