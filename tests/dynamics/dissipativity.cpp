@@ -120,6 +120,25 @@ BOOST_AUTO_TEST_CASE(satz_1_12_balls_are_invariant_and_absorb_after_t_star) {
     BOOST_TEST(dissipativity<1>(cubic, 1).absorption_time(0.5, 0.01) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(satz_1_12_for_minus_t_x_from_t0_on_beta_is_t0_and_none_serves_for_negative_t0) {
+    const auto f = [](const auto& t, const auto& x, auto& out) { out[0] = -t * x[0]; };
+    for (const rational& t0 : {rational(1, 2), rational(3)}) {
+        const auto d = dissipativity_from<1>(f, t0, t0);
+        BOOST_TEST((d.verdict.is_proved() && d.alpha == 0 && d.beta == t0));
+        BOOST_TEST(!dissipativity_from<1>(f, t0 + rational(1, 100), t0).verdict.is_proved());
+        // every solution is in the ball of radius 1/10 after t*
+        const double start = t0.to<double>(), after = d.absorption_time(7, 0.01);
+        BOOST_TEST(7 * std::exp(-start * after - after * after / 2) <= 0.1);
+    }
+    BOOST_TEST(!dissipativity_from<1>(f, rational(1, 1000), -2).verdict.is_proved());
+    BOOST_TEST(0.3 * std::exp(2.0) > 2);  // the solution from x(-2) = 0.3 reaches this at t = 0
+    const auto spiral = [](const auto& t, const auto& x, auto& out) {
+        out[0] = -t * x[0] - t * x[1];
+        out[1] = t * x[0] - 2 * t * x[1];
+    };
+    BOOST_TEST(dissipativity_from<2>(spiral, 1, 1).verdict.is_proved());
+}
+
 BOOST_AUTO_TEST_CASE(satz_1_12_without_the_inequality_solutions_leave_every_ball) {
     const field f = outwards;
     const auto r = integrate(radau_iia<3>(), f, VectorXd::Constant(1, 1.01), 0.0, 10.0);
@@ -228,5 +247,19 @@ BOOST_AUTO_TEST_CASE(bad_input_of_dissipativity_and_of_absorbing_balls_is_named)
     BOOST_TEST(
         message([&] { absorbing_ball(exact(family::gauss, 1), cubic, box_only, 1); }).starts_with("d: "));
     BOOST_TEST(message([&] { d.absorption_time(-1, 1); }).starts_with("start: "));
+    BOOST_TEST(message([&] { d.absorption_time(HUGE_VAL, 1); }).starts_with("start: "));
+    BOOST_TEST(message([&] { d.absorption_time(std::nan(""), 1); }).starts_with("start: "));
+    auto negative = d;
+    negative.alpha = -1;
+    BOOST_TEST(message([&] { negative.absorbing_radius(); }) == "alpha: must not be negative, is -1");
+    BOOST_TEST(message([&] { absorbing_ball_of_implicit_euler<1>(negative); }).starts_with("alpha: "));
+    negative = d;
+    negative.beta = 0;
+    BOOST_TEST(message([&] { absorbing_ball(exact(family::gauss, 1), cubic, negative, 1); }) ==
+               "beta: must be positive, is 0");
+    const auto pole = [](const auto&, const auto& x, auto& f) { f[0] = 1 / x[0]; };
+    BOOST_TEST(message([&] { dissipativity_within<1>(pole, 1, 1.0); }).starts_with("f: cannot be bounded"));
+    BOOST_TEST(message([&] { dissipativity_within<1>(cubic, 1, HUGE_VAL); }).starts_with("radius: "));
+    BOOST_TEST(message([&] { absorbing_ball_of_implicit_euler<1>(d, 0); }).starts_with("epsilon: "));
     BOOST_TEST(message([&] { d.absorption_time(1, 0); }).starts_with("epsilon: "));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: deleted function
+// says: sin: a statement on the whole line needs a rational f; give a box
 #include <stagecraft/theory/dynamics/one_sided_lipschitz.hpp>
 
 using namespace stagecraft::theory;

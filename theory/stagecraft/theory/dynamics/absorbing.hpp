@@ -31,6 +31,7 @@ namespace detail {
 
 template <int N>
 void require_everywhere(const dissipativity_constants<N>& d) {
+    d.require_constants();
     if (!d.verdict.is_proved() || d.radius)
         throw std::invalid_argument("d: the dissipativity inequality must be proved everywhere");
 }

@@ -8,6 +8,7 @@
 
 #include "stagecraft/theory/dynamics/inner_product.hpp"
 #include "stagecraft/theory/dynamics/maximum.hpp"
+#include "stagecraft/theory/dynamics/sum_of_squares.hpp"
 #include "stagecraft/theory/statements/verdict.hpp"
 
 namespace stagecraft::theory {
@@ -25,16 +26,24 @@ struct dissipativity_constants {
 
     /// Every ball with more than this radius is absorbing for x' = f(x) (lecture, Satz 1.12).
     double absorbing_radius(double epsilon = 0) const {
+        require_constants();
         return sqrt(interval(alpha) / interval(beta) + interval(epsilon)).high();
     }
     /// A time after which every solution from |x - centre| <= start has |x - centre|^2 <= alpha/beta +
     /// epsilon (Satz 1.12); 0 where it has from the beginning.
     double absorption_time(double start, double epsilon) const {
-        if (!(start >= 0)) throw std::invalid_argument("start: must not be negative");
+        require_constants();
+        if (!(start >= 0) || !std::isfinite(start))
+            throw std::invalid_argument("start: must be finite and not negative");
         if (!(epsilon > 0)) throw std::invalid_argument("epsilon: must be positive");
         const interval excess = square(interval(start)) - interval(alpha) / interval(beta);
         if (excess.high() <= epsilon) return 0;
         return (log(interval(excess.high()) / epsilon) / (2 * interval(beta))).high();
+    }
+    /// Throws std::invalid_argument for alpha < 0 or beta <= 0, which no result of a search has.
+    void require_constants() const {
+        if (alpha < 0) throw std::invalid_argument("alpha: must not be negative, is " + alpha.str());
+        if (!(beta > 0)) throw std::invalid_argument("beta: must be positive, is " + beta.str());
     }
 };
 
@@ -108,6 +117,29 @@ dissipativity_constants<N> dissipativity(F&& f, const rational& beta,
         if (!a) return none("<f(x), x> + beta |x|^2 is unbounded above");
         return found(*a, true);
     }
+}
+
+/// On R^N for all times t >= t0, f polynomial in t and x: alpha = 0, proved where -<f(t, x), x - centre> - beta
+/// |x - centre|^2 at t = t0 + s^2 is a sum of squares in s and x (lecture, section 1.1.1); consistent else. Throws
+/// std::invalid_argument for beta <= 0.
+template <int N, class F>
+dissipativity_constants<N> dissipativity_from(F&& f, const rational& beta, const rational& t0,
+                                              const state<rational, N>& centre = origin<N>()) {
+    detail::require_beta(beta);
+    static_assert(evaluates_in<F, multinomial, N>,
+                  "a statement for all t >= t0 needs f in polynomial arithmetic: take t, x and out as auto");
+    state<multinomial, N> x, out;
+    for (int i = 0; i < N; ++i) x[i] = multinomial::unknown(i) + centre[i];
+    const multinomial s = multinomial::unknown(N);
+    f(t0 + s * s, x, out);
+    multinomial rest;
+    for (int i = 0; i < N; ++i)
+        rest -= out[i] * multinomial::unknown(i) + beta * multinomial::unknown(i) * multinomial::unknown(i);
+    const bool holds = detail::is_sum_of_squares(rest, N + 1);
+    return {holds ? verdict::proved("for t >= " + t0.str() + ": alpha = 0, by a sum of squares")
+                  : verdict::consistent(rest.str(), "no sum of squares found",
+                                        "alpha = 0 is not decided; give a radius and a bounded time"),
+            0, beta, centre, holds};
 }
 
 /// Likewise on the ball |x - centre| <= radius, for any f that evaluates in intervals, at all times in

@@ -88,9 +88,8 @@ class returning_points {
                          [this](const interval_vector& x) { return jacobian(x); },
                          where.replicate(size() / N, 1), limits);
     }
-    /// Whether exactly one solution lies in `where`, all x_n and X_ni in the same box.
-    bool unique_in(const box<N>& where) const {
-        interval_vector x = where.replicate(size() / N, 1);
+    /// Whether exactly one solution lies in x.
+    bool unique_in(interval_vector x) const {
         return krawczyk_step([this](const interval_vector& y) { return residual(y); },
                              [this](const interval_vector& y) { return jacobian(y); },
                              x) == krawczyk_finding::unique;
@@ -108,13 +107,12 @@ class returning_points {
     interval_vector hb_;
 };
 
-/// The box that holds all parts of N numbers of z, a little widened.
-template <int N>
-box<N> hull_of_parts(const interval_vector& z) {
-    box<N> x = z.head<N>();
-    for (Eigen::Index p = N; p < z.size(); p += N)
-        for (int k = 0; k < N; ++k) x[k] = hull(x[k], z[p + k]);
-    for (int k = 0; k < N; ++k) {
+/// The box that holds all parts of `length` numbers of z, a little widened.
+inline interval_vector hull_of_parts(const interval_vector& z, Eigen::Index length) {
+    interval_vector x = z.head(length);
+    for (Eigen::Index p = length; p < z.size(); p += length)
+        for (Eigen::Index k = 0; k < length; ++k) x[k] = hull(x[k], z[p + k]);
+    for (Eigen::Index k = 0; k < length; ++k) {
         const double margin = 1e-7 * (1 + x[k].magnitude());
         x[k] = x[k] + interval(-margin, margin);
     }
@@ -127,14 +125,15 @@ fixed_point_kind kind_of(const returning_points<N, F>& map, F& f, const interval
     for (int k = 0; k < N; ++k)
         if (!fx[k].contains(0.0)) return fixed_point_kind::ghost;
     // One zero of f in a box, and one fixed point with its stages in that box: they are the same.
-    const box<N> around = hull_of_parts<N>(z);
+    const interval_vector around = hull_of_parts(z, N);
     interval_vector x = around;
     const bool vanishes =
         krawczyk_step(
             [&](const interval_vector& y) { return interval_vector(enclosed<N>(f, box<N>(y))); },
             [&](const interval_vector& y) { return interval_matrix(enclosed_jacobian<N>(f, box<N>(y))); },
             x) == krawczyk_finding::unique;
-    return vanishes && map.unique_in(around) ? fixed_point_kind::equilibrium : fixed_point_kind::undecided;
+    return vanishes && map.unique_in(around.replicate(z.size() / N, 1)) ? fixed_point_kind::equilibrium
+                                                                        : fixed_point_kind::undecided;
 }
 
 template <int N, class K>
@@ -180,9 +179,10 @@ zeros_in_box two_cycles_in(const tableau<K>& method, F f, const rational& h, con
             found.zeros.push_back(z);
             continue;
         }
-        // A fixed point with all stages near, and the only solution of both systems: no cycle.
-        const box<N> around = detail::hull_of_parts<N>(z);
-        if (!(once.unique_in(around) && twice.unique_in(around))) found.undecided.push_back(z);
+        // A fixed point, taken twice the only solution near: no cycle.
+        const interval_vector around = detail::hull_of_parts(z, once.size());
+        if (!(once.unique_in(around) && twice.unique_in(around.replicate(2, 1))))
+            found.undecided.push_back(z);
     }
     const std::string points = std::to_string(found.zeros.size()) + " points of period two in the box";
     found.verdict =
