@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/Jacobi>
+#include <Eigen/SparseCore>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include <stagecraft/linear/block_work.hpp>
+#include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/shifted_sparse.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// Flexible GMRES with restarts, preconditioned from the right: x, the right-hand side, becomes the solution to a
+/// relative residual of `bound`, or what `most` iterations have made of it; NaN if it is not finite. Keeps
+/// 2 (restart + 1) vectors, taken at the first call.
+class restarted_gmres {
+  public:
+    using vector = Eigen::VectorXd;
+
+    /// multiply(in, out) and precondition(in, out); returns the iterations.
+    template <class Multiply, class Precondition>
+    int solve(Multiply&& multiply, Precondition&& precondition, Eigen::Ref<vector> x, double bound,
+              int most) {
+        take(x.size());
+        b_ = x;
+        const double whole = b_.norm();
+        if (whole == 0) return 0;
+        x.setZero();
+        w_ = b_;
+        double rest = whole;
+        int iterations = 0;
+        while (rest > bound * whole && iterations < most) {
+            const int k = cycle(multiply, precondition, rest, bound * whole, most - iterations);
+            iterations += k;
+            const auto y = H_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g_.head(k)).eval();
+            x.noalias() += Z_.leftCols(k) * y;
+            multiply(x, w_);
+            w_ = b_ - w_;
+            rest = w_.norm();
+        }
+        if (!std::isfinite(rest)) x.setConstant(std::numeric_limits<double>::quiet_NaN());
+        return iterations;
+    }
+
+  private:
+    static constexpr int restart = 10;
+
+    void take(Eigen::Index n) {
+        if (w_.size() == n) return;
+        V_.resize(n, restart + 1);
+        Z_.resize(n, restart);
+        w_.resize(n);
+        b_.resize(n);
+    }
+    /// From the residual in w_; leaves the triangular factor in H_ and the right-hand side in g_. Returns its size.
+    template <class Multiply, class Precondition>
+    int cycle(Multiply& multiply, Precondition& precondition, double rest, double goal, int most) {
+        H_.setZero();
+        g_.setZero();
+        g_[0] = rest;
+        V_.col(0) = w_ / rest;
+        int k = 0;
+        while (k < restart && k < most) {
+            precondition(V_.col(k), Z_.col(k));
+            multiply(Z_.col(k), w_);
+            for (int i = 0; i <= k; ++i) {
+                H_(i, k) = V_.col(i).dot(w_);
+                w_ -= H_(i, k) * V_.col(i);
+            }
+            const double next = w_.norm();
+            H_(k + 1, k) = next;
+            for (int i = 0; i < k; ++i) H_.col(k).applyOnTheLeft(i, i + 1, turn_[i].adjoint());
+            turn_[k].makeGivens(H_(k, k), H_(k + 1, k));
+            H_.col(k).applyOnTheLeft(k, k + 1, turn_[k].adjoint());
+            g_.applyOnTheLeft(k, k + 1, turn_[k].adjoint());
+            ++k;
+            if (!(std::abs(g_[k]) > goal) || next == 0) break;
+            V_.col(k) = w_ / next;
+        }
+        return k;
+    }
+
+    Eigen::MatrixXd V_, Z_;
+    vector w_, b_;
+    Eigen::Matrix<double, restart + 1, restart> H_;
+    Eigen::Matrix<double, restart + 1, 1> g_;
+    std::array<Eigen::JacobiRotation<double>, restart> turn_;
+};
+
+/// shift M - J and a preconditioner for it: an incomplete factorisation of the matrix where J is sparse, else
+/// J.precondition(shift, x).
+class shifted_operator {
+  public:
+    using vector = Eigen::VectorXd;
+    using in = Eigen::Ref<const vector>;
+    using out = Eigen::Ref<vector>;
+
+    /// False if the matrix is not finite, or its factorisation fails.
+    template <class Mass, class Matrix>
+    bool set(const Mass& mass, const Matrix& J, double shift) {
+        add_mass_ = [&mass](double factor, const in& x, out r) {
+            add_mass_times(mass, factor, x.data(), r.data(), static_cast<int>(x.size()));
+        };
+        if constexpr (requires(const double* x, double* r) { J.add_times(1.0, x, r); }) {
+            multiply_ = [this, &J, shift](const in& x, out r) {
+                r.setZero();
+                add_mass(shift, x, r);
+                J.add_times(-1.0, x.data(), r.data());
+            };
+            precondition_ = [&J, shift](const in& x, out r) {
+                r = x;
+                J.precondition(shift, r.data());
+            };
+            return true;
+        } else {
+            return factor(mass, J, shift);
+        }
+    }
+    void multiply(const in& x, out r) const { multiply_(x, r); }
+    void precondition(const in& x, out r) const { precondition_(x, r); }
+    /// r := r + factor M x.
+    void add_mass(double factor, const in& x, out r) const { add_mass_(factor, x, r); }
+
+  private:
+    template <class Mass>
+    bool factor(const Mass& mass, const Eigen::SparseMatrix<double>& J, double shift) {
+        if (!matrix_.fill(mass, J, shift)) {
+            matrix_.adopt(mass, J);
+            matrix_.fill(mass, J, shift);
+        }
+        if (!matrix_.finite()) return false;
+        multiply_ = [this](const in& x, out r) { r.noalias() = matrix_.matrix() * x; };
+        precondition_ = [this](const in& x, out r) { r = factors_.solve(x); };
+        factors_.setDroptol(1e-2);
+        factors_.setFillfactor(3);
+        factors_.compute(matrix_.matrix());
+        return factors_.info() == Eigen::Success;
+    }
+
+    shifted_sparse<double> matrix_;
+    Eigen::IncompleteLUT<double> factors_;
+    std::function<void(double, const in&, out)> add_mass_;
+    std::function<void(const in&, out)> multiply_, precondition_;
+};
+
+}  // namespace detail
+
+/// The linear systems of a step by restarted GMRES, for large problems on one machine: to a hundredth of the residual,
+/// preconditioned from the right, in memory that is a multiple of n. A complex pair is solved as a real system of twice
+/// the size with PRESB (Axelsson-Neytcheva), two applications of one real preconditioner, for the sum of the real and
+/// imaginary parts of its shift. The preconditioner is an incomplete LU factorisation of shift M - J for a problem with
+/// sparsity(). For a problem with matrix() it is that object's: with add_times(factor, x, r), which adds factor J x to r,
+/// and precondition(shift, x), which replaces x by about (shift M - J)^-1 x, on n contiguous numbers; no matrix need then
+/// ever be formed. Used as linear/klu.hpp is:
+///
+///     using linear_solver = stagecraft::krylov_blocks;
+///
+/// Inexact solves are Newton's business: what they leave shows in its contraction.
+struct krylov_blocks {
+    class real {
+      public:
+        explicit real(int n) : n_(n), system_(std::make_unique<detail::shifted_operator>()) {}
+        template <class Mass, class Matrix>
+        bool factor_shifted(const Mass& mass, const Matrix& J, double shift) {
+            return n_ == 0 || system_->set(mass, J, shift);
+        }
+        void solve(double* x) {
+            if (n_ == 0) return;
+            gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
+                         [&](const auto& in, auto&& out) { system_->precondition(in, out); },
+                         Eigen::Map<Eigen::VectorXd>(x, n_), bound, most);
+        }
+
+      private:
+        int n_;
+        std::unique_ptr<detail::shifted_operator> system_;  // its functions refer to it
+        detail::restarted_gmres gmres_;
+    };
+
+    class complex {
+      public:
+        explicit complex(int n)
+            : n_(n), system_(std::make_unique<detail::shifted_operator>()), h_(n), w_(n), both_(2 * n) {}
+        template <class Mass, class Matrix>
+        bool factor_shifted(const Mass& mass, const Matrix& J, double re, double im) {
+            beta_ = std::abs(im);
+            sign_ = im < 0 ? -1 : 1;  // the conjugate system has the same real form
+            return n_ == 0 || system_->set(mass, J, re + beta_);
+        }
+        void solve(double* x, double* y) {
+            if (n_ == 0) return;
+            Eigen::Map<Eigen::VectorXd> u(x, n_), v(y, n_);
+            both_ << u, sign_ * v;
+            gmres_.solve([&](const auto& in, auto&& out) { multiply(in, out); },
+                         [&](const auto& in, auto&& out) { precondition(in, out); }, both_, bound, most);
+            u = both_.head(n_);
+            v = sign_ * both_.tail(n_);
+        }
+
+      private:
+        /// With P = (re + beta) M - J and B = beta M: [A -B; B A] with A = P - B.
+        template <class In, class Out>
+        void multiply(const In& in, Out&& out) {
+            const auto u = in.head(n_), v = in.tail(n_);
+            system_->multiply(u, out.head(n_));
+            system_->multiply(v, out.tail(n_));
+            w_ = u + v;
+            system_->add_mass(-beta_, w_, out.head(n_));
+            w_ = u - v;
+            system_->add_mass(beta_, w_, out.tail(n_));
+        }
+        /// h := P^-1 (r1 + r2), y := P^-1 (r2 - B h), x := h - y.
+        template <class In, class Out>
+        void precondition(const In& in, Out&& out) {
+            w_ = in.head(n_) + in.tail(n_);
+            system_->precondition(w_, h_);
+            w_ = in.tail(n_);
+            system_->add_mass(-beta_, h_, w_);
+            system_->precondition(w_, out.tail(n_));
+            out.head(n_) = h_ - out.tail(n_);
+        }
+
+        int n_;
+        double beta_ = 0, sign_ = 1;
+        std::unique_ptr<detail::shifted_operator> system_;
+        detail::restarted_gmres gmres_;
+        Eigen::VectorXd h_, w_, both_;
+    };
+
+    /// Per stage, in nanoseconds: half a factorisation, and about ten products and solves an iteration.
+    static block_work<double> work(int n) { return {500.0 * n, 600.0 * n}; }
+
+  private:
+    static constexpr double bound = 1e-2;
+    static constexpr int most = 100;
+};
+
+}  // namespace stagecraft
