@@ -136,6 +136,8 @@ BOOST_AUTO_TEST_CASE(a_run_takes_the_same_steps_on_any_number_of_processes) {
     BOOST_TEST(r.ok());
     BOOST_TEST(r.report.steps == whole.report.steps);
     BOOST_TEST(r.report.solves == whole.report.solves);
+    // Two systems a factorisation; a hierarchy serves until it has cost more than a new one does.
+    BOOST_TEST(here.J.counts().setups <= r.report.factorisations);
     const long cycles = alone.J.counts().cycles;
     BOOST_TEST(std::abs(here.J.counts().cycles - cycles) <= cycles / 20);
     // States in another order: their means and their norms.

@@ -49,8 +49,13 @@ class petsc_shifted {
         PetscReal size = 0;
         petsc_check(MatNorm(matrix_.get(), NORM_FROBENIUS, &size));
         if (!std::isfinite(size)) return false;
-        ++counts_->setups;
+        const bool kept = serves(shift);
+        petsc_check(PCSetReusePreconditioner(pc_.get(), kept ? PETSC_TRUE : PETSC_FALSE));
         petsc_check(PCSetOperators(pc_.get(), matrix_.get(), matrix_.get()));
+        if (kept) return true;
+        ++counts_->setups;
+        shift_ = shift;
+        usual_ = excess_ = 0;
         petsc_check(PCSetUp(pc_.get()));
         PCFailedReason failed = PC_NOERROR;
         petsc_check(PCGetFailedReason(pc_.get(), &failed));
@@ -61,6 +66,11 @@ class petsc_shifted {
     petsc_counts& counts() const { return *counts_; }
     petsc_owned<Vec> vector() const {
         return petsc_made<Vec>([&](Vec* v) { return MatCreateVecs(matrix(), v, nullptr); });
+    }
+    /// A solve has taken so many cycles.
+    void used(long cycles) {
+        if (usual_ == 0) usual_ = cycles;
+        if (cycles > usual_) excess_ += cycles - usual_;
     }
     /// out := one cycle on in.
     void cycle(Vec in, Vec out) const {
@@ -92,9 +102,18 @@ class petsc_shifted {
         if (!given) petsc_check(PetscOptionsSetValue(nullptr, name, value));
     }
 
+    /// True if the hierarchy is good enough for another shift and J: until what it has cost beyond its first solve is what
+    /// a new one costs. (A shift that is far from its own would show at once.)
+    bool serves(double shift) const {
+        return usual_ > 0 && excess_ < setup_cost && shift < 2 * shift_ && shift_ < 2 * shift;
+    }
+
+    static constexpr long setup_cost = 5;  // in cycles
     petsc_owned<Mat> matrix_;
     petsc_owned<PC> pc_;
     petsc_counts* counts_ = nullptr;
+    double shift_ = 0;             // that of the hierarchy
+    long usual_ = 0, excess_ = 0;  // cycles of its first solve; those of later solves beyond as many
 };
 
 /// Flexible GMRES, from the right and from zero, to a hundredth of the residual.
@@ -105,17 +124,6 @@ inline petsc_owned<KSP> petsc_krylov(MPI_Comm processes, const char* prefix, Mat
     petsc_check(KSPSetOptionsPrefix(ksp.get(), prefix));
     petsc_check(KSPSetOperators(ksp.get(), A, A));
     return ksp;
-}
-
-/// What a callback of PETSc's returns: exceptions do not pass through C.
-template <class F>
-PetscErrorCode petsc_code(F&& f) {
-    try {
-        f();
-    } catch (...) {
-        return PETSC_ERR_LIB;
-    }
-    return 0;
 }
 
 /// A shell preconditioner for a KSP that calls apply(in, out) of an object.
@@ -192,6 +200,8 @@ class petsc_pair {
             std::memcpy(x, both, sizeof(double) * n);
             std::memcpy(y, both + n, sizeof(double) * n);
         }
+        first_.used((presb_ ? 2 : 1) * iterations);
+        if (!presb_) second_.used(iterations);
         petsc_counts& counts = first_.counts();
         ++counts.pair_solves;
         counts.pair_iterations += iterations;
@@ -315,6 +325,7 @@ class petsc_single {
     }
     void solve(double* x) {
         const long iterations = petsc_solve(ksp_.get(), rhs_.get(), solution_.get(), x);
+        shifted_.used(iterations);
         petsc_counts& counts = shifted_.counts();
         ++counts.real_solves;
         counts.real_iterations += iterations;
@@ -332,12 +343,15 @@ class petsc_single {
 
 /// The linear systems of a step on distributed matrices (petsc_matrix), by flexible GMRES to a hundredth of the
 /// residual, preconditioned from the right. Real systems take one cycle of the preconditioner (algebraic multigrid by
-/// default: PCGAMG with Gauss-Seidel smoothing) for shift M - J an iteration; a complex pair two cycles of one real hierarchy, for the sum
-/// of the real and imaginary part of its shift. J needs a place for every diagonal entry, and M, J the same layout.
+/// default: PCGAMG with Gauss-Seidel smoothing) for shift M - J an iteration; a complex pair two cycles of one real
+/// hierarchy, for the sum of the real and imaginary part of its shift. J needs a place for every diagonal entry, and M, J the same layout.
 ///
 /// Everything can be set from PETSc's options: -stage_real_ and -stage_pair_ are the prefixes of the iterations
 /// (-stage_real_ksp_rtol 1e-3), -stage_pc_ that of the preconditioner (-stage_pc_pc_type hypre), and
 /// -stage_pair_scheme triangular takes another preconditioner of pairs, with two hierarchies.
+///
+/// A hierarchy outlives the Jacobian and the step it was made for while it serves: until the cycles that it has cost
+/// beyond those of its first solve are as many as a setup is worth, about five.
 ///
 /// Inexact solves are Newton's business: what they leave shows in its contraction. An error that PETSc reports is a
 /// std::runtime_error on the process where it does.

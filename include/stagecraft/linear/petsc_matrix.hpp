@@ -24,6 +24,17 @@ inline void petsc_check(PetscErrorCode code) {
     if (code != 0) throw std::runtime_error("PETSc reports error " + std::to_string(static_cast<int>(code)));
 }
 
+/// What a callback of PETSc's returns: exceptions do not pass through C.
+template <class F>
+PetscErrorCode petsc_code(F&& f) {
+    try {
+        f();
+    } catch (...) {
+        return PETSC_ERR_LIB;
+    }
+    return 0;
+}
+
 /// Replaces k numbers by their sums over the processes of a communicator.
 inline void petsc_add_up(MPI_Comm processes, double* x, int k) {
     if (MPI_Allreduce(MPI_IN_PLACE, x, k, MPI_DOUBLE, MPI_SUM, processes) != MPI_SUCCESS)
