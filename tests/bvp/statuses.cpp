@@ -24,6 +24,7 @@ struct oscillator {
         f = Vector2d(y[1], -y[0]);
         if (fault == 1 && t == 0) f[1] = std::numeric_limits<double>::quiet_NaN();
         if (fault == 2) throw std::runtime_error("no");
+        if (fault == 4) f = Vector2d(50 * y[0], -50 * y[1]);
         if (fault == 3 && t > 0.4) f[0] = std::numeric_limits<double>::infinity();
     }
 };
@@ -113,6 +114,14 @@ BOOST_AUTO_TEST_CASE(at_resonance_solutions_do_not_exist_or_are_not_isolated) {
         BOOST_TEST(word(solve(T, {0, 0}).status) == "not_isolated");
         BOOST_TEST(word(solve(T, {1, same}).status) == "not_isolated");
     }
+}
+
+// Where the mesh is coarse beside 1/50, Green's function is large at s = t and at s = a only.
+BOOST_AUTO_TEST_CASE(the_jump_of_greens_function_and_its_values_at_the_ends_belong_to_kappa_2) {
+    const auto r = solve(1, {0, 0, 1}, 4);  // x' = diag(50, -50) x, periodic: kappa = 1/(1 - e^-50)
+    BOOST_TEST(r.ok());
+    BOOST_TEST(std::abs(r.conditioning.kappa1 - 1) < 1e-6);
+    BOOST_TEST(std::abs(r.conditioning.kappa2 - 1) < 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(what_callables_do_wrong_is_a_status) {

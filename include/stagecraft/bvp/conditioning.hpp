@@ -194,15 +194,30 @@ class conditioning_of {
     }
 
   private:
+    /// The norm of G(t_i, s) at s = t_{j+1}; where that is t_i, the larger of the limits from both sides, which
+    /// differ by the identity.
+    template <class Block>
+    scalar norm_at(int i, int j, const Block& block) const {
+        const scalar after = detail::spectral_norm(block.eval());
+        if (i != j + 1) return after;
+        const scalar before =
+            detail::spectral_norm((block - matrix::Identity(block.rows(), block.cols())).eval());
+        return after > before ? after : before;
+    }
+
     void search(bvp_conditioning<scalar>& c, const std::vector<scalar>& norms) {
         const int n = equations_.n(), L = x_.intervals();
+        for (int i = 0; i <= L; ++i) {  // s = a
+            const scalar norm = detail::spectral_norm(matrix(phi(i) * equations_.conditions().leftCols(n)));
+            if (norm > c.kappa2) c.kappa2 = norm;
+        }
         int row = static_cast<int>(std::max_element(norms.begin(), norms.end()) - norms.begin());
         for (int round = 0; round < 4; ++round) {
             const wide across = green_row(row);
             scalar integral(0), largest(0);
             int at = 0;
             for (int j = 0; j < L; ++j) {
-                const scalar norm = detail::spectral_norm(across.middleCols(j * n, n).eval());
+                const scalar norm = norm_at(row, j, across.middleCols(j * n, n));
                 integral += x_.h(j) * norm;
                 if (norm > largest) largest = norm, at = j;
             }
@@ -214,7 +229,7 @@ class conditioning_of {
             largest = scalar(0);
             int next = row;
             for (int i = 0; i <= L; ++i) {
-                const scalar norm = detail::spectral_norm(down.middleCols(i * n, n).eval());
+                const scalar norm = norm_at(i, at, down.middleCols(i * n, n));
                 if (norm > largest) largest = norm, next = i;
             }
             if (largest > c.kappa2) c.kappa2 = largest;
