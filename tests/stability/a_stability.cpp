@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE a_stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/theory/stability/a_stability.hpp>
+#include <stagecraft/theory/stability/di_stability.hpp>
 
 #include "methods.hpp"
 
@@ -221,4 +221,27 @@ BOOST_AUTO_TEST_CASE(the_embedded_method_is_judged_by_its_own_weights) {
     BOOST_TEST(a_stable(stability_function_of(t)).is_proved());
     const auto r = embedded_stability_function_of(t);
     BOOST_TEST(a_stable(r).is_refuted());
+}
+
+BOOST_AUTO_TEST_CASE(gauss_and_lobatto_iiia_are_di_stable_and_radau_iia_is_not) {
+    for (int s = 1; s <= 8; ++s) BOOST_TEST(di_stable(pade<rational>(s, s)).is_proved());
+    BOOST_TEST(di_stable(stability_function_of(methods::trapezoidal())).is_proved());
+    BOOST_TEST(di_stable(collocated({0, q(1, 2), 1})).is_proved());  // Lobatto IIIA-3
+    const auto radau = stability_function_of(methods::radau_iia3());
+    BOOST_TEST(di_stable(radau).is_refuted());
+    const auto x = growth_interval(radau);
+    BOOST_TEST(std::abs(x.high.to<double>() - 11.8423556133048) < 1e-12);
+    BOOST_TEST(radau(quadratic(x.high + q(1, 1000))) < quadratic(1));
+    BOOST_TEST(radau(quadratic(x.low - q(1, 1000))) * radau(quadratic(x.low - q(1, 1000))) > quadratic(1));
+}
+
+BOOST_AUTO_TEST_CASE(symmetric_and_a_stable_is_di_stable_and_either_alone_is_not_enough) {
+    for (int s = 3; s <= 8; ++s) BOOST_TEST(di_stable(collocated(equidistant(s, 0, s - 1))).is_proved());
+    const auto narrow = collocated(equidistant(5, 48, 100));  // symmetric, not A-stable
+    BOOST_TEST(e_polynomial(narrow).is_zero());
+    BOOST_TEST(di_stable(narrow).is_refuted());
+    BOOST_TEST(a_stable(pade<rational>(0, 1)).is_proved());  // implicit Euler: |R| < 1 from x = 2 on
+    BOOST_TEST(di_stable(pade<rational>(0, 1)).is_refuted());
+    BOOST_TEST((growth_interval(pade<rational>(0, 1)).high == rational(2)));
+    BOOST_TEST(di_stable(stability_function<rational>{poly{1}, poly{1}}).is_refuted());
 }
