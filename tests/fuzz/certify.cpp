@@ -26,7 +26,8 @@ using nlohmann::json;
 std::vector<std::string> seeds() {
     std::vector<std::filesystem::path> paths;
     const std::filesystem::path root = STAGECRAFT_SOURCE_DIR;
-    for (const auto* folder : {"tableaux/catalogue", "tests/data/misprints"})
+    for (const auto* folder :
+         {"tableaux/catalogue", "tableaux/pairs", "tableaux/dense", "tests/data/misprints"})
         for (const auto& f : std::filesystem::directory_iterator(root / folder)) paths.push_back(f.path());
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> texts;

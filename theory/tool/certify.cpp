@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
 #include <stagecraft/theory/stability/symplectic_pair.hpp>
@@ -42,10 +43,17 @@ void certify_family(const options& o) {
                                     "; allowed: a whole number" + range);
     const int s = tool::whole_number("stages", o.methods[1], tableaux::least_stages(f), 1000);
     const auto certificate = theory::certify(f, s);
-    if (o.files.json)
-        std::cout << theory::to_json(certificate).dump(2) << '\n';
-    else
+    if (!o.files.json) {
         std::cout << certificate.text();
+        return;
+    }
+    auto out = theory::to_json(certificate);
+    if (s <= tableaux::most_stages) {  // so that what is printed is a tableau file as well
+        const auto t = tableaux::decimals(f, s, 40);
+        out["tableau"] = {{"name", certificate.method}, {"c", t.c}, {"A", t.A}, {"b", t.b}};
+        out["tableau"]["claims"]["order"] = certificate.order;
+    }
+    std::cout << out.dump(2) << '\n';
 }
 
 /// Two families on the same nodes, "lobatto_iiia+lobatto_iiib": whether they are a symplectic pair.

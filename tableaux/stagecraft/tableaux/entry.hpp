@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <stagecraft/tableaux/elementary.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/range.hpp>
 #include <stagecraft/tableaux/rational.hpp>
@@ -46,7 +47,7 @@ struct exact_decimals {
 namespace expression_grammar {
 
 /// One instruction of the stack machine that an expression compiles to: a literal or one of + - * / ^,
-/// 'n' (negate), 'r' (square root), 'x' (the variable of a polynomial).
+/// 'n' (negate), 'r' (square root), 'c' (cos), 's' (sin), 'p' (pi), 'x' (the variable of a polynomial).
 struct instruction {
     char code;
     std::string literal;
@@ -64,7 +65,7 @@ inline constexpr auto emit_literal = [](auto& context) {
     x3::get<program_tag>(context).get().push_back({'#', std::string(matched.begin(), matched.end())});
 };
 
-// Every alternative is decided by its first character, so no action ever runs twice.
+// Every alternative is decided by its first word, so no action ever runs twice.
 inline const x3::rule<struct sum_id> sum = "a number";
 inline const x3::rule<struct signed_id> signed_power = "a number";
 inline const auto exponent = x3::char_("eE") >> -x3::char_("+-") >> +x3::digit;
@@ -72,7 +73,10 @@ inline const auto literal =
     x3::raw[x3::lexeme[((+x3::digit >> -('.' >> *x3::digit)) | ('.' >> +x3::digit)) >> -exponent]];
 inline const auto variable = x3::lexeme[x3::lit('x') >> !x3::alnum];
 inline const auto primary = literal[emit_literal] | variable[emit<'x'>] | ('(' > sum > ')') |
-                            (x3::lexeme["sqrt" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'r'>]);
+                            x3::lexeme["pi" >> !x3::alnum][emit<'p'>] |
+                            (x3::lexeme["sqrt" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'r'>]) |
+                            (x3::lexeme["cos" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'c'>]) |
+                            (x3::lexeme["sin" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'s'>]);
 inline const auto signed_power_def =
     ('-' > signed_power)[emit<'n'>] | ('+' > signed_power) | (primary >> -('^' > signed_power)[emit<'^'>]);
 inline const auto product = signed_power >>
@@ -263,6 +267,12 @@ inline entry run(const std::vector<instruction>& program, const exact_decimals& 
             continue;
         }
         if (code == 'x') throw std::invalid_argument("unknown symbol 'x'");
+        if (code == 'p') {
+            entry pi;
+            pi.enclosure = pi_range();
+            stack.push_back(std::move(pi));
+            continue;
+        }
         entry y = std::move(stack.back());
         stack.pop_back();
         if (code == 'n') {
@@ -272,6 +282,13 @@ inline entry run(const std::vector<instruction>& program, const exact_decimals& 
         }
         if (code == 'r') {
             stack.push_back(square_root(y));
+            continue;
+        }
+        if (code == 'c' || code == 's') {
+            const bool zero = y.exact && *y.exact == 0;  // the only rational argument with a rational value
+            stack.push_back(
+                zero ? from_exact(code == 'c' ? 1 : 0)
+                     : from_parts(y, y, std::nullopt, code == 'c' ? cos(y.enclosure) : sin(y.enclosure)));
             continue;
         }
         entry x = std::move(stack.back());
@@ -297,7 +314,7 @@ inline std::string with_ascii_minus(std::string_view text) {
     return plain;
 }
 
-/// Reads one number: an exact expression in integers, + - * / ^, parentheses and sqrt(), or with decimals in
+/// Reads one number: an exact expression in integers, + - * / ^, parentheses, sqrt(), cos(), sin() and pi, or with decimals in
 /// it (a decimal point or an exponent marks rounded data). The minus sign may be U+2212, as printed in
 /// papers. Throws std::invalid_argument saying what is wrong: unknown symbol, division by zero, square root
 /// of a negative number, non-finite, a power too large (2^(10^9) is refused, not computed), nesting too deep.

@@ -26,7 +26,8 @@ namespace json_reader {
 inline bool is_partitioned(const document& d) {
     if (!d.root.is_object()) return false;
     const json& root = d.root.contains("tableau") ? d.root["tableau"] : d.root;
-    return root.is_object() && root.contains("form");
+    if (!root.is_object() || !root.contains("form")) return false;
+    return !root["form"].is_string() || !is_stage_form(root["form"].get<std::string>());
 }
 
 inline tableaux::coupling coupling_of(const document& d) {
@@ -36,7 +37,7 @@ inline tableaux::coupling coupling_of(const document& d) {
         if (each.name == form) return each.value;
         allowed += (allowed.empty() ? "" : ", ") + std::string(each.name);
     }
-    reject(d, "/form", "form", in_quotes(form) + ", allowed: " + allowed);
+    reject(d, "/form", "form", in_quotes(form) + ", allowed: " + allowed + ", shu-osher, 2N, 2S");
 }
 
 inline claims coupled_claims(const document& d, int largest) {

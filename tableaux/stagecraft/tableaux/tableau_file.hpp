@@ -80,7 +80,8 @@ struct tableau_file {
 inline constexpr int most_stages = 64;
 /// Most coefficients of a b_i(theta).
 inline constexpr int largest_degree = 20;
-/// Largest order a file may claim: there are 53,272 conditions up to 14.
+/// Largest order for which every tree is looked at: there are 53,272 up to 14. Higher ones, which a file may
+/// claim as well, are proved by simplifying assumptions.
 inline constexpr int largest_order = 14;
 
 /// The tableau over Scalar, each entry sent through `convert`; a missing c becomes the row sums.

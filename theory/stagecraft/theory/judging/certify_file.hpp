@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <ostream>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/find_suspects.hpp>
@@ -12,7 +11,6 @@
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/judging/subject_spectrum.hpp>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,21 +43,6 @@ inline file_certificate certify(const tableaux::tableau_file& file) {
     const bool explained = !certificate.suspects.empty() || !certificate.suspects_note.empty();
     if (certificate.overall() == standing::refuted && !explained) detail::find_suspects(file, certificate);
     return certificate;
-}
-
-/// What the command does with the text of a file: the certificate to `out`, or one line to `err`.
-/// Returns the exit code: 0 nothing claimed is refuted, 1 something is, 2 unusable input, 3 a claim is beyond
-/// what the digits given can test.
-inline int certify_text(std::string_view text, bool as_json, std::ostream& out, std::ostream& err,
-                        const tableaux::reading& how = {}) {
-    try {
-        const auto certificate = certify(tableaux::read_tableau(text, how));
-        out << (as_json ? json_text(certificate) : to_text(certificate));
-        return certificate.exit_code();
-    } catch (const tableaux::unusable_input& e) {
-        err << e.what() << '\n';
-        return 2;
-    }
 }
 
 }  // namespace stagecraft::theory

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <ostream>
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/theory/judging/certify_file.hpp>
 #include <stagecraft/theory/judging/judge_coupling.hpp>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -43,6 +46,21 @@ inline file_certificate certify(const tableaux::partitioned_file& file) {
 
 inline file_certificate certify(const tableaux::method_file& file) {
     return std::visit([](const auto& f) { return certify(f); }, file);
+}
+
+/// What the command does with the text of a file: the certificate to `out`, or one line to `err`.
+/// Returns the exit code: 0 nothing claimed is refuted, 1 something is, 2 unusable input, 3 a claim is beyond
+/// what the digits given can test.
+inline int certify_text(std::string_view text, bool as_json, std::ostream& out, std::ostream& err,
+                        const tableaux::reading& how = {}) {
+    try {
+        const auto certificate = certify(tableaux::read_method(text, how));
+        out << (as_json ? json_text(certificate) : to_text(certificate));
+        return certificate.exit_code();
+    } catch (const tableaux::unusable_input& e) {
+        err << e.what() << '\n';
+        return 2;
+    }
 }
 
 }  // namespace stagecraft::theory

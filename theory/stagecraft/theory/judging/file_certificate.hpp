@@ -39,6 +39,13 @@ struct finding {
     std::optional<numerical_order> numerical;  ///< for orders, where it exceeds the exact one
 };
 
+/// The weighted residuals (elementary weight - 1/gamma)/sigma of the first order with some that are not 0.
+struct principal_error {
+    int order = 0;
+    std::string norm;     ///< their 2-norm
+    std::string largest;  ///< the largest in size
+};
+
 /// A condition that fails.
 struct failure {
     std::string condition;  ///< "dot(b, c*c*(A*c)) == 1/15", "A[3][1] + ... = c[3]"
@@ -69,6 +76,7 @@ struct file_certificate {
     std::string data;  ///< name of the tableaux::number_kind
     int stages = 0;
     std::vector<finding> findings;
+    std::optional<theory::principal_error> principal_error;
     std::vector<failure> failures;
     std::vector<suspect> suspects;
     std::string suspects_note;
@@ -132,6 +140,10 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
         }
         j[f.name] = std::move(entry);
     }
+    if (c.principal_error)
+        j["principal_error"] = {{"order", c.principal_error->order},
+                                {"norm", c.principal_error->norm},
+                                {"largest", c.principal_error->largest}};
     if (c.partners.empty()) add_to_json(c.spectra, j);
     j["failures"] = nlohmann::ordered_json::array();
     for (const failure& f : c.failures)
@@ -193,6 +205,9 @@ inline std::string to_text(const file_certificate& c) {
         }
         out += "\n";
     }
+    if (const auto& e = c.principal_error)
+        out += "  principal error, of order " + std::to_string(e->order) + ": 2-norm " + e->norm +
+               ", largest " + e->largest + "\n";
     if (c.spectra.eigenvalues) out += "  eigenvalues of A: " + text(*c.spectra.eigenvalues) + "\n";
     if (c.spectra.poles) out += "  poles of R: " + text(*c.spectra.poles) + "\n";
     if (!c.spectra.note.empty()) out += "  " + c.spectra.note + "\n";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stagecraft/tableau/simplifying_assumptions.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/order_finding.hpp>
@@ -20,7 +21,8 @@ namespace stagecraft::theory {
 /// enclosures stop at 10 (1205 conditions), or at the order claimed.
 template <class K>
 int search_limit(const subject<K>& s, std::optional<int> claimed) {
-    const int reach = exact_scalar<K> ? tableaux::largest_order : std::max(10, claimed.value_or(0));
+    const int reach = exact_scalar<K> ? tableaux::largest_order
+                                      : std::min(tableaux::largest_order, std::max(10, claimed.value_or(0)));
     return std::min(order_barrier(s) + 1, reach);
 }
 
@@ -83,11 +85,59 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
     return f;
 }
 
+/// From the conditions of the first order that has failing ones: tau(t) = (b^T phi - 1/gamma)/sigma
+/// (Hairer-Norsett-Wanner I.II.3, Theorem 3.2; the norms are those of Prince and Dormand 1981).
+template <class K>
+std::optional<principal_error> principal_error_of(const order_finding<K>& found) {
+    if (found.failing.empty()) return std::nullopt;
+    tableaux::bound squares = 0, largest = 0;
+    for (const auto& [tree, residual] : found.failing) {
+        const auto tau = size_of(residual) / static_cast<tableaux::bound>(symmetry(tree));
+        squares += tau * tau;
+        largest = std::max(largest, tau);
+    }
+    return principal_error{order(found.failing.front().tree), brief(std::sqrt(squares)), brief(largest)};
+}
+
+/// Orders beyond the trees: proved by B(p), C(q) and D(r) where p <= q + r + 1 and p <= 2 q + 2 (Butcher 1964;
+/// Hairer-Wanner II, Theorem IV.5.1), refuted by B alone, which is necessary.
+template <class K, class Weights>
+finding judge_high_order(const subject<K>& s, const Weights& weights, const std::string& name, int claimed) {
+    tableau<K> t = s.t;
+    t.b = weights;
+    condition_sizes size;
+    const auto orders = simplifying_orders_of(t, [&](const K& left, const K& right) {
+        const K defect = left - right;
+        if (certainly_nonzero(defect)) return false;
+        size.take(defect, 1);
+        return true;
+    });
+    finding f;
+    f.name = name;
+    f.claimed = std::to_string(claimed);
+    f.value = std::min(orders.order(), order_barrier(s));
+    const std::string assumptions = "B(" + std::to_string(orders.B) + "), C(" + std::to_string(orders.C) +
+                                    "), D(" + std::to_string(orders.D) + ")";
+    if (orders.B < claimed || order_barrier(s) < claimed)
+        f.judgement = verdict::refuted("B(" + std::to_string(orders.B + 1) + ") does not hold");
+    else if (*f.value < claimed)
+        f.judgement = verdict::inconclusive("not computed", "none", assumptions + " alone do not prove it");
+    else if constexpr (exact_scalar<K>)
+        f.judgement = verdict::proved(assumptions + " hold");
+    else
+        f.judgement = open_case(size.residual, size.bound, 1, data_reason);
+    return f;
+}
+
 /// The finding on one set of weights, and its failures.
 template <class K, class Weights>
 finding judge_order(const subject<K>& s, const Weights& weights, const std::string& which,
-                    std::optional<int> claimed, bool row_sums_fail, std::vector<failure>& failures) {
+                    std::optional<int> claimed, bool row_sums_fail, file_certificate& certificate) {
+    const std::string name = which == "b" ? "order" : "embedded_order";
+    if (claimed.value_or(0) > tableaux::largest_order) return judge_high_order(s, weights, name, *claimed);
+    auto& failures = certificate.failures;
     auto found = find_order(s, weights, search_limit(s, claimed));
+    if (which == "b") certificate.principal_error = principal_error_of(found);
     order_facts facts;
     facts.value = exact_scalar<K> ? found.order : std::min(found.order, found.tested);
     facts.refuted_from = found.order + 1;
@@ -105,7 +155,7 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
         if (which != "b") condition.replace(condition.find("dot(b,"), 6, "dot(" + which + ",");
         failures.push_back({std::move(condition), bracket(tree), shown(residual), in_words(residual)});
     }
-    return order_verdict(which == "b" ? "order" : "embedded_order", claimed, found, facts, exact_scalar<K>,
+    return order_verdict(name, claimed, found, facts, exact_scalar<K>,
                          found.failing.empty() ? nullptr : &failures[first]);
 }
 
@@ -173,7 +223,8 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
         certificate.findings.push_back(detail::judge_row_sums(s, claims, failures));
         row_sums_fail = certificate.findings.back().truth->is_refuted();
     }
-    certificate.findings.push_back(detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, failures));
+    certificate.findings.push_back(
+        detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, certificate));
     const auto& order = certificate.findings.back();
     if (row_sums_fail && !claims.stage_order && order.judgement && !order.judgement->is_refuted()) {
         finding& row_sums = certificate.findings.front();  // no claim of its own: the order holds without it
@@ -183,8 +234,8 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
             "c is not A*1, and the order claimed holds for y' = f(t, y) all the same");
     }
     if (s.t.b_embedded.size() > 0)
-        certificate.findings.push_back(detail::judge_order(s, s.t.b_embedded, "b_embedded",
-                                                           claims.embedded_order, row_sums_fail, failures));
+        certificate.findings.push_back(detail::judge_order(
+            s, s.t.b_embedded, "b_embedded", claims.embedded_order, row_sums_fail, certificate));
     certificate.findings.push_back(detail::judge_stage_order(s, claims.stage_order, failures));
     for (const auto& [property, member] : tableaux::yes_no_claims) {
         const std::optional<bool> claimed = claims.*member;
@@ -218,6 +269,8 @@ bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims, bo
     if (row_sums_fail && row_sums_needed && claims_row_sums(s, claims)) return true;
     const auto falls_short = [&](const auto& weights, int claimed) {
         if (claimed < 1) return false;
+        if (claimed > tableaux::largest_order)
+            return detail::judge_high_order(s, weights, "order", claimed).judgement->is_refuted();
         if (find_order(s, weights, claimed).order < claimed) return true;
         return row_sums_fail && non_autonomous_order(s, weights, std::min(claimed, 8)) < std::min(claimed, 8);
     };
