@@ -238,3 +238,37 @@ BOOST_AUTO_TEST_CASE(exchanged_and_transposed_parts_are_recognised) {
         BOOST_TEST(note(nodes) == "entries [1] and [2] of c are exchanged: undone, every claim is restored");
     }
 }
+
+BOOST_AUTO_TEST_CASE(two_faults_in_a_exchanged_entries_and_lost_columns_are_recognised) {
+    for (const int digits : {0, 16}) {
+        const auto form = [&](const std::string& name) {
+            return digits > 0 ? as_printed(method(name), digits) : method(name);
+        };
+        json two = form("dormand_prince_5_4");
+        for (const char* at : {"/A/3/1", "/A/5/2"}) {
+            const json::json_pointer p(at);
+            two[p] = misprinted(two[p].get<std::string>());
+        }
+        const auto c = certify_once::certify(two.dump());
+        BOOST_TEST(c.exit_code() == 1);
+        BOOST_REQUIRE(c.suspects.size() >= 2u);
+        BOOST_TEST(c.suspects[0].entry == "A[4][2]");
+        BOOST_TEST(c.suspects[1].entry == "A[6][3]");
+
+        json exchanged = form("cash_karp_5_4");
+        std::swap(exchanged["A"][4][1], exchanged["A"][4][2]);
+        BOOST_TEST(certify_once::certify(exchanged.dump()).suspects_note ==
+                   "entries A[5][2] and A[5][3] are exchanged: undone, every claim is restored");
+
+        json lost = form("bogacki_shampine_3_2");
+        lost["A"][2] = {lost["A"][2][1], "0", "0", "0"};
+        lost["A"][3] = {lost["A"][3][1], lost["A"][3][2], "0", "0"};
+        lost["A"][1] = {"0", "0", "0", "0"};
+        BOOST_TEST(certify_once::certify(lost.dump()).suspects_note ==
+                   "column [1] of A is lost: undone, every claim is restored");
+        json row = form("england_4_5");
+        row["A"][4] = {row["A"][4][1], row["A"][4][2], row["A"][4][3], "0", "0", "0"};
+        BOOST_TEST(certify_once::certify(row.dump()).suspects_note ==
+                   "entry [1] of row [5] of A is lost: undone, every claim is restored");
+    }
+}

@@ -66,14 +66,14 @@ BOOST_AUTO_TEST_CASE(unusable_input_names_line_and_entry) {
     BOOST_TEST(with("\"1\",\"2\"", "") == "line 1, A[1]: has 2 entries, b has 1");
     BOOST_TEST(with("true", "") == "line 1, A[1][1]: must be a number written as a string");
     BOOST_TEST(with("1e999", "") == "line 1: non-finite number");
-    BOOST_TEST(
-        with("1", ",\"claims\":{\"ordre\":1}") ==
-        "line 2, claims.'ordre': unknown claim; known are order, embedded_order, stage_order, A_stable, "
-        "L_stable, algebraically_stable, symplectic, symmetric, stiffly_accurate");
+    BOOST_TEST(with("1", ",\"claims\":{\"ordre\":1}") ==
+               "line 2, claims.'ordre': unknown claim; known are order, embedded_order, stage_order, "
+               "dense_order, dense_smoothness, A_stable, "
+               "L_stable, algebraically_stable, symplectic, symmetric, stiffly_accurate");
     BOOST_TEST(with("1", ",\n\"claims\":{\"order\":1000}") ==
-               "line 3, claims.'order': must be an integer from 0 to 14");
+               "line 3, claims.'order': must be an integer from 0 to 128");
     BOOST_TEST(with("1", ",\"claims\":{\"order\":\"2\"}") ==
-               "line 2, claims.'order': must be an integer from 0 to 14");
+               "line 2, claims.'order': must be an integer from 0 to 128");
     BOOST_TEST(with("1", ",\"claims\":{\"A_stable\":1}") ==
                "line 2, claims.'A_stable': must be true or false");
     BOOST_TEST(with("1", ",\"claims\":{\"embedded_order\":1}") ==

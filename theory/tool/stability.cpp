@@ -4,8 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/tableau_json.hpp>
-#include <stagecraft/theory/judging/stability_report.hpp>
-#include <stdexcept>
+#include <stagecraft/theory/judging/enclosed_report.hpp>
 #include <string>
 
 #include "command.hpp"
@@ -21,11 +20,11 @@ struct stability_request {
 
 void run(const stability_request& request) {
     const auto file = tableaux::read_tableau_file(request.file);
-    if (file.kind() > tableaux::number_kind::quadratic) {
-        throw std::invalid_argument(request.file + ": " + std::string(name(file.kind())) +
-                                    " entries; exact ones in one quadratic field are needed");
-    }
-    const auto report = theory::stability_report(tableaux::to_quadratic(file));
+    const auto report =
+        file.kind() <= tableaux::number_kind::quadratic
+            ? theory::stability_report(tableaux::to_quadratic(file))
+            : theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
+                  file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
     if (!request.json) {
         std::cout << file.name << "\n" << theory::text(report);
         return;
@@ -47,7 +46,9 @@ void run(const stability_request& request) {
 const tool::command stability{[](CLI::App& app) {
     const auto request = std::make_shared<stability_request>();
     auto* command = app.add_subcommand(
-        "stability", "Decide every notion of stability and the DAE orders of an exact tableau file");
+        "stability",
+        "Decide every notion of stability and the DAE orders of an exact tableau file; of a rounded one what "
+        "enclosures say");
     command->add_option("file", request->file, "Tableau file (JSON)")->required();
     command->add_flag("--json", request->json, "Print JSON instead of text");
     command->callback([request] { run(*request); });

@@ -22,41 +22,69 @@ constexpr int most_digits = 1000;
 struct tableau_request {
     std::string family;
     std::string stages;
-    std::string digits = "20";
+    std::string digits;  // default 20
     std::string format = "text";
 };
 
-/// The tableau as a LaTeX array.
-void print_latex(const tableaux::decimal_tableau& t) {
-    const auto print = [](const auto& row) {
-        for (const std::string& x : row) {
-            const auto e = x.find('e');
-            std::cout << " & "
-                      << (e == std::string::npos ? x
-                                                 : x.substr(0, e) + "\\cdot 10^{" + x.substr(e + 1) + "}");
-        }
-    };
-    std::cout << "\\begin{array}{c|" << std::string(t.b.size(), 'c') << "}\n";
-    for (std::size_t i = 0; i < t.c.size(); ++i) {
-        std::cout << t.c[i];
-        print(t.A[i]);
-        std::cout << " \\\\\n";
+std::string latex(const std::string& decimal) {
+    const auto e = decimal.find('e');
+    if (e == std::string::npos) return decimal;
+    return decimal.substr(0, e) + "\\cdot 10^{" + decimal.substr(e + 1) + "}";
+}
+
+std::string latex(const tableaux::rational& x) {
+    if (x.denominator() == 1) return x.str();
+    return std::string(x < 0 ? "-" : "") + "\\frac{" + abs(x.numerator()).str() + "}{" +
+           x.denominator().str() + "}";
+}
+
+/// a + b sqrt(d) with fractions in front.
+std::string latex(const tableaux::quadratic& x) {
+    if (x.is_rational()) return latex(x.rational_part());
+    const tableaux::rational b = x.surd_part();
+    const std::string root = "\\sqrt{" + std::to_string(x.radicand()) + "}";
+    const std::string factor = b == 1 ? "" : b == -1 ? "-" : latex(b);
+    if (x.rational_part() == 0) return factor + root;
+    return latex(x.rational_part()) + (b > 0 ? "+" : "") + factor + root;
+}
+
+/// The tableau as a LaTeX array; number(i, j) is A, c and b are j = -1 and i = s.
+template <class Number>
+void print_latex(int s, Number number) {
+    std::cout << "\\begin{array}{c|" << std::string(static_cast<std::size_t>(s), 'c') << "}\n";
+    for (int i = 0; i <= s; ++i) {
+        if (i < s) std::cout << number(i, -1);
+        for (int j = 0; j < s; ++j) std::cout << " & " << number(i, j);
+        std::cout << (i < s ? " \\\\\n" : "\n");
+        if (i == s - 1) std::cout << "\\hline\n";
     }
-    std::cout << "\\hline\n";
-    print(t.b);
-    std::cout << "\n\\end{array}\n";
+    std::cout << "\\end{array}\n";
+}
+
+/// In exact surds where the nodes lie in a quadratic field: whether they do.
+bool print_exact_latex(tableaux::family family, int s) {
+    const auto t = tableaux::exact_tableau(family, s);
+    if (!t) return false;
+    print_latex(s, [&](int i, int j) { return latex(j < 0 ? t->c(i) : i == s ? t->b(j) : t->A(i, j)); });
+    return true;
 }
 
 void run(const tableau_request& request) {
     const auto family = tableaux::family_from_name(request.family);
     const int s = whole_number("stages of " + request.family, request.stages, tableaux::least_stages(family),
                                most_stages);
-    const int digits = whole_number("--digits", request.digits, 1, most_digits);
+    const int digits = request.digits.empty() ? 20 : whole_number("--digits", request.digits, 1, most_digits);
     if (request.format != "text" && request.format != "json" && request.format != "latex")
         throw std::invalid_argument("--format: '" + request.format + "' unknown, allowed: text, json, latex");
+    const bool latex_wanted = request.format == "latex";
+    if (latex_wanted && request.digits.empty() && print_exact_latex(family, s)) return;
     const auto t = tableaux::decimals(family, s, digits);
     if (request.format == "text") return stagecraft::tool::print_text(t);
-    if (request.format == "latex") return print_latex(t);
+    if (latex_wanted)
+        return print_latex(s, [&](int i, int j) {
+            const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
+            return latex(j < 0 ? t.c[row] : i == s ? t.b[column] : t.A[row][column]);
+        });
     nlohmann::ordered_json out;
     out["family"] = request.family;
     out["stages"] = s;
@@ -73,7 +101,9 @@ const stagecraft::tool::command tableau{[](CLI::App& app) {
     command->add_option("family", request->family, "One of " + tableaux::family_names())->required();
     command->add_option("stages", request->stages, "Number of stages")->required();
     command->add_option("--digits", request->digits, "Significant decimal digits, 1 to 1000 (default 20)");
-    command->add_option("--format", request->format, "text (default), json or latex");
+    command->add_option(
+        "--format", request->format,
+        "text (default), json or latex (in exact surds where there are, unless --digits is given)");
     command->callback([request] { run(*request); });
 }};
 

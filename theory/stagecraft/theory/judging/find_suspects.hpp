@@ -107,8 +107,42 @@ struct mix_up {
     subject<K> undone;
 };
 
-/// A transposed, b and b_embedded exchanged, two rows of A, two entries of b or two of c exchanged, rows of A
-/// shifted.
+/// A column of A lost, so that those after it have moved to the left, in all rows or in one: put back, with
+/// what the row sums leave for it.
+template <class K, class Add>
+void lost_columns(const subject<K>& s, Add add) {
+    if (!s.nodes_given) return;
+    const int n = s.stages();
+    const auto put_back = [n, lower = s.strictly_lower](auto& t, int row, int column) {
+        const int last = lower ? row - 1 : n - 1;
+        if (column > last) return;
+        K sum(0);
+        for (int k = last; k > column; --k) t.A(row, k) = t.A(row, k - 1);
+        t.A(row, column) = K(0);
+        for (int k = 0; k < n; ++k) sum = sum + t.A(row, k);
+        t.A(row, column) = t.c(row) - sum;
+    };
+    const auto ends_with_zero = [&](int row) {
+        const int last = s.strictly_lower ? row - 1 : n - 1;
+        return last < 0 || !certainly_nonzero(K(s.t.A(row, last)));
+    };
+    bool every_row = true;
+    for (int i = 0; i < n; ++i) every_row = every_row && ends_with_zero(i);
+    for (int j = 0; j < n; ++j) {
+        const std::string column = "[" + std::to_string(j + 1) + "]";
+        if (every_row)
+            add("column " + column + " of A is lost", [=](auto& t) {
+                for (int i = 0; i < n; ++i) put_back(t, i, j);
+            });
+        for (int i = 0; i < n; ++i)
+            if (ends_with_zero(i) && (!s.strictly_lower || j < i))
+                add("entry " + column + " of row [" + std::to_string(i + 1) + "] of A is lost",
+                    [=](auto& t) { put_back(t, i, j); });
+    }
+}
+
+/// A transposed, b and b_embedded exchanged, two rows of A, two entries of a row, of b or of c exchanged, rows of A
+/// shifted, a column lost.
 template <class K>
 std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
     std::vector<mix_up<K>> all;
@@ -139,28 +173,77 @@ std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
                 add("entries " + pair + " of b_embedded are exchanged",
                     [i, j](auto& t) { std::swap(t.b_embedded(i), t.b_embedded(j)); });
         }
+    if (n <= 16)
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < (s.strictly_lower ? i : n); ++j)
+                for (int k = 0; k < j; ++k)
+                    add("entries " + place{part::A, i, k}.name() + " and " + place{part::A, i, j}.name() +
+                            " are exchanged",
+                        [=](auto& t) { std::swap(t.A(i, j), t.A(i, k)); });
+    lost_columns(s, add);
     return all;
+}
+
+/// Whether a changed tableau keeps every claim.
+template <class K>
+bool keeps_claims(const subject<K>& changed, const tableaux::claims& claims) {
+    const bool row_sums = changed.nodes_given;
+    if constexpr (exact_scalar<K>) {  // a residue says no at once
+        const auto quick = reduced_modulo_prime(changed);
+        if (quick && refutes_a_condition(*quick, claims, row_sums)) return false;
+    } else {
+        const auto quick =
+            mapped<tableaux::rough_ball>(changed, [](const K& x) { return tableaux::rough_ball(x); });
+        if (refutes_a_condition(quick, claims, row_sums)) return false;
+    }
+    return !refutes_a_claim(changed, claims, row_sums);
 }
 
 /// Whether undoing a mix-up restores every claim.
 template <class K>
 std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims) {
-    for (const auto& m : mix_ups(s)) {
-        const bool row_sums = s.nodes_given;
-        if constexpr (exact_scalar<K>) {  // a residue says no at once
-            const auto quick = reduced_modulo_prime(m.undone);
-            if (quick && refutes_a_condition(*quick, claims, row_sums)) continue;
-        } else {
-            const auto quick =
-                mapped<tableaux::rough_ball>(m.undone, [](const K& x) { return tableaux::rough_ball(x); });
-            if (refutes_a_condition(quick, claims, row_sums)) continue;
-        }
-        if (!refutes_a_claim(m.undone, claims, row_sums)) return m.what;
-    }
+    for (const auto& m : mix_ups(s))
+        if (keeps_claims(m.undone, claims)) return m.what;
     return {};
 }
 
-/// Names what may be wrong: single entries; else what was exchanged; else an entry and one of b_embedded.
+/// A fault in each of two rows of A, whose sums then differ from c: the entries that can be changed by these
+/// differences so that every claim is restored.
+template <class K>
+bool find_two_in_rows(const subject<K>& s, const tableaux::tableau_file& file,
+                      file_certificate& certificate) {
+    if (!s.nodes_given) return false;
+    const auto defects = row_sum_defects(s);
+    std::vector<int> rows;
+    for (int i = 0; i < s.stages(); ++i)
+        if (certainly_nonzero(defects[static_cast<std::size_t>(i)])) rows.push_back(i);
+    if (rows.size() != 2) return false;
+    std::vector<std::pair<place, place>> found;
+    const auto columns = [&](int row) { return s.strictly_lower ? row : s.lower ? row + 1 : s.stages(); };
+    const auto repaired = [&](const place& p) {
+        return K(value_at(s, p) - defects[static_cast<std::size_t>(p.row)]);
+    };
+    for (int j = 0; j < columns(rows[0]); ++j)
+        for (int k = 0; k < columns(rows[1]); ++k) {
+            const place first{part::A, rows[0], j}, second{part::A, rows[1], k};
+            subject<K> changed = s;
+            put(changed, first, repaired(first));
+            put(changed, second, repaired(second));
+            if (keeps_claims(changed, file.claims)) found.emplace_back(first, second);
+        }
+    for (const auto& [first, second] : found)
+        for (const place& p : {first, second})
+            certificate.suspects.push_back({p.name(), entry_at(file, p).text, shown(repaired(p))});
+    if (!found.empty())
+        certificate.suspects_note = "two faults: the change of " + found.front().first.name() +
+                                    " and that of " + found.front().second.name() +
+                                    " together restore every claim" +
+                                    (found.size() > 1 ? ", and so do other pairs" : "");
+    return !found.empty();
+}
+
+/// Names what may be wrong: single entries; else what was exchanged or lost; else two entries of A, or an entry and one
+/// of b_embedded.
 inline void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate) {
     const auto shape = make_subject<int>(file, [](const tableaux::entry&) { return 0; });
     const auto all = places_of(file, shape.strictly_lower, shape.lower);
@@ -182,7 +265,7 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
             note += ": undone, every claim is restored";
             return;
         }
-        if (!find_two_faults(s, file, all, certificate))
+        if (!find_two_in_rows(s, file, certificate) && !find_two_faults(s, file, all, certificate))
             note = "no change of a single entry restores every claim";
     };
     if (file.kind() <= tableaux::number_kind::quadratic)

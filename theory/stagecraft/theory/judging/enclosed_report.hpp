@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/theory/judging/properties.hpp>
+#include <stagecraft/theory/judging/rounded_properties.hpp>
+#include <stagecraft/theory/judging/stability_report.hpp>
+#include <stagecraft/theory/stability/ssp.hpp>
+#include <string>
+#include <vector>
+
+/// Stability of tableaux known by enclosures: what no method in the enclosure can have is refuted, with a
+/// point; what is left was looked for on a grid, and is consistent.
+
+namespace stagecraft::theory {
+
+namespace detail {
+
+/// |Q|^2 - |P|^2 at r e^{i phi}: certainly negative where |R| > 1.
+inline ball margin(const enclosed_stability_function& f, double r, double phi) {
+    const auto at = [&](const std::vector<ball>& p) {
+        const ball x = exactly(r * std::cos(phi)), y = exactly(r * std::sin(phi));
+        ball real(0), imaginary(0);
+        for (auto c = p.rbegin(); c != p.rend(); ++c) {
+            const ball next = real * x - imaginary * y + *c;
+            imaginary = real * y + imaginary * x;
+            real = next;
+        }
+        return real * real + imaginary * imaginary;
+    };
+    return at(f.denominator) - at(f.numerator);
+}
+
+/// Where |R| > 1 first happens on a ray, between the last point without and the first with certainty.
+inline claim first_violation(const std::string& name, const enclosed_stability_function& f, double phi) {
+    constexpr double step = 1.0 / 64, last = 200;
+    double low = 0, high = 0;
+    for (double r = step; r <= last && high == 0; r += step) {
+        if (certainly_negative(margin(f, r, phi)))
+            high = r;
+        else
+            low = r;
+    }
+    const std::string reason = "looked at 64 points to each unit length";
+    if (high == 0) return {name + " no end below 200", verdict::consistent("0", "none certain", reason)};
+    while (high - low > 1e-12 * high) {
+        const double middle = (low + high) / 2;
+        if (certainly_negative(margin(f, middle, phi)))
+            high = middle;
+        else if (certainly_negative(-margin(f, middle, phi)))
+            low = middle;
+        else
+            break;
+    }
+    return {name + " " + digits(high),
+            verdict::consistent("|R| > 1 beyond for certain", brief(high - low), reason)};
+}
+
+/// Whether a point on one of the rays at the angle alpha from the negative real axis certainly has |R| > 1.
+inline bool violates(const enclosed_stability_function& f, double alpha) {
+    for (int k = -200; k <= 200; ++k)
+        if (certainly_negative(margin(f, std::exp2(k / 15.0), std::numbers::pi - alpha))) return true;
+    return false;
+}
+
+/// The smallest angle, to 1e-6 degrees, for which a violation of A(alpha)-stability was found.
+inline claim sector_claim(const enclosed_stability_function& f) {
+    constexpr double degree = std::numbers::pi / 180;
+    const std::string reason = "looked at 401 points on each ray";
+    if (!violates(f, 90 * degree))
+        return {"A(alpha)-stable up to 90 degrees", verdict::consistent("0", "none certain", reason)};
+    if (violates(f, 0)) return {"A(alpha)-stable", verdict::refuted("|R(x)| > 1 for some x < 0")};
+    double low = 0, high = 90;
+    while (high - low > 1e-6) (violates(f, (low + high) / 2 * degree) ? high : low) = (low + high) / 2;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4f", high);
+    return {"A(alpha)-stable up to " + std::string(text) + " degrees",
+            verdict::consistent("|R| > 1 at some point beyond", "1e-6 degrees", reason)};
+}
+
+}  // namespace detail
+
+/// The stability report of a tableau known by enclosures: the properties that a file can claim, A(alpha), the
+/// intervals on both axes, the SSP radius of the middle. Orders for differential-algebraic problems need equalities
+/// and are left out.
+inline std::vector<report_section> enclosed_stability_report(const subject<ball>& s) {
+    std::vector<report_section> out;
+    const auto f = detail::stability_function_of(s.t);
+    out.push_back(
+        {"stability function, by enclosures",
+         {detail::sector_claim(f), detail::first_violation("real stability interval", f, std::numbers::pi),
+          detail::first_violation("imaginary stability interval", f, std::numbers::pi / 2)}});
+    report_section method{"tableau, by enclosures", {}};
+    for (const auto& [property, member] : tableaux::yes_no_claims)
+        method.claims.push_back({std::string(property), property_of(s, property)});
+    if (s.stages() <= 8) {
+        const auto middle =
+            mapped<tableaux::quadratic>(s, [](const ball& x) { return tableaux::quadratic(x.middle()); });
+        auto radius = detail::interval_claim("SSP radius", ssp_radius(middle.t));
+        method.claims.push_back(
+            {radius.statement,
+             verdict::consistent("0", "not bounded", "of the numbers as they are written")});
+    }
+    out.push_back(std::move(method));
+    return out;
+}
+
+}  // namespace stagecraft::theory
