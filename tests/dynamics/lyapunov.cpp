@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Lecture, chapter 3: stability in the sense of Lyapunov.
 #define BOOST_TEST_MODULE lyapunov
+#include <Eigen/Cholesky>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -68,9 +69,26 @@ std::string message(F call) {
     return "no exception";
 }
 
+/// log |e^(T B)|/T for T = 2^16, by squaring: alpha(B) but for log(cond)/T. Blocks of zeros decay.
 double abscissa_in_doubles(const dense<rational>& B) {
-    const Eigen::MatrixXd D = B.unaryExpr([](const rational& q) { return q.to<double>(); });
-    return D.eigenvalues().real().maxCoeff();
+    using matrix = Eigen::Matrix4d;
+    matrix D = -60 * matrix::Identity();
+    for (Eigen::Index i = 0; i < B.rows(); ++i)
+        for (Eigen::Index j = 0; j < B.cols(); ++j) D(i, j) = B(i, j).to<double>();
+    constexpr double first = 0x1p-10;
+    matrix e = matrix::Identity(), term = matrix::Identity();
+    for (int k = 1; k < 12; ++k) {
+        term = matrix((first / k) * D.lazyProduct(term));
+        e += term;
+    }
+    double logarithm = 0, time = first;
+    while (time < 65536) {
+        const double size = e.norm();
+        e = matrix((e / size).lazyProduct(e / size));
+        logarithm = 2 * (logarithm + std::log(size));
+        time *= 2;
+    }
+    return (logarithm + std::log(e.norm())) / time;
 }
 
 }  // namespace

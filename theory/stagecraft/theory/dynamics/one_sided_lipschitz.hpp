@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -122,18 +124,69 @@ std::optional<std::pair<rational, rational>> refuting_pair(F&& f, const rational
 
 namespace detail {
 
+/// Columns that nearly diagonalise a symmetric matrix in an inner product, C^T G C near 1 and C^T S C near diagonal:
+/// Cholesky's factor of G, then cyclic Jacobi rotations. In doubles; what is proved with C does not rest on it.
+template <int N>
+class nearly_diagonal {
+  public:
+    using matrix = Eigen::Matrix<double, N, N>;
+    explicit nearly_diagonal(const matrix& G) {  // root_ = L^-T, G = L L^T
+        matrix L = matrix::Zero();
+        root_ = matrix::Identity();
+        for (int j = 0; j < N; ++j) {
+            double d = G(j, j);
+            for (int k = 0; k < j; ++k) d -= L(j, k) * L(j, k);
+            L(j, j) = std::sqrt(d);
+            for (int i = j + 1; i < N; ++i) {
+                L(i, j) = G(i, j);
+                for (int k = 0; k < j; ++k) L(i, j) -= L(i, k) * L(j, k);
+                L(i, j) /= L(j, j);
+            }
+        }
+        for (int j = 0; j < N; ++j) {
+            for (int i = N - 1; i >= 0; --i) {
+                for (int k = i + 1; k < N; ++k) root_(i, j) -= L(k, i) * root_(k, j);
+                root_(i, j) /= L(i, i);
+            }
+        }
+    }
+    matrix columns(const matrix& S) const {
+        matrix C = root_, T = root_.transpose().lazyProduct(matrix(S.lazyProduct(root_)));
+        for (int sweep = 0; sweep < 12; ++sweep)
+            for (int p = 0; p < N; ++p)
+                for (int q = p + 1; q < N; ++q)
+                    if (std::abs(T(p, q)) > 1e-17 * (std::abs(T(p, p)) + std::abs(T(q, q))))
+                        rotate(T, C, p, q);
+        return C;
+    }
+
+  private:
+    static void rotate(matrix& T, matrix& C, int p, int q) {
+        const double theta = (T(q, q) - T(p, p)) / (2 * T(p, q));
+        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::hypot(theta, 1.0));
+        const double c = 1 / std::hypot(t, 1.0), s = t * c;
+        const auto turn = [c, s](double& x, double& y) {
+            const double u = x;
+            x = c * u - s * y;
+            y = s * u + c * y;
+        };
+        for (int k = 0; k < N; ++k) turn(T(k, p), T(k, q));
+        for (int k = 0; k < N; ++k) turn(T(p, k), T(q, k));
+        for (int k = 0; k < N; ++k) turn(C(k, p), C(k, q));
+    }
+    matrix root_;
+};
+
 /// Bounds the logarithmic norm of interval matrices in the inner product x^T G y: C transforms the matrix in
-/// the middle and G nearly to diagonal form and 1 (in doubles), Gershgorin's circles do the rest in
+/// the middle and G nearly to diagonal form and 1, Gershgorin's circles do the rest in
 /// intervals.
 template <int N>
 class logarithmic_norm_bound {
   public:
-    explicit logarithmic_norm_bound(const dense<rational>& G) : G_(G) {
+    explicit logarithmic_norm_bound(const dense<rational>& G)
+        : near_(G.unaryExpr([](const rational& q) { return q.to<double>(); })) {
         for (Eigen::Index i = 0; i < N; ++i)
-            for (Eigen::Index j = 0; j < N; ++j) {
-                exact_(i, j) = interval(G(i, j));
-                near_(i, j) = G(i, j).to<double>();
-            }
+            for (Eigen::Index j = 0; j < N; ++j) exact_(i, j) = interval(G(i, j));
     }
     interval operator()(const Eigen::Matrix<interval, N, N>& J) const {
         const matrix S = symmetric(J);
@@ -144,11 +197,12 @@ class logarithmic_norm_bound {
                 mid(i, j) = S(i, j).middle();
             }
         }
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> pencil(mid, near_);
-        matrix C;
-        for (int i = 0; i < N; ++i)
-            for (int j = 0; j < N; ++j) C(i, j) = interval(pencil.eigenvectors()(i, j));
-        const matrix D = C.transpose() * S * C, E = C.transpose() * exact_ * C;
+        const matrix C = near_.columns(mid).unaryExpr([](double x) { return interval(x); });
+        const matrix D = C.transpose().lazyProduct(matrix(S.lazyProduct(C))),
+                     E = C.transpose().lazyProduct(matrix(exact_.lazyProduct(C)));
+        int largest = 0;
+        for (int i = 1; i < N; ++i)
+            if (D(i, i).middle() > D(largest, largest).middle()) largest = i;
         double top = -std::numeric_limits<double>::infinity(), error = 0;
         for (int i = 0; i < N; ++i) {
             interval row = D(i, i), off = abs(E(i, i) - 1);
@@ -163,22 +217,21 @@ class logarithmic_norm_bound {
         // z^T D z <= top |z|^2 and (1 - error) |z|^2 <= z^T E z <= (1 + error) |z|^2
         if (!(error < 0.5)) return interval::whole();
         const double upper = (interval(top) / (top > 0 ? 1 - interval(error) : 1 + interval(error))).high();
-        const interval quotient = D(N - 1, N - 1) / E(N - 1, N - 1);  // Rayleigh's
+        const interval quotient = D(largest, largest) / E(largest, largest);  // Rayleigh's
         return {std::min(quotient.low(), upper), upper};
     }
 
   private:
     using matrix = Eigen::Matrix<interval, N, N>;
     matrix symmetric(const matrix& J) const {
-        const matrix GJ = exact_ * J;
+        const matrix GJ = exact_.lazyProduct(J);
         matrix S;
         for (int i = 0; i < N; ++i)
             for (int j = 0; j < N; ++j) S(i, j) = (GJ(i, j) + GJ(j, i)) * interval(0.5);
         return S;
     }
-    dense<rational> G_;
     matrix exact_;
-    Eigen::Matrix<double, N, N> near_;
+    nearly_diagonal<N> near_;
 };
 
 template <>
