@@ -46,11 +46,11 @@ void print_iterations(std::initializer_list<int> sizes) {
                 const auto J = problem.matrix();
                 problem.fill(problem.equilibrium().data(), J.get());
                 sc::petsc_blocks::real real(n);
-                sc::petsc_blocks::complex pair(n);
                 real.factor_shifted(sc::identity_mass(), J, method.gamma[0] / h);
                 choose();
                 real.solve(x.data());
                 for (int k = 0; k < method.alpha.size(); ++k) {
+                    sc::petsc_blocks::complex pair(n);
                     pair.factor_shifted(sc::identity_mass(), J, method.alpha[k] / h, -method.beta[k] / h);
                     choose();
                     pair.solve(x.data(), x.data() + n);

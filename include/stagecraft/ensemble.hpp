@@ -12,6 +12,18 @@
 
 namespace stagecraft {
 
+namespace detail {
+
+/// Threads that are waited for, whatever happens. (std::jthread is missing from libc++ before 18.)
+struct joined_threads {
+    std::vector<std::thread> list;
+    ~joined_threads() {
+        for (auto& t : list) t.join();
+    }
+};
+
+}  // namespace detail
+
 /// run(0), ..., run(count - 1) in threads, which take the next number as soon as they are free; the results in order:
 ///
 ///     const auto ends = ensemble(1000, [&](int k) {
@@ -44,8 +56,8 @@ auto ensemble(int count, Run&& run, int threads = 0) -> std::vector<decltype(run
         }
     };
     {
-        std::vector<std::jthread> others;
-        for (int k = 1; k < std::min(threads, count); ++k) others.emplace_back(work);
+        detail::joined_threads others;
+        for (int k = 1; k < std::min(threads, count); ++k) others.list.emplace_back(work);
         work();
     }
     for (const auto& t : thrown)
