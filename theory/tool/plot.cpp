@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <stagecraft/tableaux/read_partitioned.hpp>
+#include <stagecraft/theory/plot/coupled_region.hpp>
 #include <stagecraft/theory/plot/method_data.hpp>
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "command.hpp"
@@ -21,13 +26,15 @@ namespace plot = theory::plot;
 struct arguments {
     std::string kind, method, stages, output;
     std::vector<double> window;
+    double implicit = 0;
     bool script_only = false;
 };
 
+bool is_file(const arguments& a) { return a.method.ends_with(".json") || std::filesystem::exists(a.method); }
+
 /// A file where one is named or exists, a family otherwise.
 plot::subject subject_of(const arguments& a) {
-    const bool file = a.method.ends_with(".json") || std::filesystem::exists(a.method);
-    if (file) {
+    if (is_file(a)) {
         if (!a.stages.empty()) throw std::invalid_argument("stages: a tableau file has its own number");
         return plot::subject_of_file(tableaux::read_tableau_file(a.method));
     }
@@ -36,13 +43,26 @@ plot::subject subject_of(const arguments& a) {
     return plot::subject_of_family(family, tool::whole_number("stages", a.stages, 1, 30));
 }
 
+std::optional<plot::window> window_of(const arguments& a) {
+    if (a.window.empty()) return std::nullopt;
+    if (a.window.size() != 4) throw std::invalid_argument("window: needs LEFT,RIGHT,BOTTOM,TOP");
+    const plot::window view{a.window[0], a.window[1], a.window[2], a.window[3]};
+    plot::require_window(view);
+    return view;
+}
+
+/// The region of the explicit part of an additive pair, the implicit one being at a fixed point.
+plot::script coupled_picture(const arguments& a, const tableaux::partitioned_file& file) {
+    if (a.kind != "region") throw std::invalid_argument("kind: of several tableaux only region is drawn");
+    const auto r = plot::coupled_stability_function(file, a.implicit);
+    const auto view = window_of(a);
+    char at[64];
+    std::snprintf(at, sizeof at, "explicit part, implicit part at z = %g", a.implicit);
+    return plot::region_picture(file.name, r, view ? *view : plot::region_window(r), at);
+}
+
 plot::script picture_of(const arguments& a, const plot::subject& m) {
-    std::optional<plot::window> view;
-    if (!a.window.empty()) {
-        if (a.window.size() != 4) throw std::invalid_argument("window: needs LEFT,RIGHT,BOTTOM,TOP");
-        view = plot::window{a.window[0], a.window[1], a.window[2], a.window[3]};
-        plot::require_window(*view);
-    }
+    const std::optional<plot::window> view = window_of(a);
     if (a.kind == "region")
         return plot::region_picture(m.name, m.data.r, view ? *view : plot::region_window(m.data.r), m.r_text);
     if (a.kind == "order-star")
@@ -56,7 +76,13 @@ plot::script picture_of(const arguments& a, const plot::subject& m) {
 }
 
 void run(const arguments& a) {
-    const plot::script picture = picture_of(a, subject_of(a));
+    const auto several = [&]() -> std::optional<tableaux::partitioned_file> {
+        if (!is_file(a)) return std::nullopt;
+        auto file = tableaux::read_method_file(a.method);
+        if (auto* pair = std::get_if<tableaux::partitioned_file>(&file)) return std::move(*pair);
+        return std::nullopt;
+    }();
+    const plot::script picture = several ? coupled_picture(a, *several) : picture_of(a, subject_of(a));
     if (a.script_only) {
         std::ofstream out(a.output);
         if (!(out << picture.text("picture.svg")))
@@ -79,6 +105,8 @@ const tool::command plot_command{[](CLI::App& app) {
     sub->add_option("S", a->stages, "number of stages of the family's member");
     sub->add_option("-o,--output", a->output, "file to write: .svg, .png or .pdf")->required();
     sub->add_option("-w,--window", a->window, "LEFT,RIGHT,BOTTOM,TOP in the complex plane")->delimiter(',');
+    sub->add_option("--implicit", a->implicit,
+                    "of an additive pair: where on the real axis the implicit part is (default 0)");
     sub->add_flag("--script", a->script_only, "write the gnuplot script instead of the picture");
     sub->callback([a] { run(*a); });
 }};

@@ -117,22 +117,28 @@ inline std::vector<curve> region_boundary(const rational_function& r, const wind
 }
 
 /// A window that shows the boundary, the zeros and the poles where the boundary is bounded, and [-8, 8] x
-/// [-8, 8] otherwise (the imaginary axis of the symmetric methods).
+/// [-8, 8] otherwise (the imaginary axis of the symmetric methods). Far zeros with the islands around them are
+/// left out: what lies beyond a gap, a ring 0.6 times as wide as its inner radius and free of such points.
 inline window region_window(const rational_function& r) {
     const double at_infinity =
         r.numerator.size() == r.denominator.size() ? std::abs(r.numerator.back() / r.denominator.back()) : 0;
     if (std::abs(at_infinity - 1) < 1e-9) return {-8, 8, -8, 8};
+    std::vector<complex> points = r.roots(), poles = r.poles();
+    points.insert(points.end(), poles.begin(), poles.end());
+    for (int k = 0; k < 64; ++k) {
+        const auto boundary = r.points_of_argument(0.05 + 0.1 * k);
+        points.insert(points.end(), boundary.begin(), boundary.end());
+    }
+    std::sort(points.begin(), points.end(), [](complex x, complex y) { return std::abs(x) < std::abs(y); });
     window w{-1, 1, -1, 1};
-    const auto include = [&w](const std::vector<complex>& points) {
-        for (const complex z : points) {
-            if (std::abs(z) > 1e3) continue;
-            w = {std::min(w.left, z.real()), std::max(w.right, z.real()), std::min(w.bottom, z.imag()),
-                 std::max(w.top, z.imag())};
-        }
-    };
-    for (int k = 0; k < 64; ++k) include(r.points_of_argument(0.05 + 0.1 * k));
-    include(r.roots());
-    include(r.poles());
+    double reach = 1;
+    for (const complex z : points) {
+        if (std::abs(z) > 1.6 * reach && reach > 1) break;
+        if (std::abs(z) > 1e3) break;
+        reach = std::max(reach, std::abs(z));
+        w = {std::min(w.left, z.real()), std::max(w.right, z.real()), std::min(w.bottom, z.imag()),
+             std::max(w.top, z.imag())};
+    }
     const double margin = 0.1 * std::max(w.width(), w.height());
     return {w.left - margin, w.right + margin, w.bottom - margin, w.top + margin};
 }
