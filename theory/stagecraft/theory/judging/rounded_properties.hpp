@@ -164,6 +164,29 @@ inline std::optional<verdict> not_unitary(const subject<ball>& s) {
     return std::nullopt;
 }
 
+/// A unit eigenvector of the lowest eigenvalue of a symmetric matrix, by cyclic Jacobi rotations.
+/// Eigen's solver for symmetric matrices would take two seconds to compile wherever this is included.
+inline Eigen::VectorXd lowest_eigenvector(Eigen::MatrixXd m) {
+    const Eigen::Index n = m.rows();
+    Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(n, n);
+    for (int sweep = 0; sweep < 50; ++sweep) {
+        double off = 0;
+        for (Eigen::Index p = 0; p < n; ++p)
+            for (Eigen::Index q = p + 1; q < n; ++q) {
+                off += m(p, q) * m(p, q);
+                Eigen::JacobiRotation<double> rotation;
+                if (!rotation.makeJacobi(m, p, q)) continue;
+                m.applyOnTheLeft(p, q, rotation.adjoint());
+                m.applyOnTheRight(p, q, rotation);
+                vectors.applyOnTheRight(p, q, rotation);
+            }
+        if (off <= 1e-30 * m.squaredNorm()) break;
+    }
+    Eigen::Index lowest = 0;
+    m.diagonal().minCoeff(&lowest);
+    return vectors.col(lowest);
+}
+
 }  // namespace detail
 
 /// The last row of A against b.
@@ -228,10 +251,9 @@ inline verdict rounded_algebraically_stable(const subject<ball>& s) {
         if (certainly_negative(s.t.b(i))) return verdict::refuted(place{part::b, i, 0}.name() + " < 0");
         for (int j = 0; j < n; ++j) m(i, j) = detail::stability_matrix_entry(s.t, i, j);
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(detail::middle(m));
-    if (eigen.info() != Eigen::Success || !eigen.eigenvectors().allFinite())
-        return verdict::inconclusive("not computed", "none", data_reason);
-    const Eigen::VectorXd v = eigen.eigenvectors().col(0);
+    const Eigen::MatrixXd middle = detail::middle(m);
+    if (!middle.allFinite()) return verdict::inconclusive("not computed", "none", data_reason);
+    const Eigen::VectorXd v = detail::lowest_eigenvector(middle);
     ball form(0);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) form += detail::exactly(v(i)) * m(i, j) * detail::exactly(v(j));

@@ -41,8 +41,10 @@ inline std::vector<complex> zeros(std::vector<complex> p) {
         if (k > 0) companion(k, k - 1) = 1;
         companion(k, n - 1) = -p[static_cast<std::size_t>(k)] / p.back();
     }
-    const Eigen::VectorXcd values =
-        Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
+    // It is a Hessenberg matrix already; to compile a reduction to one would take seconds wherever this is included.
+    Eigen::ComplexSchur<Eigen::MatrixXcd> schur(n);
+    schur.computeFromHessenberg(companion, companion, false);
+    const Eigen::VectorXcd values = schur.matrixT().diagonal();
     std::vector<complex> all(values.data(), values.data() + n);
     for (complex& z : all) {
         for (int k = 0; k < 3; ++k) {
