@@ -137,11 +137,23 @@ chapter chapter_1() {
     for (int n = 0; n < 100; ++n) x = *theory::rk_step<1>(in_double, witch, x, 1.5);
     out.find("a run from 0.3 ends at", "-", number(x[0]), "0.70710678",
              std::abs(x[0] - std::sqrt(0.5)) < 1e-9);
-    double upper = 0;
-    for (const auto& p : theory::two_cycles(example, witch, 3).points) upper = std::max(upper, p.value());
-    const double cycle = 2 * std::cos(3.141592653589793 / 12);
-    out.find("cycle of period 2 at h lambda = 3", "-", number(upper), "2 cos 15 deg = " + number(cycle),
-             std::abs(upper - cycle) < 1e-12);
+    double upper = 0, lower = 3;
+    for (const auto& p : theory::two_cycles(example, witch, 3).points) {
+        upper = std::max(upper, p.value());
+        if (p.value() > 0) lower = std::min(lower, p.value());
+    }
+    const double angle = 3.141592653589793 / 12, high = 2 * std::cos(angle), low = 2 * std::sin(angle);
+    out.find("cycle of period 2 at h lambda = 3", "-", number(lower) + ", " + number(upper),
+             "2 sin 15, 2 cos 15 deg = " + number(low) + ", " + number(high),
+             std::abs(upper - high) < 1e-12 && std::abs(lower - low) < 1e-12);
+    // (2.3) and the example print t_n1 where t_ni is meant: x' = 2t, x(0) = 0, one step h = 1
+    auto improved = theory::in_doubles(method({{0, 0}, {half, 0}}, {0, 1}));
+    const auto clock = [](const auto& t, const auto&, auto& f) { f[0] = 2 * t; };
+    const double meant = (*theory::rk_step<1>(improved, clock, state<double, 1>(0.0), 1.0))[0];
+    improved.c.setZero();
+    const double as_printed = (*theory::rk_step<1>(improved, clock, state<double, 1>(0.0), 1.0))[0];
+    out.find("x' = 2t, improved Euler with f at t_ni (misprint: t_n1)", "x(1) = " + number(as_printed),
+             number(meant), "1", meant == 1 && as_printed != 1);
     draw_ghosts(out, example);
     count_fixed_points(out);
     return out;

@@ -4,7 +4,6 @@
 #include <stagecraft/theory/plot/pictures.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <random>
 
 #include "lecture.hpp"
 
@@ -128,6 +127,16 @@ double end_of_convergence(const tableau<double>& t) {
     return low;
 }
 
+/// Section 2.4.1: h for an error per unit step of 1e-5 from one step of h = 0.02 for y' = y by the midpoint rule.
+void choose_step(chapter& out) {
+    const auto per_unit_step = [](double h) { return std::abs(std::exp(h) - (1 + h / 2) / (1 - h / 2)) / h; };
+    const double h = 0.02, tol = 1e-5, difference = h * per_unit_step(h);
+    const double right = per_unit_step(h * std::sqrt(h * tol / difference)) / tol,
+                 printed = per_unit_step(h * std::sqrt(tol / difference)) / tol;
+    out.find("section 2.4.1: error per unit step/TOL at the new h", "without h: " + number(printed, "%.1f"),
+             number(right, "%.3f"), "1", std::abs(right - 1) < 0.05 && printed > 2);
+}
+
 }  // namespace
 
 chapter chapter_2() {
@@ -135,6 +144,7 @@ chapter chapter_2() {
     draw_stability(out);
     draw_sector(out);
     construct_radau_ia(out);
+    choose_step(out);
 
     const auto euler = theory::contraction(*tableaux::exact_tableau(family::radau_iia, 1), -1);
     out.find("contraction of implicit Euler, h gamma = -1", "1/sqrt(3) = 0.57735", number(euler.factor),

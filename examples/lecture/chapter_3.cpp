@@ -82,6 +82,19 @@ chapter chapter_3() {
              "attracts |x| <= " + number(a.euclidean_radius(), "%.3f"), "alpha = -1 < 0",
              a.verdict.is_proved());
 
+    // Lemma 3.3 prints <x, x> <= gamma |x|^2 in its last line: with B it is proved, without it fails for gamma < 1
+    const rational gamma(-1, 2);
+    const auto H = theory::inner_product(B, gamma);
+    const bool with_B = theory::bounds(gamma, H, theory::symmetric_part<rational>(H, B)),
+               without_B = theory::bounds(gamma, H, H);
+    out.find("Lemma 3.3: <Bx, x> <= gamma |x|^2, gamma = -1/2",
+             without_B ? "holds without B" : "fails without B", with_B ? "proved" : "fails", "holds",
+             with_B && !without_B);
+    // Satz 3.7 prints kappa without gamma: positive then, and no solution would be bounded by e^(kappa t) decaying
+    const double least = -a.rate;
+    out.find("Satz 3.7: rate kappa near (0, 0), negative", "epsilon eta_2/eta_1 > 0", number(least, "%.3f"),
+             "gamma + epsilon eta_2/eta_1 < 0", least < 0);
+
     theory::state<theory::multinomial, 2> x, f;
     for (int i = 0; i < 2; ++i) x[i] = theory::multinomial::unknown(i);
     centre(0, x, f);
