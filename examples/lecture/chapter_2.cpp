@@ -4,6 +4,10 @@
 #include <stagecraft/theory/plot/pictures.hpp>
 
 #include <Eigen/Eigenvalues>
+#include <chrono>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/fixed_point.hpp>
+#include <stagecraft/integrate.hpp>
 
 #include "lecture.hpp"
 
@@ -127,6 +131,54 @@ double end_of_convergence(const tableau<double>& t) {
     return low;
 }
 
+/// Evaluations of f and microseconds in a step.
+struct work {
+    double evaluations, microseconds;
+};
+
+/// 200 steps of Gauss-2 for ten pendulums (|lambda| near 1 on the imaginary axis), stages to 1e-8; zeros
+/// where the iteration does not end.
+template <class Method>
+work work_of(const Method& m, double h) {
+    const auto f = [](double, const Eigen::VectorXd& x, Eigen::VectorXd& out) {
+        out.head(10) = x.tail(10);
+        out.tail(10) = -x.head(10).array().sin();
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    const auto r = integrate(m, f, Eigen::VectorXd::LinSpaced(20, 0.5, 1), 0.0, 200 * h,
+                             {.rtol = 1e-8, .atol = 1e-10, .fixed_step = h, .newton_iterations = 20'000});
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    if (!r.ok()) return {0, 0};
+    return {static_cast<double>(r.report.f + r.report.f_jacobian) / static_cast<double>(r.report.steps),
+            1e6 * seconds.count() / static_cast<double>(r.report.steps)};
+}
+
+/// Section 2.4.2: fixed point iteration against Newton's over h |lambda|.
+void compare_iterations(chapter& out) {
+    plot::curve iterated{{}, false}, newton{{}, false};
+    std::string evaluations, times;
+    double first = 0, last = 0, largest_newton = 0;
+    for (const double h : {0.01, 0.03, 0.1, 0.3, 1.0, 1.5, 2.0}) {
+        const work a = work_of(fixed_point(gauss<2>()), h), b = work_of(gauss<2>(), h);
+        if (a.evaluations > 0) iterated.points.emplace_back(h, a.evaluations);
+        if (b.evaluations > 0) newton.points.emplace_back(h, b.evaluations);
+        if (first == 0) first = a.evaluations;
+        last = std::max(last, a.evaluations);
+        largest_newton = std::max(largest_newton, b.evaluations);
+        if (h != 0.01 && h != 0.3 && h != 2.0) continue;
+        evaluations += (evaluations.empty() ? "" : ", ") + number(a.evaluations, "%.0f") + " : " +
+                       number(b.evaluations, "%.0f");
+        times += (times.empty() ? "" : ", ") + number(a.microseconds, "%.1f") + " : " +
+                 number(b.microseconds, "%.1f");
+    }
+    out.pictures.push_back(curves("p48_fixed_point",
+                                  "Evaluations of f in a step: fixed point iteration (rising), Newton",
+                                  {iterated, newton}, {0, 2.1, 0, 1.1 * last}, "h lambda", "f"));
+    out.find("evaluations of f a step, fixed point : Newton, h |lambda| = 0.01, 0.3, 2", "-", evaluations,
+             "grows like 1/log(sqrt 12/(h |lambda|))", last > 3 * first && last > largest_newton);
+    out.find("microseconds a step, likewise", "-", times, "-", last > 0);
+}
+
 /// Section 2.4.1: h for an error per unit step of 1e-5 from one step of h = 0.02 for y' = y by the midpoint rule.
 void choose_step(chapter& out) {
     const auto per_unit_step = [](double h) { return std::abs(std::exp(h) - (1 + h / 2) / (1 - h / 2)) / h; };
@@ -144,6 +196,7 @@ chapter chapter_2() {
     draw_stability(out);
     draw_sector(out);
     construct_radau_ia(out);
+    compare_iterations(out);
     choose_step(out);
 
     const auto euler = theory::contraction(*tableaux::exact_tableau(family::radau_iia, 1), -1);
