@@ -257,16 +257,11 @@ class system
         }
     }
 
-    /// Multiplies the weights of index-2 components by |h| and those of index-3 components by h^2, with
-    /// max(|h|, sqrt(rtol)) in place of |h|. Without that bound very small steps would leave these components
-    /// unchecked, and the next iteration would start from values at which it fails or finds another solution
-    /// of the constraints.
-    void weigh_by_index(Vector& weights, const scalar& h, const scalar& rtol) const {
+    /// Multiplies the weights of index-2 components by |h| and those of index-3 components by h^2.
+    void weigh_by_index(Vector& weights, const scalar& h) const {
         if constexpr (has_index<Problem>) {
             using std::abs;
-            using std::sqrt;
-            if (raised_.empty()) return;
-            const scalar least = sqrt(rtol), size = abs(h) > least ? scalar(abs(h)) : least;
+            const scalar size = abs(h);
             for (const auto& r : raised_) weights[r.component] *= r.power == 1 ? size : scalar(size * size);
         }
     }

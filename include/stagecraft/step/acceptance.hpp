@@ -30,9 +30,9 @@ struct trial_step {
     Output& now;            ///< the stages, then the continuous solution
 };
 
-/// How often the present step has been refused: at all, and for the size of its error.
+/// How often the present step has been refused: at all, for the size of its error, and by Newton's iteration.
 struct refusals {
-    int all = 0, for_error = 0;
+    int all = 0, for_error = 0, by_newton = 0;
 };
 
 /// Judges attempts whose stage equations are solved, and says what follows: the error of the step, the size

@@ -226,7 +226,7 @@ class integrator {
     linear_state linearise(Step& method, const scalar& h) {
         if (needs_left_value(method)) f_.left(system_, t_, y_);
         weights_ = scale_;
-        system_.weigh_by_index(weights_, h, options_.rtol);
+        system_.weigh_by_index(weights_, h);
         method.begin(f_.value());
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
@@ -282,6 +282,7 @@ class integrator {
                 all_finite(f_.value(), n_, system_.sums()) ? status::singular_matrix : status::non_finite;
         ++report_.rejected_newton;
         ++refused_.all;
+        ++refused_.by_newton;
         if (method.implicit() && linear_.renew(system_)) return progress::again;
         if (plan_.fixed()) return give_up(obstacle_);
         linear_.stay_behind();
@@ -351,12 +352,15 @@ class integrator {
     /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room. What it leaves
     /// in the stages is magnified by about gamma s^2/h ~ s^3/h, by the slope of the stage polynomial at the
     /// left end, in components of index 2 and in the estimate of their errors, twice so with index 3: beyond
-    /// three stages it has to leave less.
+    /// three stages it has to leave less. Where a free step has been refused, twice and three times as many
+    /// iterations are allowed: with an approximate Jacobian they may converge steadily at a rate that does not
+    /// depend on the step.
     newton_limits<scalar> newton_limits_for(int s, const scalar& h) {
         const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
         const int most = options_.newton_iterations > 0 ? options_.newton_iterations
-                         : plan_.fixed()                ? 50
-                                                        : usual_iterations(s);
+                         : plan_.fixed()
+                             ? 50
+                             : usual_iterations(s) * (refused_.by_newton < 2 ? 1 + refused_.by_newton : 3);
         scalar factor = options_.newton_factor;
         if (!(factor > scalar(0))) {
             factor = scalar(1) / 50;
