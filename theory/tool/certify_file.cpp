@@ -73,4 +73,10 @@ int diff_files(const std::string& first, const std::string& second) {
     return lines.empty() ? 0 : 1;
 }
 
+void print_method_table(const std::vector<std::string>& paths) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& path : with_folders_opened(paths)) files.emplace_back(path);
+    std::cout << theory::method_table(files);
+}
+
 }  // namespace stagecraft::tool

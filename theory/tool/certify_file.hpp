@@ -26,4 +26,7 @@ int certify_files(const std::vector<std::string>& paths, const certify_options& 
 /// Prints what differs between two tableau files; 0 nothing, 1 something. Throws tableaux::unusable_input.
 int diff_files(const std::string& first, const std::string& second);
 
+/// Prints a Markdown table of what the tableaux in these files and folders are.
+void print_method_table(const std::vector<std::string>& paths);
+
 }  // namespace stagecraft::tool
