@@ -80,8 +80,10 @@ inline void apply(const reading& how, tableau_file& file) {
     const rational further = how.ulps - rational(1, 2);
     file.for_each_entry([&](entry& e) {
         if (e.rounded && exact.covers_some(e)) {
-            entry again = read_entry(e.text, exact);  // in "2.4906272*1.2" the short factor alone is exact
-            if (again.enclosure.width() < e.enclosure.width()) {
+            entry again = read_entry(e.text, exact);
+            // In "2.4906272*1.2" the short factor alone is exact; the text of a double is no narrower than that.
+            const bool narrower = again.enclosure.width() * rational(1000) < e.enclosure.width();
+            if (!again.rounded || narrower) {
                 e = std::move(again);
                 ++file.short_decimals;
             }
