@@ -245,6 +245,11 @@ bool find_two_in_rows(const subject<K>& s, const tableaux::tableau_file& file,
 /// Names what may be wrong: single entries; else what was exchanged or lost; else two entries of A, or an entry and one
 /// of b_embedded.
 inline void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate) {
+    const int highest = std::max(file.claims.order.value_or(0), file.claims.embedded_order.value_or(0));
+    if (highest > tableaux::largest_order) {
+        certificate.suspects_note = "no entry is suspected: beyond order 14 the trees are not looked at";
+        return;
+    }
     const auto shape = make_subject<int>(file, [](const tableaux::entry&) { return 0; });
     const auto all = places_of(file, shape.strictly_lower, shape.lower);
     const bool rounding = find_single_faults(file, all, certificate);
