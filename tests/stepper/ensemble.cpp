@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Compiled and run with ThreadSanitizer (tests/stepper/CMakeLists.txt).
+// Compiled and run with ThreadSanitizer where that runs (tests/stepper/CMakeLists.txt).
 #define BOOST_TEST_MODULE ensemble
 #include <atomic>
 #include <boost/test/unit_test.hpp>
