@@ -125,4 +125,6 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_the_polynomials_is_said) {
     BOOST_TEST(complaint(R"("b_theta":[["1","x"]])") == "line 1, b_theta[1][2]: 'x' unknown symbol 'x'");
     BOOST_TEST(complaint(R"("claims":{"dense_order":1})") ==
                "line 1, claims.dense_order: there is no b_theta");
+    BOOST_TEST(complaint(R"("b_theta":[["1"]],"claims":{"dense_order":11})") ==
+               "line 1, claims.dense_order: must be at most 10");
 }

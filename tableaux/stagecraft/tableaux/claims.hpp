@@ -7,6 +7,9 @@
 
 namespace stagecraft::tableaux {
 
+/// The highest order that dense output may claim: the conditions on it are looked at to this order.
+inline constexpr int largest_dense_order = 10;
+
 /// What a tableau file claims about its method. Only what is stated is judged. `order` = p claims every order
 /// condition up to p, but not that order p + 1 fails. `stage_order` = q claims B(q) and C(q); a file that
 /// gives c claims c = A*1 with it, unless it states stage_order 0. `dense_order`: the order of b(theta) at every

@@ -80,6 +80,9 @@ inline tableau_file tableau(const document& d, const reading& how) {
     for (const char* claim : {"dense_order", "dense_smoothness"})
         if (file.b_theta.empty() && d.root.contains("claims") && d.root["claims"].contains(claim))
             reject(d, std::string("/claims/") + claim, std::string("claims.") + claim, "there is no b_theta");
+    if (file.claims.dense_order.value_or(0) > largest_dense_order)
+        reject(d, "/claims/dense_order", "claims.dense_order",
+               "must be at most " + std::to_string(largest_dense_order));
     if (file.claims.dense_smoothness.value_or(0) > 1)
         reject(d, "/claims/dense_smoothness", "claims.dense_smoothness", "must be 0 or 1");
     if (file.claims.embedded_order && file.b_embedded.empty())

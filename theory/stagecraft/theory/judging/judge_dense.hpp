@@ -90,7 +90,8 @@ search_for_order<dense_residual<K>> find_dense_order(const dense_subject<K>& d, 
 template <class K>
 finding judge_dense_order(const dense_subject<K>& d, std::optional<int> claimed, int order_of_step,
                           std::vector<failure>& failures) {
-    const int most = std::min(std::max(claimed.value_or(0), order_of_step) + 1, 10);
+    const int most =
+        std::min(std::max(claimed.value_or(0), order_of_step) + 1, tableaux::largest_dense_order);
     const auto found = find_dense_order(d, most);
     const std::size_t first = failures.size();
     for (const auto& f : found.failing) {
@@ -167,8 +168,7 @@ finding judge_smoothness(const dense_subject<K>& d, std::optional<int> claimed) 
 /// Whether order and smoothness claimed are not refuted.
 template <class K>
 bool keeps_dense_claims(const dense_subject<K>& d, const tableaux::claims& claims) {
-    if (const int p = std::min(claims.dense_order.value_or(0), 10); p > 0 && find_dense_order(d, p).order < p)
-        return false;
+    if (const int p = claims.dense_order.value_or(0); p > 0 && find_dense_order(d, p).order < p) return false;
     return !claims.dense_smoothness || !judge_smoothness(d, claims.dense_smoothness).judgement->is_refuted();
 }
 
