@@ -265,8 +265,8 @@ inline std::vector<std::vector<entry>> polynomials(const document& d, std::size_
         const std::string path = "/b_theta/" + std::to_string(i);
         const std::string name = "b_theta[" + std::to_string(i + 1) + "]";
         polynomials.push_back(numbers(d, all[i], path, name, 0));
-        if (polynomials.back().size() > largest_degree)
-            reject(d, path, name, "has more than " + std::to_string(largest_degree) + " coefficients");
+        if (polynomials.back().size() > largest_dense_degree)
+            reject(d, path, name, "has more than " + std::to_string(largest_dense_degree) + " coefficients");
     }
     return polynomials;
 }

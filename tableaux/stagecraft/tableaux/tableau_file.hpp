@@ -79,7 +79,7 @@ struct tableau_file {
 /// Most stages a file may have.
 inline constexpr int most_stages = 64;
 /// Most coefficients of a b_i(theta).
-inline constexpr int largest_degree = 20;
+inline constexpr int largest_dense_degree = 20;
 /// Largest order for which every tree is looked at: there are 53,272 up to 14. Higher ones, which a file may
 /// claim as well, are proved by simplifying assumptions.
 inline constexpr int largest_order = 14;

@@ -21,7 +21,7 @@ inline verdict symplectic_pair(const legendre_model<tableaux::rational>& first,
     const auto& a = first.gram_A();
     const auto& a_hat = second.gram_A();
     const int s = first.stages();
-    const auto at = [s](const auto& m, int i, int j) {
+    const auto at = [](const auto& m, int i, int j) {
         return j >= m.first_column(i) && j < m.end_column(i) ? m(i, j) : rational(0);
     };
     for (int i = 0; i < s; ++i)
