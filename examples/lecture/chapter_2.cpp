@@ -4,6 +4,7 @@
 #include <stagecraft/theory/plot/pictures.hpp>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <chrono>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/fixed_point.hpp>
@@ -189,6 +190,20 @@ void choose_step(chapter& out) {
              number(right, "%.3f"), "1", std::abs(right - 1) < 0.05 && printed > 2);
 }
 
+/// Section 2.4.2 prints X^[i] = 1 x + h A f(X^[i]): the stage equations themselves, so that the first "iterate" would be
+/// their solution. Gauss-2 on x' = lambda x, h lambda = -1, x = 1, from X = (1, 1).
+void iterate_as_printed(chapter& out) {
+    const Eigen::Matrix2d zA = -theory::in_doubles(*tableaux::exact_tableau(family::gauss, 2)).A;
+    const Eigen::Vector2d one(1, 1), printed = (Eigen::Matrix2d::Identity() - zA).inverse() * one,
+                                     first = one + zA * one;
+    Eigen::Vector2d limit = first;
+    for (int i = 0; i < 100; ++i) limit = one + zA * limit;
+    const double exact = (printed - limit).norm(), left = (first - limit).norm();
+    out.find("fixed point iteration, error after X^[1]: as printed, with X^[i-1]", "X^[i] on both sides",
+             number(exact, "%.0e") + ", " + number(left, "%.2f"), "solved at once, contracts by 1/sqrt 12",
+             exact < 1e-14 && left > 0.01);
+}
+
 }  // namespace
 
 chapter chapter_2() {
@@ -196,6 +211,7 @@ chapter chapter_2() {
     draw_stability(out);
     draw_sector(out);
     construct_radau_ia(out);
+    iterate_as_printed(out);
     compare_iterations(out);
     choose_step(out);
 
