@@ -11,6 +11,8 @@
 #include <stagecraft/theory/dynamics/absorbing.hpp>
 #include <stagecraft/theory/dynamics/rk_map.hpp>
 
+#include "../message.hpp"
+
 using namespace stagecraft;
 using namespace stagecraft::theory;
 using Eigen::VectorXd;
@@ -53,16 +55,6 @@ tableau<rational> euler() {
     t.A(0, 0) = t.c[0] = 0;
     t.b[0] = 1;
     return t;
-}
-
-template <class F>
-std::string message(F call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "no exception";
 }
 
 }  // namespace

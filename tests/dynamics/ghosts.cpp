@@ -13,6 +13,8 @@
 #include <stagecraft/theory/dynamics/one_sided_lipschitz.hpp>
 #include <stagecraft/theory/dynamics/rk_map.hpp>
 
+#include "../message.hpp"
+
 using namespace stagecraft;
 using namespace stagecraft::theory;
 using tableaux::family;
@@ -81,16 +83,6 @@ tableau<rational> example_method() {
 const auto cubic = [](const auto&, const auto& x, auto& f) { f[0] = x[0] - x[0] * x[0] * x[0]; };
 /// -lambda x/(1 + x^2); lambda = 1, so h is h lambda.
 const auto witch = [](const auto&, const auto& x, auto& f) { f[0] = -x[0] / (1 + x[0] * x[0]); };
-
-template <class F>
-std::string message(F call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "no exception";
-}
 
 }  // namespace
 

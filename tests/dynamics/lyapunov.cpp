@@ -11,6 +11,8 @@
 #include <stagecraft/theory/dynamics/multistep.hpp>
 #include <stagecraft/theory/dynamics/rk_map.hpp>
 
+#include "../message.hpp"
+
 using namespace stagecraft;
 using namespace stagecraft::theory;
 
@@ -57,16 +59,6 @@ state<double, 2> run(F f, state<double, 2> x, double t, int steps) {
         x = *next;
     }
     return x;
-}
-
-template <class F>
-std::string message(F call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "no exception";
 }
 
 /// log |e^(T B)|/T for T = 2^16, by squaring: alpha(B) but for log(cond)/T. Blocks of zeros decay.

@@ -7,6 +7,8 @@
 #include <stagecraft/theory/exercises/kinds.hpp>
 #include <string>
 
+#include "../message.hpp"
+
 using namespace stagecraft;
 using namespace stagecraft::theory;
 
@@ -32,16 +34,6 @@ tableau<rational> euler() {
     auto t = exercise_methods::with_nodes({0});
     t.b[0] = 1;
     return t;
-}
-
-template <class F>
-std::string message(F call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "no exception";
 }
 
 }  // namespace
