@@ -32,6 +32,12 @@ struct interpolation_nodes {
         }
     }
 
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(size, first_column);
+        for (int j = 0; j < size; ++j) bag(c[j], omega[j]);
+    }
+
     /// l_1(x), ..., l_size(x).
     void basis(const Scalar& x, Scalar* l) const {
         Scalar prefix = x;
@@ -156,6 +162,16 @@ class dense_output {
     void cover(const scalar& t, const scalar& h) {
         t0_ = t;
         h_ = h;
+    }
+
+    /// All of it (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(nodes_, t0_, h_, y0_);
+        for (int j = 0; j < nodes_.size; ++j) {
+            auto column = z_.col(nodes_.first_column + j);
+            bag(column);
+        }
     }
 
     const nodes_type& nodes() const { return nodes_; }

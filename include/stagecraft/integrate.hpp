@@ -9,6 +9,7 @@
 
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>
+#include <stagecraft/step/continued.hpp>
 #include <stagecraft/step/integrator.hpp>
 
 namespace stagecraft {
@@ -45,15 +46,10 @@ template <class Method, class Problem, class Vector, class Observer>
 inline constexpr bool observes<true, Method, Problem, Vector, Observer> =
     can_observe<Observer, Vector, typename integrator<Method, Problem, Vector>::output_type>;
 
-/// integrate() with arguments that have been looked at.
-template <class Method, class Problem, class Vector, class Observer>
-result<Vector> run_to_the_end(const Method& method, Problem& problem, const Vector& y0,
-                              const typename Vector::Scalar& t0, const typename Vector::Scalar& t1,
-                              const options<typename Vector::Scalar>& o, Observer& observer) {
-    Vector start = y0;  // later the states to be corrected
-    using run_type = integrator<Method, Problem, Vector>;
-    run_type run(method, problem, start, t0, t1, o,
-                 asks_for_output<Observer, Vector, typename run_type::output_type>);
+/// Makes the steps of a run that begins, or goes on, at `start`, which later takes the states to be corrected.
+template <class Run, class Vector, class Observer>
+result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Scalar& t1,
+                              Observer& observer) {
     announce(observer, run.t(), start, t1);
     std::exception_ptr thrown;
     stagecraft::status ended = status::success;
@@ -62,7 +58,9 @@ result<Vector> run_to_the_end(const Method& method, Problem& problem, const Vect
             if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
                 run.between_steps([&] {
                     correct(observer, run, start);
-                    return observe(observer, run.t(), run.y(), run.output().step(), run.output());
+                    const bool go_on = observe(observer, run.t(), run.y(), run.output().step(), run.output());
+                    save(observer, [&] { return checkpoint_of(run); });
+                    return go_on;
                 });
         }
         ended = run.status();
@@ -78,6 +76,14 @@ result<Vector> run_to_the_end(const Method& method, Problem& problem, const Vect
     conclude(observer, r);
     return r;
 }
+
+template <class Observer, class Run, class Vector>
+inline constexpr bool wants_output = asks_for_output<Observer, Vector, typename Run::output_type>;
+
+template <class State>
+inline constexpr bool is_checkpoint = false;
+template <class Vector>
+inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 
 }  // namespace detail
 
@@ -151,18 +157,50 @@ auto integrate(const Method& method, Problem&& problem, const Eigen::MatrixBase<
         return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, y0, t0, t1, o,
                          std::forward<Observer>(observer));
     } else if constexpr (method_first && check::good && observed) {
-        return detail::run_to_the_end<Method, problem_type, vector>(method, problem, y0, t0, t1, o, observer);
+        using run_type = integrator<Method, problem_type, vector>;
+        vector start = y0;
+        run_type run(method, problem, start, t0, t1, o,
+                     detail::wants_output<std::remove_reference_t<Observer>, run_type, vector>);
+        return detail::run_to_the_end(run, start, t1, observer);
     } else {
         return {};
     }
 }
 
+/// Goes on with a run from a checkpoint of it (checkpoint.hpp): with the same method, problem, t1 and options it ends with
+/// the bits of the run that was not interrupted, report included. With other options or another t1 it is a run
+/// that begins with the step size, the order and the Jacobian of the other one. Observers start at from.t.
+/// std::invalid_argument where the method or the size of the problem is another one, and with options.fixed_step
+/// another t1.
+template <class Method, class Problem, class Vector, class Observer = no_observer>
+result<Vector> integrate(const Method& method, Problem&& problem, const checkpoint<Vector>& from,
+                         std::type_identity_t<typename Vector::Scalar> t1,
+                         const options<typename Vector::Scalar>& o = {}, Observer&& observer = {}) {
+    using problem_type = std::remove_reference_t<Problem>;
+    if constexpr (detail::returning_right_hand_side<problem_type, Vector>) {
+        return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, from, t1, o,
+                         std::forward<Observer>(observer));
+    } else {
+        static_assert(checked_call<problem_type, Vector>::good,
+                      "integrate(method, problem, checkpoint, t1, options, observer): the problem must be "
+                      "the one of which "
+                      "the checkpoint was taken");
+        using run_type = integrator<Method, problem_type, Vector>;
+        Vector start = from.y;
+        run_type run(method, problem, start, from.t, t1, o,
+                     detail::wants_output<std::remove_reference_t<Observer>, run_type, Vector>);
+        restore(run, from);
+        return detail::run_to_the_end(run, start, t1, observer);
+    }
+}
+
 /// Says what y0 must be where it is no vector of Eigen's (arguments in another order, say).
 template <class Method, class Problem, class State, class T0, class T1, class Observer = no_observer>
-requires(!detail::eigen_object<State>) result<Eigen::VectorXd> integrate(const Method&, Problem&&,
-                                                                         const State&, const T0&, const T1&,
-                                                                         const options<double>& = {},
-                                                                         Observer&& = {}) {
+requires(!detail::eigen_object<State> &&
+         !detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const Method&, Problem&&,
+                                                                          const State&, const T0&, const T1&,
+                                                                          const options<double>& = {},
+                                                                          Observer&& = {}) {
     constexpr bool state = detail::eigen_object<State>;
     static_assert(
         state,

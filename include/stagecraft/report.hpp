@@ -42,6 +42,14 @@ struct report {
     Scalar rtol = Scalar(0), atol = Scalar(0);  ///< of the options; atol is 0 where it was given by component
     bool default_atol = false;                  ///< atol is that of options nobody has set
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(steps, rejected_error, rejected_newton, f, f_jacobian, jacobians, factorisations, solves,
+            error_solves);
+        bag(smallest_step, largest_step, largest_stages, smallest_stages);
+    }
+
     long rejected() const { return rejected_error + rejected_newton; }
 
     /// Takes in the tolerances of the options.

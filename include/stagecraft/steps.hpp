@@ -69,6 +69,12 @@ class step_range {
         }
     }
 
+    step_range(const Method& method, Problem&& problem, const checkpoint<Vector>& from, const scalar& t1,
+               const options<scalar>& o)
+        : step_range(method, std::forward<Problem>(problem), from.y, from.t, t1, o) {
+        restore(run_, from);
+    }
+
     /// Takes the first step; a later call continues where the previous loop stopped.
     iterator begin() {
         if (!begun_) advance();
@@ -85,6 +91,8 @@ class step_range {
         return run_.finished() ? run_.status() : status::stopped;
     }
     const stagecraft::report<scalar>& report() const { return run_.counts(); }
+    /// A checkpoint of the run where it is (checkpoint.hpp), without the correction.
+    checkpoint<Vector> save() { return checkpoint_of(run_); }
 
   private:
     void advance() {
@@ -129,6 +137,14 @@ typename Derived::PlainObject >
         std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
         const options<typename Derived::Scalar>& o = {}) {
     return {method, std::forward<Problem>(problem), y0, t0, t1, o};
+}
+
+/// The rest of a run of which a checkpoint was taken, as integrate() goes on from one.
+template <class Method, class Problem, class Vector>
+requires right_hand_side<std::remove_reference_t<Problem>, Vector> step_range<Method, Problem, Vector> steps(
+    const Method& method, Problem&& problem, const checkpoint<Vector>& from,
+    std::type_identity_t<typename Vector::Scalar> t1, const options<typename Vector::Scalar>& o = {}) {
+    return {method, std::forward<Problem>(problem), from, t1, o};
 }
 
 /// The same with a correction of every step.

@@ -7,6 +7,8 @@
 #include <stagecraft/linear/banded_blocks.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
 
+#include "interrupt.hpp"
+
 namespace sc = stagecraft;
 
 namespace {
@@ -113,4 +115,12 @@ BOOST_AUTO_TEST_CASE(a_problem_may_bring_its_own_linear_solver) {
 BOOST_AUTO_TEST_CASE(a_band_or_pattern_of_the_wrong_size_is_named) {
     BOOST_CHECK_THROW(run(too_wide{}), std::invalid_argument);
     BOOST_CHECK_THROW(run(wrong_pattern{}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(runs_go_on_from_checkpoints_with_the_bits_they_would_have) {
+    const Eigen::VectorXd y0 = Eigen::VectorXd::Zero(N);
+    const sc::options<double> o{.rtol = 1e-7};
+    interrupted::at_five_places(sc::radau_iia<3>(), dense_problem{}, y0, 2, o);
+    interrupted::at_five_places(sc::radau_iia<3>(), banded_problem{}, y0, 2, o);
+    interrupted::at_five_places(sc::radau_iia<3>(), sparse_problem{}, y0, 2, o);
 }

@@ -4,6 +4,7 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
 
+#include "interrupt.hpp"
 #include "problems.hpp"
 
 namespace sc = stagecraft;
@@ -64,4 +65,9 @@ BOOST_AUTO_TEST_CASE(the_family_may_be_any_list_of_stages) {
     BOOST_TEST(r.ok());
     BOOST_TEST(r.report.largest_stages > 3);
     BOOST_TEST(problems::error(r.y, problems::reference("rober"), 1e-6) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_goes_on_from_a_checkpoint_with_the_bits_it_would_have) {
+    interrupted::at_five_places(sc::radau_iia_variable(), problems::van_der_pol{}, vdp0, 2,
+                                {.rtol = 1e-8, .atol = 1e-8});
 }

@@ -33,6 +33,8 @@ template <class Scalar, int Count>
 class order_controller {
   public:
     static constexpr int current() { return 0; }
+    template <class Bag>
+    static void carry(Bag&) {}
 };
 
 /// Takes the method that promises the longest step for its work. The step each could take follows from the
@@ -82,6 +84,12 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         wait_ = 8;
         const Scalar low = Scalar(1) / 5, high = Scalar(3);
         return factor < low ? low : factor > high ? high : factor;
+    }
+
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(current_, wait_);
     }
 
   private:

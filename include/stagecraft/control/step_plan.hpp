@@ -29,7 +29,7 @@ class step_plan {
           direction_(t1 < t0 ? -1 : 1),
           least_(o.min_step),
           most_(o.max_step),
-          attempts_left_(o.max_steps) {
+          most_attempts_(o.max_steps) {
         if (o.fixed_step > Scalar(0)) equal_ = plan_equal_steps(t0, t1, o.fixed_step);
     }
 
@@ -56,8 +56,16 @@ class step_plan {
     /// been tried `failures` times. A step is too small if it is below options.min_step, or after more than 60
     /// failures; one below the resolution of t becomes the smallest that there is.
     planned_step<Scalar> next(const Scalar& t, const Scalar& h, long done, int failures) {
-        if (attempts_left_-- <= 0) return {h, t, status::too_many_steps};
+        if (attempts_++ >= most_attempts_) return {h, t, status::too_many_steps};
         return fixed() ? next_equal(t, h, done) : next_free(t, h, failures);
+    }
+
+    /// What the next step depends on (checkpoint.hpp). A run of equal steps goes on with those it had.
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag.same(fixed(), "kind: options.fixed_step is to be given, or left out, as it was");
+        bag(attempts_, equal_.count, equal_.first, equal_.last, equal_.h);
+        if (fixed() && equal_.last != t1_) bag.refuse("t1, which equal steps lead to");
     }
 
   private:
@@ -93,7 +101,7 @@ class step_plan {
     Scalar t1_;
     int direction_;
     Scalar least_, most_;
-    long attempts_left_;
+    long most_attempts_, attempts_ = 0;
 };
 
 }  // namespace stagecraft

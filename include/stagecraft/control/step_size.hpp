@@ -53,6 +53,12 @@ class step_size_controller {
 
     void forget() { has_last_ = false; }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(has_last_, last_q_, last_h_, last_root_);
+    }
+
   private:
     static Scalar floor() { return Scalar(1) / 100000000; }
     static Scalar clamp(const Scalar& x) {

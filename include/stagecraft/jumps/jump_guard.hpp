@@ -115,6 +115,12 @@ class jump_guard {
         return smooth_.accepted();
     }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(smooth_, watch_, spacing_, refused_h_, refused_error_);
+    }
+
   private:
     /// The largest value of the combinations at the blind spots. Contributions of stiff components are no
     /// jump, or die out with time: where they matter, the method's own filter removes them, applied twice.

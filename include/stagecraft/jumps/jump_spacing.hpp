@@ -36,6 +36,12 @@ class jump_spacing {
         return (since > spacing_ ? since : spacing_) / 2;
     }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(from_, length_, spacing_, known_);
+    }
+
   private:
     Scalar from_, length_{0};  // where the last jump was found, and how far behind it may lie
     Scalar spacing_{0};        // from the jump before to where the last one was found

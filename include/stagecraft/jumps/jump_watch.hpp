@@ -55,6 +55,12 @@ class jump_watch {
         if (!confirmed_) threshold_ *= least_threshold();
     }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(before_.h, before_.size, now_.h, now_.size, threshold_, suspect_length_, suspicious_, confirmed_);
+    }
+
   private:
     struct measured {
         Scalar h{0}, size{0};

@@ -36,6 +36,12 @@ class smoothness {
     /// A step has been accepted; true if doubt ends with it.
     bool accepted() { return steps_ > 0 && --steps_ == 0; }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(steps_);
+    }
+
   private:
     static constexpr int memory =
         10;  // steps: two or three of growth by the largest factor, and as many more

@@ -42,6 +42,12 @@ class banded_matrix {
     void set_zero() { entries_.setZero(); }
     void setZero() { entries_.setZero(); }  ///< the same under Eigen's name, for Jacobians written for either
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(entries_);
+    }
+
   private:
     bandwidth band_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> entries_;

@@ -22,6 +22,8 @@ namespace stagecraft {
 ///   observer.correct(t, y)
 ///       Called after every accepted step, before the call operator. It may change y and then returns true;
 ///       the run goes on from the changed state (dae/projection.hpp).
+///   observer.save(take)
+///       Called after every accepted step, last; take() makes a checkpoint of the run (checkpoint.hpp).
 ///   observer.conclude(result)
 ///       Called last. It may shorten the run to an earlier t, and must then do the same when it is called
 ///       again; what it has kept beyond result.t it discards.
@@ -41,6 +43,13 @@ struct correct_member {
     template <class T>
     static constexpr bool visible_in = requires {
         &T::correct;
+    };
+};
+struct save_member {
+    int save;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::save;
     };
 };
 struct conclude_member {
@@ -130,6 +139,17 @@ void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[m
         y = run.y();
         if (correct_state(observer, run.t(), y)) run.replace_state(y);
     }
+}
+
+/// Lets the observer save the run, of which take() makes a checkpoint.
+template <class Observer, class Take>
+void save([[maybe_unused]] Observer& observer, [[maybe_unused]] const Take& take) {
+    constexpr bool callable = requires { observer.save(take); };
+    static_assert(
+        callable || !has_member_named<Observer, save_member>,
+        "observer.save must be callable as save(take), take const auto&, a function without arguments that "
+        "returns a checkpoint");
+    if constexpr (callable) observer.save(take);
 }
 
 template <class Observer, class Result>

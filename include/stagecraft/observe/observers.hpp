@@ -22,16 +22,32 @@ struct optional_correction<List, true> {
     }
 };
 
+/// A member save(take) for a List of observers of which one has that.
+template <class List, bool Exists>
+struct optional_saving {};
+template <class List>
+struct optional_saving<List, true> {
+    template <class Take>
+    void save(const Take& take) {
+        static_cast<List&>(*this).save_all(take);
+    }
+};
+
+/// True if one of the observers has a member so named, or may have.
+template <class Named, class... Observers>
+inline constexpr bool one_may_have = ((has_member_named<std::remove_reference_t<Observers>, Named> ||
+                                       std::is_final_v<std::remove_reference_t<Observers>>) ||
+                                      ...);
+
 }  // namespace detail
 
 /// Several observers as one; made by observers().
 template <class... Observers>
 class observer_list
-    : public detail::optional_correction<
-          observer_list<Observers...>,
-          ((detail::has_member_named<std::remove_reference_t<Observers>, detail::correct_member> ||
-            std::is_final_v<std::remove_reference_t<Observers>>) ||
-           ...)> {
+    : public detail::optional_correction<observer_list<Observers...>,
+                                         detail::one_may_have<detail::correct_member, Observers...>>,
+      public detail::optional_saving<observer_list<Observers...>,
+                                     detail::one_may_have<detail::save_member, Observers...>> {
   public:
     explicit observer_list(Observers&&... o) : list_(std::forward<Observers>(o)...) {}
 
@@ -51,6 +67,10 @@ class observer_list
         bool changed = false;
         each([&](auto& o) { changed = detail::correct_state(o, t, y) || changed; });
         return changed;
+    }
+    template <class Take>
+    void save_all(const Take& take) {
+        each([&](auto& o) { detail::save(o, take); });
     }
     /// Repeated as long as one of them shortens the run, so that all end at the same t whatever their order
     /// is.

@@ -257,6 +257,12 @@ class system
         }
     }
 
+    /// The Jacobian as it is kept (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(J_);
+    }
+
     /// Multiplies the weights of index-2 components by |h| and those of index-3 components by h^2.
     void weigh_by_index(Vector& weights, const scalar& h) const {
         if constexpr (has_index<Problem>) {

@@ -50,6 +50,12 @@ class extrapolation_trust {
             --skipped_;
     }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(skip_, skipped_);
+    }
+
   private:
     int skip_ = 0, skipped_ = 0;
 };

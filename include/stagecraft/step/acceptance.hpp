@@ -173,6 +173,12 @@ class acceptance {
         return h * controller_.after_rejected(err, power, usual_safety());
     }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(controller_, order_, jumps_, last_h_, last_method_, last_error_);
+    }
+
   private:
     /// The weights in which an estimate that is multiplied by `ratio` then is measured; differ from those of
     /// the trial with components of index 2 and 3 only. Their errors are of the order of the estimate itself

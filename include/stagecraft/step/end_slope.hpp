@@ -42,6 +42,12 @@ class end_slope {
     /// The state has been replaced.
     void forget() { known_ = end::none; }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(f_, known_);
+    }
+
   private:
     enum class end { none, left, right };
     Vector f_;

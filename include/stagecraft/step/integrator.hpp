@@ -20,6 +20,7 @@
 #include <stagecraft/step/end_slope.hpp>
 #include <stagecraft/step/linearisation.hpp>
 #include <stagecraft/step/method_set.hpp>
+#include <stagecraft/step/newton_room.hpp>
 
 namespace stagecraft {
 
@@ -106,6 +107,19 @@ class integrator {
         set_weights(options_, y_, scale_);
         f_.forget();
         visit_current([](auto& m) { m.replaced(); });
+    }
+
+    /// All that the next step depends on, into or out of a checkpoint of t() and y() (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        std::apply([&](auto&... m) { (bag.same(m.count(), "method"), ...); }, steps_);
+        bag(h_, started_, has_output_, report_, plan_, acceptance_, linear_, extrapolation_, f_, system_);
+        std::apply([&](auto&... m) { bag(m...); }, steps_);
+        if (has_output_) bag(outputs_[current_]);
+        if constexpr (Bag::unpacks)
+            linear_.factor_again([&](int k, const scalar& h) {
+                detail::visit_at(steps_, k, [&](auto& m) { m.stages().factor(system_, h); });
+            });
     }
 
     /// Takes one accepted step; false if there is none to take (t1 reached) or none could be taken
@@ -349,27 +363,10 @@ class integrator {
         return has_output_ && (system_.largest_index() > 1 ? extrapolation_.trusted() : refused_.all < 2);
     }
 
-    /// A fixed step cannot be repeated with a smaller one, so its iteration is given more room. What it leaves
-    /// in the stages is magnified by about gamma s^2/h ~ s^3/h, by the slope of the stage polynomial at the
-    /// left end, in components of index 2 and in the estimate of their errors, twice so with index 3: beyond
-    /// three stages it has to leave less. Where a free step has been refused, twice and three times as many
-    /// iterations are allowed: with an approximate Jacobian they may converge steadily at a rate that does not
-    /// depend on the step.
     newton_limits<scalar> newton_limits_for(int s, const scalar& h) {
-        const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
-        const int most = options_.newton_iterations > 0 ? options_.newton_iterations
-                         : plan_.fixed()
-                             ? 50
-                             : usual_iterations(s) * (refused_.by_newton < 2 ? 1 + refused_.by_newton : 3);
-        scalar factor = options_.newton_factor;
-        if (!(factor > scalar(0))) {
-            factor = scalar(1) / 50;
-            if (!plan_.fixed() && s > 3)
-                for (int k = 3 * (system_.largest_index() - 1); k > 0; --k) factor *= scalar(3) / scalar(s);
-        }
         const bool affine =
             report_.steps > 0 && linear_.constant(system_) && linear_.factored_within(h, options_.rtol / 100);
-        return {factor, 4 * rounding, 100 * rounding, most, affine};
+        return newton_room(options_, s, system_.largest_index(), refused_.by_newton, affine);
     }
 
     [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;

@@ -121,6 +121,18 @@ class linearisation {
         if (!serves_well()) renew(system);
     }
 
+    /// Calls factor(k, h) for the method and the step of the factors there are, if any.
+    template <class Factor>
+    void factor_again(Factor&& factor) const {
+        if (!(factored_h_ == scalar(0))) factor(factored_method_, factored_h_);
+    }
+
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(factored_h_, theta_, factored_method_, jacobian_, ahead_, contradicted_);
+    }
+
   private:
     enum class age { wanted, kept, fresh };
 

@@ -104,6 +104,9 @@ class step_defaults {
     static void accepted() {}
     /// y1 has been replaced: what was kept of it for the next step is not valid.
     static void replaced() {}
+    /// bag(...) with what is kept for the next step (checkpoint.hpp).
+    template <class Bag>
+    static void carry(Bag&) {}
 
     // Further estimates. Each returns the number of solves made, 0 where there is none.
 

@@ -328,6 +328,12 @@ class tableau_step : public step_defaults<Space> {
         return true;
     }
 
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(left_slope_, v_.left, left_known_);
+    }
+
   private:
     /// What follows from the coefficients alone.
     struct coefficient_facts {

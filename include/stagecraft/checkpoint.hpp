@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <bit>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace stagecraft {
+
+/// All that the rest of a run depends on, after an accepted step: integrate(method, problem, point, t1, options) goes on
+/// from there and makes the same steps, bit by bit, that the run would have made if it is given the same method,
+/// problem, t1 and options. A plain value that owns what it needs; one is taken by the observer `checkpoints`
+/// (observe/checkpoints.hpp), by step_range::save() or by an observer's own member save (observe/observer.hpp).
+///
+/// t and y are where the run was. `numbers` and `counts` are what it remembers (step size, order, controllers, jumps seen, the
+/// last step's polynomial, the Jacobian and for which step it is factored, the report), in an order that may change
+/// with the version of the library; factors are made again. Size: n (s + 5) numbers and those of the Jacobian.
+///
+/// Not in it: what observers and the problem itself remember, and what a linear_solver of the problem's own keeps
+/// from one factorisation to the next (the preconditioners of krylov_blocks and petsc_blocks): with these the
+/// run goes on within the tolerance, not bit by bit.
+template <class Vector>
+struct checkpoint {
+    using scalar = typename Vector::Scalar;
+    scalar t{0};
+    Vector y;
+    std::vector<scalar> numbers;
+    std::vector<long> counts;
+};
+
+namespace detail {
+
+inline constexpr const char* checkpoint_header = "stagecraft checkpoint 1";
+
+template <class Scalar>
+using bits_of = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;
+
+/// Puts what a run remembers into a Point, or takes it out of a const one in the same order: carry(*this) of
+/// the parts of a run calls it with their members.
+template <class Point>
+class luggage {
+  public:
+    using scalar = typename Point::scalar;
+    static constexpr bool unpacks = std::is_const_v<Point>;
+
+    explicit luggage(Point& point) : point_(point) {}
+
+    template <class... Parts>
+    void operator()(Parts&... parts) {
+        (one(parts), ...);
+    }
+    /// std::invalid_argument where `value` is not what it was when the checkpoint was taken.
+    void same(long value, const char* what) {
+        long then = value;
+        one(then);
+        if (then != value) refuse(what);
+    }
+    /// Everything has been taken out.
+    void finish() const {
+        if (number_ != point_.numbers.size() || count_ != point_.counts.size()) refuse("problem");
+    }
+    [[noreturn]] static void refuse(const char* what) {
+        throw std::invalid_argument(std::string("integrate: checkpoint is of another ") + what);
+    }
+
+  private:
+    template <class Part>
+    void one(Part& x) {
+        if constexpr (requires { x.carry(*this); }) {
+            x.carry(*this);
+        } else if constexpr (std::is_same_v<Part, scalar>) {
+            several(&x, 1);
+        } else if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>) {
+            if constexpr (!unpacks) {
+                point_.counts.push_back(static_cast<long>(x));
+            } else {
+                if (count_ == point_.counts.size()) refuse("problem");
+                x = static_cast<Part>(point_.counts[count_++]);
+            }
+        } else if constexpr (requires { x.valuePtr(); }) {
+            several(x.valuePtr(), x.nonZeros());
+        } else {
+            static_assert(
+                requires { x.data(); },
+                "checkpoint: the type of problem.matrix() needs `template <class Bag> void carry(Bag& bag)` "
+                "that "
+                "calls bag(...) with the members to be saved: scalars, integers, matrices of Eigen's");
+            several(x.data(), x.size());
+        }
+    }
+    void several(scalar* x, Eigen::Index count) {
+        const std::size_t k = static_cast<std::size_t>(count);
+        if constexpr (!unpacks) {
+            point_.numbers.insert(point_.numbers.end(), x, x + k);
+        } else {
+            if (point_.numbers.size() - number_ < k) refuse("problem");
+            for (std::size_t i = 0; i < k; ++i) x[i] = point_.numbers[number_++];
+        }
+    }
+
+    Point& point_;
+    std::size_t number_ = 0, count_ = 0;  // taken out so far
+};
+
+template <class Numbers>
+void write_bits(std::ostream& out, const char* name, const Numbers& x) {
+    using scalar = std::remove_cvref_t<decltype(x[0])>;
+    using bits = bits_of<scalar>;
+    out << name << ' ' << x.size() << '\n';
+    for (const scalar& number : x) {
+        std::string digits(2 * sizeof(bits), '0');
+        bits rest = std::bit_cast<bits>(number);
+        for (std::size_t i = digits.size(); i-- > 0; rest >>= 4) digits[i] = "0123456789abcdef"[rest & 15];
+        out << digits << '\n';
+    }
+}
+
+inline std::size_t read_size(std::istream& in, const char* name) {
+    std::string word;
+    std::size_t size = 0;
+    if (!(in >> word >> size) || word != name)
+        throw std::invalid_argument(std::string("checkpoint: the text should go on with ") + name +
+                                    " and their number");
+    return size;
+}
+
+/// Calls take(x) with every number of the list.
+template <class Scalar, class Take>
+void read_bits(std::istream& in, const char* name, Take&& take) {
+    using bits = bits_of<Scalar>;
+    for (std::size_t size = read_size(in, name); size > 0; --size) {
+        std::string digits;
+        in >> digits;
+        if (digits.size() != 2 * sizeof(bits) ||
+            digits.find_first_not_of("0123456789abcdef") != std::string::npos)
+            throw std::invalid_argument(std::string("checkpoint: a number of ") + name +
+                                        " is not the bits of one");
+        take(std::bit_cast<Scalar>(static_cast<bits>(std::stoull(digits, nullptr, 16))));
+    }
+}
+
+}  // namespace detail
+
+/// Writes a checkpoint of doubles or floats as text that reads back to the same bits everywhere: the line
+/// "stagecraft checkpoint 1" (the version of the form), then the lists t, y, numbers and counts, each as a line with its name and
+/// size and a line for every entry. A floating-point number is the hexadecimal digits of its IEEE 754 bits,
+/// most significant first (Python: struct.unpack('>d', bytes.fromhex(line))); a count is decimal.
+template <class Vector>
+std::ostream& operator<<(std::ostream& out, const checkpoint<Vector>& point) {
+    static_assert(std::is_floating_point_v<typename Vector::Scalar> && sizeof(typename Vector::Scalar) <= 8,
+                  "checkpoint: only those of float and double are written; copy the members of others");
+    out << detail::checkpoint_header << '\n';
+    detail::write_bits(out, "t", Eigen::Matrix<typename Vector::Scalar, 1, 1>(point.t));
+    detail::write_bits(out, "y", point.y);
+    detail::write_bits(out, "numbers", point.numbers);
+    out << "counts " << point.counts.size() << '\n';
+    for (const long count : point.counts) out << std::to_string(count) << '\n';
+    return out;
+}
+
+/// Reads what operator<< has written. Throws std::invalid_argument where it is something else.
+template <class Vector>
+std::istream& operator>>(std::istream& in, checkpoint<Vector>& point) {
+    using scalar = typename Vector::Scalar;
+    std::string line;
+    std::getline(in >> std::ws, line);
+    if (line != detail::checkpoint_header)
+        throw std::invalid_argument(std::string("checkpoint: the text should begin with ") +
+                                    detail::checkpoint_header);
+    std::vector<scalar> y;
+    checkpoint<Vector> read;
+    detail::read_bits<scalar>(in, "t", [&](const scalar& x) { read.t = x; });
+    detail::read_bits<scalar>(in, "y", [&](const scalar& x) { y.push_back(x); });
+    if (Vector::SizeAtCompileTime >= 0 && static_cast<Eigen::Index>(y.size()) != Vector::SizeAtCompileTime)
+        throw std::invalid_argument("checkpoint: y has another size");
+    read.y = Eigen::Map<const Vector>(y.data(), static_cast<Eigen::Index>(y.size()));
+    detail::read_bits<scalar>(in, "numbers", [&](const scalar& x) { read.numbers.push_back(x); });
+    for (std::size_t size = detail::read_size(in, "counts"); size > 0; --size) {
+        long count = 0;
+        if (!(in >> count)) throw std::invalid_argument("checkpoint: a count is missing");
+        read.counts.push_back(count);
+    }
+    point = std::move(read);
+    return in;
+}
+
+}  // namespace stagecraft

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE checkpoint
+#include <boost/test/unit_test.hpp>
+#include <sstream>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/observe/save_every.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "../message.hpp"
+#include "interrupt.hpp"
+#include "methods.hpp"
+
+namespace sc = stagecraft;
+using Eigen::Vector2d;
+
+namespace {
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+// Van der Pol's equation with a jump of f at t = 0.7, so that all that a run remembers is in use.
+struct relaxation {
+    double mu = 1000;
+    void operator()(double t, const Vector2d& y, Vector2d& f) const {
+        f[0] = y[1];
+        f[1] = mu * ((1 - y[0] * y[0]) * y[1] - y[0]) + (t > 0.7 ? 40 : 0);
+    }
+};
+const Vector2d start(2, 0);
+
+sc::checkpoint<Vector2d> halfway(const sc::options<double>& o) {
+    sc::checkpoint<Vector2d> last;
+    auto keep = sc::save_every(10, [&](auto point) {
+        if (point.t < 0.5) last = std::move(point);
+    });
+    BOOST_TEST(sc::integrate(sc::radau_iia<3>(), relaxation{10}, start, 0, 1, o, keep).ok());
+    return last;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_continued_is_the_run_uninterrupted) {
+    interrupted::at_five_places(sc::radau_iia<3>(), relaxation{10}, start, 2, {.rtol = 1e-7});
+    interrupted::at_five_places(sc::radau_iia<3>(), relaxation{10}, start, 2, {.fixed_step = 0.01});
+}
+
+BOOST_AUTO_TEST_CASE(also_by_explicit_and_diagonally_implicit_methods) {
+    for (const auto& method : {methods::dormand_prince(), methods::tr_bdf2(), methods::sdirk_4_3()})
+        interrupted::at_five_places(method, relaxation{10}, start, 2, {.rtol = 1e-7});
+}
+
+BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
+    const sc::options<double> free{}, equal{.fixed_step = 0.01};
+    const auto point = halfway(free), of_equal = halfway(equal);
+    const auto go_on = [](const auto& method, const auto& from, double t1, const sc::options<double>& o) {
+        return message([&] { sc::integrate(method, relaxation{10}, from, t1, o); });
+    };
+    BOOST_TEST(go_on(sc::radau_iia<3>(), point, 2, free) == "no exception");
+    BOOST_TEST(contains(go_on(methods::dormand_prince(), point, 1, free), "another method"));
+    BOOST_TEST(contains(go_on(sc::radau_iia<3>(), point, 1, equal), "fixed_step"));
+    BOOST_TEST(contains(go_on(sc::radau_iia<3>(), of_equal, 2, equal), "another t1"));
+    auto longer = point;
+    longer.numbers.push_back(1);
+    BOOST_TEST(contains(go_on(sc::radau_iia<3>(), longer, 1, free), "another problem"));
+    for (const char* text : {"", "stagecraft checkpoint 0\n", "stagecraft checkpoint 1\nt 1\n3ff\n"}) {
+        std::istringstream file(text);
+        sc::checkpoint<Vector2d> read;
+        BOOST_CHECK_THROW(file >> read, std::invalid_argument);
+    }
+    std::ostringstream text;
+    text << sc::checkpoint<Vector2d>{1.5, Vector2d(1, -2), {}, {7}};
+    BOOST_TEST(text.str() ==
+               "stagecraft checkpoint 1\nt 1\n3ff8000000000000\ny 2\n3ff0000000000000\nc000000000000000\n"
+               "numbers 0\ncounts 1\n7\n");
+}
