@@ -43,7 +43,8 @@ void indices(outcome& o) {
                   "\n";
         o.findings.push_back({std::string("index, ") + c.name, c.index == 2 ? "2" : "",
                               std::to_string(form.differentiation_index), std::to_string(c.index),
-                              form.differentiation_index == c.index && form.perturbation_index == c.index});
+                              form.differentiation_index == c.index && form.perturbation_index == c.index,
+                              compared(form.differentiation_index == 2)});
     }
 }
 
@@ -86,15 +87,16 @@ outcome assumptions() {
              "  5  largest entry of f_y, f_lambda, g_y " + scientific(worst.derivative_bound) + "\n" +
              "Conditions on the damper, c = d = 2, where they are tightest\n  " + tightest.report();
     o.findings = {
-        {"model assumptions 1 to 5 along the motion", "hold", all ? "hold" : "fail", "hold", all},
+        {"model assumptions 1 to 5 along the motion", "hold", all ? "hold" : "fail", "hold", all,
+         compared(all)},
         {"condition of g_y f_lambda, largest", "", decimal(worst.inertia_condition), "< 3",
          worst.inertia_condition < 3 + 1e-9},
         {"  distance to that of diag(3, 5/(5 - 4 cos^2 beta))", "", scientific(off), "0", off < 1e-8},
         {"mu(-G M^-1 G^T), largest, Euclidean norm", "<= -1", decimal(tightest.constraint.euclidean), "<= -1",
-         tightest.constraint.euclidean <= -1},
+         tightest.constraint.euclidean <= -1, compared(tightest.constraint.euclidean <= -1)},
         {"the same in the 1- and the infinity-norm", "", norms_agree ? "same" : "other", "same", norms_agree},
         {"mu(g_lambda) < 0 and (3.61)", "hold", tightest.principal_damping() ? "hold" : "fail", "hold",
-         tightest.strong_damping() && tightest.principal_damping()}};
+         tightest.strong_damping() && tightest.principal_damping(), compared(tightest.principal_damping())}};
     o.figures = {{"fig_assumptions",
                   "Model assumptions along the motion",
                   "t [s]",

@@ -92,7 +92,8 @@ outcome boundary_layers() {
                               scientific(seen), scientific(rate), std::abs(seen / rate - 1) < 0.05});
         const double printed = std::stod(c.printed);
         o.findings.push_back({std::string(c.figure) + " length of the layer [s]", c.printed,
-                              scientific(l.length), "", l.length < 3 * printed && l.length > printed / 5});
+                              scientific(l.length), "", l.length < 3 * printed && l.length > printed / 5,
+                              compared(printed, l.length, std::max(1e-6, 0.1 * printed))});
     }
     return o;
 }
@@ -138,10 +139,11 @@ outcome regularised_runs() {
                   ", after t = 0.7 " + scientific(second_half) + "\n";
         o.findings.push_back({v + " violation returns, no drift, " + title, "periodic",
                               scientific(second_half) + " late", "< largest " + scientific(first_half),
-                              second_half < first_half});
+                              second_half < first_half, compared(second_half < first_half)});
         o.findings.push_back({h + " steps, " + title, "comparable", std::to_string(run.report.steps),
                               std::to_string(dae.report.steps) + " (DAE)",
-                              run.report.steps < 2 * dae.report.steps});
+                              run.report.steps < 2 * dae.report.steps,
+                              compared(run.report.steps < 2 * dae.report.steps)});
     }
     o.figures = {violations[0], violations[1], steps[0], steps[1]};
     return o;
@@ -212,7 +214,8 @@ outcome run_times() {
                  v.f == form::creep ? ""
                  : grows            ? "grows"
                                     : "nearly flat",
-                 decimal(growth), grows ? "grows" : "1 (flat)", grows ? growth > 2 : growth < 1.5});
+                 decimal(growth), grows ? "grows" : "1 (flat)", grows ? growth > 2 : growth < 1.5,
+                 compared(grows ? growth > 2 : growth < 1.5)});
         }
         times.curves.push_back(time);
         counts.curves.push_back(count);

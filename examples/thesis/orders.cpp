@@ -15,21 +15,88 @@ struct errors {
     double y_end = 0, lambda_end = 0, y_max = 0, lambda_max = 0;
 };
 
-trajectory equal_steps(const setup& s, family method, int stages, long steps) {
-    return solve(s, {.method = method, .stages = stages, .tolerance = 1e-13, .steps = steps});
+trajectory equal_steps(const setup& s, int stages, long steps) {
+    return solve(s, {.stages = stages, .tolerance = 1e-13, .steps = steps});
 }
 
-errors compare(const setup& s, const trajectory& run, const trajectory& reference) {
+errors at_end(const vector& run, const vector& reference) {
+    const vector d = run - reference;
+    return {d.head(10).cwiseAbs().maxCoeff(), d.tail(2).cwiseAbs().maxCoeff()};
+}
+
+errors compare(const trajectory& run, const trajectory& reference) {
     errors e;
     const std::size_t stride = (run.path.size() - 1) / marks, fine = (reference.path.size() - 1) / marks;
     for (std::size_t k = 1; k <= marks; ++k) {
-        const vector &a = run.path[k * stride].y, &b = reference.path[k * fine].y;
-        e.y_end = (a.head(10) - b.head(10)).cwiseAbs().maxCoeff();
-        e.lambda_end = (s.multiplier(a) - s.multiplier(b)).cwiseAbs().maxCoeff();
-        e.y_max = std::max(e.y_max, e.y_end);
-        e.lambda_max = std::max(e.lambda_max, e.lambda_end);
+        const errors here = at_end(run.path[k * stride].y, reference.path[k * fine].y);
+        e = {here.y_end, here.lambda_end, std::max(e.y_max, here.y_end),
+             std::max(e.lambda_max, here.lambda_end)};
     }
     return e;
+}
+
+struct method {
+    int stages;
+    long coarsest, first, last;  // numbers of steps: of the thesis' largest h, and of those that are fitted
+    const char *figure_y, *figure_lambda;
+    double printed_y, printed_lambda;
+    double theory_y, theory_lambda;
+};
+
+// One of the two components: its errors over h.
+struct component {
+    const char* name;
+    std::string number;
+    double printed, theory;
+    std::vector<double> over_t, at_end;  ///< over the h that are fitted
+    double lowest = 1e300, highest = 0;  ///< slope at t = 1 between neighbouring h, the thesis' range of h
+};
+
+void note_slope(component& c, double coarser, double finer, double ratio) {
+    const double local = std::log(coarser / finer) / std::log(ratio);
+    c.lowest = std::min(c.lowest, local);
+    c.highest = std::max(c.highest, local);
+}
+
+// The error at t = 1, which the thesis shows, at steps too long to be asymptotic.
+void coarse_steps(const setup& dae, const method& m, const vector& exact, component& y, component& lambda) {
+    errors last;
+    long before = 0;
+    for (double n = static_cast<double>(m.coarsest); n < static_cast<double>(m.first); n *= std::sqrt(2.0)) {
+        const long steps = std::lround(n);
+        const errors e = at_end(equal_steps(dae, m.stages, steps).path.back().y, exact);
+        if (before > 0) {
+            const double ratio = static_cast<double>(steps) / static_cast<double>(before);
+            note_slope(y, last.y_end, e.y_end, ratio);
+            note_slope(lambda, last.lambda_end, e.lambda_end, ratio);
+        }
+        last = e;
+        before = steps;
+    }
+}
+
+void report(outcome& o, const component& c, const std::string& label, const std::vector<double>& h) {
+    const double order = slope(h, c.over_t), end = slope(h, c.at_end);
+    std::string file = "fig_" + c.number;
+    std::replace(file.begin(), file.end(), '.', '_');
+    figure f{file, c.number + " " + label + ", error in " + c.name, "h [s]", "error", true, true, {}};
+    f.slopes = {c.theory};
+    bool same = true;  // one curve would hide the other
+    for (std::size_t k = 0; k < h.size(); ++k) same = same && c.at_end[k] > 0.99 * c.over_t[k];
+    f.curves.push_back({same ? "maximum over t = value at t = 1, order " + decimal(order)
+                             : "maximum over t, order " + decimal(order),
+                        h, c.over_t, true});
+    if (!same) f.curves.push_back({"at t = 1, slope " + decimal(end), h, c.at_end, true});
+    o.figures.push_back(f);
+    // At t = 1 the disc is upright; a fit over h there need not be an order. As h -> 0 its local slopes tend
+    // to the order in the maximum.
+    const bool within = c.printed >= std::min(c.lowest, order) && c.printed <= c.highest;
+    const std::string reason =
+        "a fit at t = 1, where local slopes run from " + decimal(c.lowest) + " to " + decimal(c.highest);
+    o.findings.push_back({c.number + " order of " + c.name + ", " + label, decimal(c.printed),
+                          decimal(order) + " (t=1: " + decimal(end) + ")", decimal(c.theory),
+                          std::abs(order - c.theory) < 0.1,
+                          compared(c.printed, order, 0.05, reason, within)});
 }
 
 }  // namespace
@@ -37,57 +104,38 @@ errors compare(const setup& s, const trajectory& run, const trajectory& referenc
 outcome orders_of_convergence() {
     outcome o{"Orders with equal steps (figures 4.7 to 4.12)", {}, {}, {}};
     const setup dae = disc_dae();
-    const trajectory reference = equal_steps(dae, family::radau_iia, 7, 2000);
-    struct method {
-        int stages;
-        long first, last;
-        const char *figure_y, *figure_lambda, *printed_y, *printed_lambda;
-        double theory_y, theory_lambda;
-    };
-    // Implicit Euler is asymptotic only below h = 5e-4.
-    const method methods[] = {{3, 200, 1600, "4.7", "4.8", "4.82", "4.79", 5, 3},
-                              {1, 3200, 25600, "4.9", "4.10", "1.198", "1.379", 1, 1},
-                              {2, 400, 6400, "4.11", "4.12", "3.016", "2.661", 3, 2}};
+    const trajectory reference = equal_steps(dae, 7, 2000);
+    // The thesis goes from h = 10^-1.5 to 1e-4; implicit Euler is asymptotic only below h = 5e-4.
+    const method methods[] = {{3, 45, 200, 1600, "4.7", "4.8", 4.82, 4.79, 5, 3},
+                              {1, 708, 3200, 25600, "4.9", "4.10", 1.198, 1.379, 1, 1},
+                              {2, 45, 400, 25600, "4.11", "4.12", 3.016, 2.661, 3, 2}};
     for (const method& m : methods) {
-        std::vector<double> h, y_end, lambda_end, y_max, lambda_max;
-        o.text += "Radau IIA-" + std::to_string(m.stages) +
-                  "          h    y at t=1    lambda at t=1    max y    max lambda\n";
+        component y{"q, q'", m.figure_y, m.printed_y, m.theory_y, {}, {}},
+            lambda{"λ", m.figure_lambda, m.printed_lambda, m.theory_lambda, {}, {}};
+        std::vector<double> h;
+        const std::string label = "Radau IIA-" + std::to_string(m.stages);
+        o.text += label + "          h    y at t=1    lambda at t=1    max y    max lambda\n";
+        coarse_steps(dae, m, reference.path.back().y, y, lambda);
         for (long steps = m.first; steps <= m.last; steps *= 2) {
-            const errors e = compare(dae, equal_steps(dae, family::radau_iia, m.stages, steps), reference);
+            const errors e = compare(equal_steps(dae, m.stages, steps), reference);
+            if (!h.empty()) {
+                note_slope(y, y.at_end.back(), e.y_end, 2);
+                note_slope(lambda, lambda.at_end.back(), e.lambda_end, 2);
+            }
             h.push_back(1.0 / static_cast<double>(steps));
-            y_end.push_back(e.y_end);
-            lambda_end.push_back(e.lambda_end);
-            y_max.push_back(e.y_max);
-            lambda_max.push_back(e.lambda_max);
+            y.over_t.push_back(e.y_max);
+            y.at_end.push_back(e.y_end);
+            lambda.over_t.push_back(e.lambda_max);
+            lambda.at_end.push_back(e.lambda_end);
             o.text += "             " + scientific(h.back()) + "   " + scientific(e.y_end) + "   " +
                       scientific(e.lambda_end) + "   " + scientific(e.y_max) + "   " +
                       scientific(e.lambda_max) + "\n";
         }
-        const std::string label = "Radau IIA-" + std::to_string(m.stages);
-        const auto draw = [&](const std::string& number, const char* what, const std::vector<double>& over_t,
-                              const std::vector<double>& at_end) {
-            std::string name = "fig_" + number;
-            std::replace(name.begin(), name.end(), '.', '_');
-            o.figures.push_back({name,
-                                 number + " " + label + ", error in " + what,
-                                 "h [s]",
-                                 "error",
-                                 true,
-                                 true,
-                                 {{"maximum over t", h, over_t, true}, {"at t = 1", h, at_end, true}}});
-        };
-        draw(m.figure_y, "q, q'", y_max, y_end);
-        draw(m.figure_lambda, "λ", lambda_max, lambda_end);
-        const double by = slope(h, y_max), bl = slope(h, lambda_max);
-        o.text += "  slopes at t = 1: y " + decimal(slope(h, y_end)) + ", lambda " +
-                  decimal(slope(h, lambda_end)) + "; in the maximum over t: y " + decimal(by) + ", lambda " +
-                  decimal(bl) + "\n\n";
-        o.findings.push_back({std::string(m.figure_y) + " order of y, " + label, m.printed_y,
-                              decimal(by) + " (t=1: " + decimal(slope(h, y_end)) + ")", decimal(m.theory_y),
-                              std::abs(by - m.theory_y) < 0.1});
-        o.findings.push_back({std::string(m.figure_lambda) + " order of lambda, " + label, m.printed_lambda,
-                              decimal(bl) + " (t=1: " + decimal(slope(h, lambda_end)) + ")",
-                              decimal(m.theory_lambda), std::abs(bl - m.theory_lambda) < 0.1});
+        o.text += "  local slopes at t = 1 from h = " + scientific(1.0 / static_cast<double>(m.coarsest)) +
+                  " on: y " + decimal(y.lowest) + " to " + decimal(y.highest) + ", lambda " +
+                  decimal(lambda.lowest) + " to " + decimal(lambda.highest) + "\n\n";
+        report(o, y, label, h);
+        report(o, lambda, label, h);
     }
     return o;
 }

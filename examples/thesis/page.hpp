@@ -18,19 +18,36 @@ struct figure {
     std::string name, title, x_label, y_label;
     bool log_x = false, log_y = true;
     std::vector<curve> curves;
+    bool paths = false;               ///< x and y are places: one scale for both
+    std::vector<double> slopes = {};  ///< a triangle of each slope below the curves; both axes logarithmic
+};
+
+/// A picture that an experiment draws itself: `svg` is the whole file.
+struct drawing {
+    std::string name, title, svg;
 };
 
 /// One line of the closing table.
 struct finding {
     std::string experiment, printed, ours, theory;
-    bool agrees;
+    bool agrees;  ///< ours with theory
+    /// How `printed` compares with ours: "agrees", or the reason why it differs; empty where the thesis prints
+    /// no value. The table says UNEXPLAINED where a printed value has none.
+    std::string comparison = {};
 };
+
+/// "agrees" if |here - printed| <= tolerance. Otherwise the reason, provided that what it rests on was
+/// measured here; else nothing, and the table says UNEXPLAINED.
+std::string compared(bool agrees);
+std::string compared(double printed, double here, double tolerance, const std::string& reason = {},
+                     bool reason_holds = false);
 
 /// What an experiment has to say: a page of text, figures, and lines for the closing table.
 struct outcome {
     std::string title, text;
     std::vector<figure> figures;
     std::vector<finding> findings;
+    std::vector<drawing> drawings = {};
 };
 
 /// "1.23e-04", "4.82" and "4.8".

@@ -68,13 +68,14 @@ outcome solution() {
              scientific(end_drift) + "\nstep sizes " + scientific(smallest) + " to " + scientific(largest) +
              " s\n";
     o.findings = {
-        {"4.3 energy constant, change", "0 (plot)", scientific(worst_energy), "0", worst_energy < 1e-9},
+        {"4.3 energy constant, change", "0 (plot)", scientific(worst_energy), "0", worst_energy < 1e-9,
+         compared(worst_energy < 1e-9)},
         {"4.4 constraint, index-2 system", "<= 1e-10", scientific(worst_violation), "rounding",
-         worst_violation < 1e-12},
+         worst_violation < 1e-12, compared(worst_violation <= 1e-10)},
         {"4.5 constraint drifts after index reduction", "drift", scientific(end_drift), "> index-2 system",
-         end_drift > 10 * worst_violation},
+         end_drift > 10 * worst_violation, compared(end_drift > 10 * worst_violation)},
         {"4.6 step sizes", "1e-4 ... 1e-3", scientific(smallest) + " ... " + scientific(largest), "",
-         smallest > 1e-5 && largest < 1e-2}};
+         smallest > 1e-5 && largest < 1e-2, compared(smallest > 0.5e-4 && largest < 5e-3)}};
     return o;
 }
 
