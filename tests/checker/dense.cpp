@@ -5,6 +5,7 @@
 #include <certify_once.hpp>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <string>
 #include <vector>
@@ -108,6 +109,52 @@ BOOST_AUTO_TEST_CASE(a_defect_of_the_polynomials_is_found) {
     const auto rounded = certify(dop);
     BOOST_TEST(rounded.exit_code() == 1);
     BOOST_TEST(rounded.find("dense_order")->judgement->is_refuted());
+}
+
+BOOST_AUTO_TEST_CASE(published_defects_of_dense_output_are_found) {
+    const auto method = [](const std::string& name) {
+        return nlohmann::json::parse(tableaux::text_of_file(folder + name + ".json"));
+    };
+    // A Julia package of 2026 moved f(t + h, y1) to the first slope before it used the dense output of Dormand and
+    // Prince: b_1(theta) k_7 for b_1(theta) k_1. Steps were right, output between them was not.
+    auto taken_late = method("dormand_prince_5_4_quartic");
+    auto& b = taken_late["b_theta"];
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::string last = k < b[6].size() ? b[6][k].get<std::string>() : "0";
+        b[6][k] = last + "+(" + b[0][k].get<std::string>() + ")";
+    }
+    b[0] = {"0"};
+    const auto late = certify(taken_late.dump());
+    BOOST_TEST(late.exit_code() == 1);
+    BOOST_TEST(!late.find("order")->judgement->is_refuted());
+    BOOST_TEST(*late.find("dense_order")->value == 1);
+    BOOST_TEST(late.find("dense_smoothness")->judgement->is_refuted());
+
+    // The dense output that Dormand and Prince published first (1986; Hairer-Norsett-Wanner I.II.6 in its first
+    // edition): of order 4, but with a derivative that jumps between steps.
+    auto first = method("dormand_prince_5_4_quartic");
+    first["b_theta"] = {{"1", "-1337/480", "1039/360", "-1163/1152"},
+                        {"0"},
+                        {"0", "100/3*1054/9275", "-100/3*4682/27825", "100/3*379/5565"},
+                        {"0", "-5/2*27/40", "5/2*9/5", "-5/2*83/96"},
+                        {"0", "-18225/848*3/250", "18225/848*22/375", "-18225/848*37/600"},
+                        {"0", "22/7*3/10", "-22/7*29/30", "22/7*17/24"},
+                        {"0"}};
+    const auto jumps = certify(first.dump());
+    BOOST_TEST(jumps.find("dense_order")->judgement->is_proved());
+    BOOST_TEST(*jumps.find("dense_smoothness")->value == 0);
+    BOOST_TEST(jumps.exit_code() == 1);
+    first["claims"]["dense_smoothness"] = 0;
+    BOOST_TEST(certify(first.dump()).exit_code() == 0);
+
+    // The embedded weights as Tsitouras's table 1 has them: differences to b, the last with the wrong sign.
+    auto sign = method("tsitouras_5_4");
+    sign["b_embedded"][6] = "-1/66";
+    const auto wrong = certify(sign.dump());
+    BOOST_TEST(wrong.exit_code() == 1);
+    BOOST_REQUIRE(wrong.suspects.size() == 1u);
+    BOOST_TEST(wrong.suspects.front().entry == "b_embedded[7]");
+    BOOST_TEST(wrong.suspects.front().suggest == "1/66");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_with_the_polynomials_is_said) {

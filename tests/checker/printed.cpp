@@ -255,6 +255,21 @@ BOOST_AUTO_TEST_CASE(two_faults_in_a_exchanged_entries_and_lost_columns_are_reco
         BOOST_TEST(c.suspects[0].entry == "A[4][2]");
         BOOST_TEST(c.suspects[1].entry == "A[6][3]");
 
+        const auto pair = [&](const char* first, const char* second) {
+            json table = form("dormand_prince_5_4");
+            for (const char* at : {first, second}) {
+                const json::json_pointer p(at);
+                table[p] = misprinted(table[p].get<std::string>());
+            }
+            const auto found = certify_once::certify(table.dump());
+            BOOST_REQUIRE(found.suspects.size() >= 2u);
+            return found.suspects[0].entry + " " + found.suspects[1].entry;
+        };
+        BOOST_TEST(pair("/A/5/1", "/A/5/3") == "A[6][2] A[6][4]");  // in one row
+        BOOST_TEST(pair("/A/4/0", "/c/2") == "c[3] A[5][1]");
+        BOOST_TEST(pair("/b/2", "/A/3/0") == "A[4][1] b[3]");
+        BOOST_TEST(pair("/b/0", "/b/4") == "b[1] b[5]");
+
         json exchanged = form("cash_karp_5_4");
         std::swap(exchanged["A"][4][1], exchanged["A"][4][2]);
         BOOST_TEST(certify_once::certify(exchanged.dump()).suspects_note ==

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/theory/judging/certify_file.hpp>
+#include <stagecraft/theory/judging/coupling_suspects.hpp>
 #include <stagecraft/theory/judging/judge_coupling.hpp>
 #include <string>
 #include <string_view>
@@ -14,7 +15,7 @@ namespace stagecraft::theory {
 
 /// Judges a method of several tableaux: order of all together by coloured trees and which of them fails, stage
 /// order, symplecticity; of additive and partitioned methods also each tableau for itself, of which the order
-/// of the whole is claimed.
+/// of the whole is claimed; where something is refuted, the single entries that would restore every claim.
 inline file_certificate certify(const tableaux::partitioned_file& file) {
     file_certificate certificate;
     certificate.name = file.name;
@@ -26,21 +27,15 @@ inline file_certificate certify(const tableaux::partitioned_file& file) {
         coupled_subject<K> s{&file, {}};
         for (const auto& p : file.partners) s.partners.push_back(convert(p));
         judge(s, certificate);
+        if (detail::judged_alone(file))
+            for (std::size_t k = 0; k < file.partners.size(); ++k)
+                certificate.partners.push_back(certify(detail::partner_alone(file, k)));
+        if (certificate.overall() == standing::refuted) find_coupling_suspects(s, certificate);
     };
     if (file.kind() <= tableaux::number_kind::quadratic)
         examine(detail::exact_subject);
     else
         examine(detail::enclosed_subject);
-    using tableaux::coupling;
-    if (file.coupling != coupling::additive && file.coupling != coupling::partitioned) return certificate;
-    for (std::size_t k = 0; k < file.partners.size(); ++k) {
-        tableaux::tableau_file alone = file.partners[k];
-        alone.name = partner_name(file, k);
-        if (!alone.claims.order) alone.claims.order = file.claims.order;
-        if (!alone.claims.embedded_order && !alone.b_embedded.empty())
-            alone.claims.embedded_order = file.claims.embedded_order;
-        certificate.partners.push_back(certify(alone));
-    }
     return certificate;
 }
 

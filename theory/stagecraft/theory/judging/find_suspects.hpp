@@ -8,6 +8,7 @@
 #include <stagecraft/theory/judging/judge_claims.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/judging/suspects.hpp>
+#include <stagecraft/theory/judging/two_faults.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -207,43 +208,8 @@ std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims) {
     return {};
 }
 
-/// A fault in each of two rows of A, whose sums then differ from c: the entries that can be changed by these
-/// differences so that every claim is restored.
-template <class K>
-bool find_two_in_rows(const subject<K>& s, const tableaux::tableau_file& file,
-                      file_certificate& certificate) {
-    if (!s.nodes_given) return false;
-    const auto defects = row_sum_defects(s);
-    std::vector<int> rows;
-    for (int i = 0; i < s.stages(); ++i)
-        if (certainly_nonzero(defects[static_cast<std::size_t>(i)])) rows.push_back(i);
-    if (rows.size() != 2) return false;
-    std::vector<std::pair<place, place>> found;
-    const auto columns = [&](int row) { return s.strictly_lower ? row : s.lower ? row + 1 : s.stages(); };
-    const auto repaired = [&](const place& p) {
-        return K(value_at(s, p) - defects[static_cast<std::size_t>(p.row)]);
-    };
-    for (int j = 0; j < columns(rows[0]); ++j)
-        for (int k = 0; k < columns(rows[1]); ++k) {
-            const place first{part::A, rows[0], j}, second{part::A, rows[1], k};
-            subject<K> changed = s;
-            put(changed, first, repaired(first));
-            put(changed, second, repaired(second));
-            if (keeps_claims(changed, file.claims)) found.emplace_back(first, second);
-        }
-    for (const auto& [first, second] : found)
-        for (const place& p : {first, second})
-            certificate.suspects.push_back({p.name(), entry_at(file, p).text, shown(repaired(p))});
-    if (!found.empty())
-        certificate.suspects_note = "two faults: the change of " + found.front().first.name() +
-                                    " and that of " + found.front().second.name() +
-                                    " together restore every claim" +
-                                    (found.size() > 1 ? ", and so do other pairs" : "");
-    return !found.empty();
-}
-
-/// Names what may be wrong: single entries; else what was exchanged or lost; else two entries of A, or an entry and one
-/// of b_embedded.
+/// Names what may be wrong: single entries; else what was exchanged or lost; else two entries of a
+/// row, of two rows, of b, or an entry and one of b_embedded.
 inline void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate) {
     const int highest = std::max(file.claims.order.value_or(0), file.claims.embedded_order.value_or(0));
     if (highest > tableaux::largest_order) {
@@ -270,7 +236,7 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
             note += ": undone, every claim is restored";
             return;
         }
-        if (!find_two_in_rows(s, file, certificate) && !find_two_faults(s, file, all, certificate))
+        if (!find_two_in_sums(s, file, certificate) && !find_two_faults(s, file, all, certificate))
             note = "no change of a single entry restores every claim";
     };
     if (file.kind() <= tableaux::number_kind::quadratic)

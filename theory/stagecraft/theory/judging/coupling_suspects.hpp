@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stagecraft/tableaux/partitioned_file.hpp>
+#include <stagecraft/tableaux/rough_ball.hpp>
+#include <stagecraft/theory/judging/file_certificate.hpp>
+#include <stagecraft/theory/judging/judge_claims.hpp>
+#include <stagecraft/theory/judging/judge_coupling.hpp>
+#include <stagecraft/theory/judging/suspects.hpp>
+#include <stagecraft/theory/trees/coloured_trees.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Which entry of which tableau may be wrong where a method of several tableaux does not keep its claims.
+
+namespace stagecraft::theory {
+
+namespace detail {
+
+/// Whether each tableau is judged for itself as well: of the others none is a method alone.
+inline bool judged_alone(const tableaux::partitioned_file& file) {
+    using tableaux::coupling;
+    return file.coupling == coupling::additive || file.coupling == coupling::partitioned;
+}
+
+/// The k-th tableau with what is claimed of it: its own claims, and the orders of the whole.
+inline tableaux::tableau_file partner_alone(const tableaux::partitioned_file& file, std::size_t k) {
+    tableaux::tableau_file alone = file.partners[k];
+    alone.name = partner_name(file, k);
+    if (!alone.claims.order) alone.claims.order = file.claims.order;
+    if (!alone.claims.embedded_order && !alone.b_embedded.empty())
+        alone.claims.embedded_order = file.claims.embedded_order;
+    return alone;
+}
+
+/// An entry of one of the tableaux.
+struct coupled_place {
+    std::size_t partner = 0;
+    theory::place place;
+};
+
+/// The entries whose change leaves the kind of each tableau alone. The nodes count in Nystrom methods, where both
+/// formulas share them; elsewhere only the tableau itself sees them.
+inline std::vector<coupled_place> coupled_places(const tableaux::partitioned_file& file) {
+    const bool nystrom = file.coupling == tableaux::coupling::nystrom;
+    std::vector<coupled_place> all;
+    for (std::size_t k = 0; k < file.partners.size(); ++k) {
+        const auto& partner = file.partners[k];
+        const auto shape = make_subject<int>(partner, [](const tableaux::entry&) { return 0; });
+        for (const place& p : places_of(partner, shape.strictly_lower, shape.lower)) {
+            const bool absent = nystrom && k == 1 && p.part == part::A && !file.uses_velocity;
+            const bool nodes = p.part == part::c && !(nystrom && k == 0);
+            if (!absent && !nodes) all.push_back({k, p});
+        }
+    }
+    return all;
+}
+
+/// "implicit part: A[4][3]"; of a Nystrom method as the file calls it, "b_bar[2]".
+inline std::string name(const coupled_place& p, const tableaux::partitioned_file& file) {
+    std::string text = p.place.name();
+    if (file.coupling != tableaux::coupling::nystrom) return partner_name(file, p.partner) + ": " + text;
+    if (p.partner == 0 && p.place.part != part::c) text.insert(1, "_bar");
+    return text;
+}
+
+template <class K>
+void put(coupled_subject<K>& s, const coupled_place& p, const K& value) {
+    theory::put(s.partners[p.partner], p.place, value);
+    if (p.place.part == part::c) theory::put(s.partners[1 - p.partner], p.place, value);
+}
+
+template <class To, class K, class Convert>
+coupled_subject<To> mapped(const coupled_subject<K>& s, Convert convert) {
+    coupled_subject<To> r{s.file, {}};
+    for (const auto& p : s.partners) r.partners.push_back(theory::mapped<To>(p, convert));
+    return r;
+}
+
+/// The first condition that, as a function of one entry, is affine and not constant: from the weights with the entry
+/// set to 0, 1 and 2.
+template <class K>
+std::optional<std::uint32_t> affine_coupled_condition(const coupled_subject<K>& s, const coupled_place& p,
+                                                      bool embedded, const tree_view& trees) {
+    std::array<std::vector<std::pair<std::uint32_t, K>>, 3> weights;
+    for (int x = 0; x < 3; ++x) {
+        coupled_subject<K> probe = s;
+        put(probe, p, K(x));
+        visit_coloured_trees(probe.coloured(embedded), trees, [&](std::uint32_t row, const K& weight) {
+            weights[static_cast<std::size_t>(x)].emplace_back(row, weight);
+            return true;
+        });
+    }
+    for (std::size_t i = 0; i < weights[0].size(); ++i) {
+        const K step = weights[1][i].second - weights[0][i].second;
+        const K bend = weights[2][i].second - weights[1][i].second - step;
+        if (certainly_nonzero(step) && !certainly_nonzero(bend)) return weights[0][i].first;
+    }
+    return std::nullopt;
+}
+
+/// The value of the entry with which the condition holds; empty where an enclosure cannot divide.
+template <class K>
+std::optional<K> coupled_value(const coupled_subject<K>& s, const coupled_place& p, bool embedded,
+                               const tree_view& trees, std::uint32_t condition) {
+    const auto residual = [&](int x) {
+        coupled_subject<K> probe = s;
+        put(probe, p, K(x));
+        K left(0);
+        visit_coloured_trees(probe.coloured(embedded), trees, [&](std::uint32_t row, const K& weight) {
+            if (row == condition) left = weight * K(trees.rows[row].density) - K(1);
+            return row != condition;
+        });
+        return left;
+    };
+    const K at_zero = residual(0), slope = residual(1) - at_zero;
+    if (!certainly_nonzero(slope)) return std::nullopt;
+    return -at_zero / slope;
+}
+
+/// The trees for each of the orders that are claimed of the whole.
+struct coupled_trees_claimed {
+    explicit coupled_trees_claimed(const tableaux::partitioned_file& f)
+        : order(table(f, f.claims.order)), embedded(table(f, f.claims.embedded_order)) {}
+    static tree_table table(const tableaux::partitioned_file& f, std::optional<int> claimed) {
+        return coupled_trees(f.coupling, f.uses_velocity, static_cast<int>(f.partners.size()),
+                             claimed.value_or(1));
+    }
+    tree_table order, embedded;
+};
+
+/// Whether something claimed of the whole, or of a tableau for itself, certainly fails.
+template <class K>
+bool refutes_a_coupled_claim(const coupled_subject<K>& s, const coupled_trees_claimed& trees) {
+    const auto& claims = s.file->claims;
+    const auto falls_short = [&](bool embedded, int claimed) {
+        const auto& table = embedded ? trees.embedded : trees.order;
+        return claimed > 0 && find_coupled_order(s.coloured(embedded), table.view()).order < claimed;
+    };
+    if (falls_short(false, claims.order.value_or(0))) return true;
+    if (claims.embedded_order && falls_short(true, *claims.embedded_order)) return true;
+    if (claims.symplectic.value_or(false) && symplectic_together(s).is_refuted()) return true;
+    if (!judged_alone(*s.file)) return false;
+    for (std::size_t k = 0; k < s.partners.size(); ++k)
+        if (refutes_a_claim(s.partners[k], partner_alone(*s.file, k).claims, mostly_row_sums(s.partners[k])))
+            return true;
+    return false;
+}
+
+}  // namespace detail
+
+/// Names the single entries whose change restores every claim on the tableaux together. The first condition that is
+/// affine in the entry leaves one value possible; it is looked for modulo 2^61 - 1, or in enclosures of few digits.
+template <class K>
+void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certificate) {
+    using namespace detail;
+    const auto& file = *s.file;
+    const coupled_trees_claimed trees(file);
+    const auto search = [&](const auto& quick) {
+        for (const coupled_place& p : coupled_places(file)) {
+            const bool embedded = p.place.part == part::b_embedded;
+            const auto& view = embedded ? trees.embedded.view() : trees.order.view();
+            const auto condition = affine_coupled_condition(quick, p, embedded, view);
+            if (!condition) continue;
+            const auto value = coupled_value(s, p, embedded, view, *condition);
+            if (!value || !certainly_nonzero(K(*value - value_at(s.partners[p.partner], p.place)))) continue;
+            coupled_subject<K> changed = s;
+            put(changed, p, *value);
+            if (refutes_a_coupled_claim(changed, trees)) continue;
+            std::vector<suspect> found;
+            append_suspects(file.partners[p.partner], std::vector<repair<K>>{{p.place, *value}}, found);
+            for (suspect& x : found)
+                certificate.suspects.push_back({name(p, file), std::move(x.written), std::move(x.suggest)});
+        }
+    };
+    if constexpr (exact_scalar<K>) {
+        coupled_subject<tableaux::residue> quick{s.file, {}};
+        for (const auto& p : s.partners)
+            if (const auto reduced = reduced_modulo_prime(p)) quick.partners.push_back(*reduced);
+        if (quick.partners.size() == s.partners.size()) search(quick);
+    } else {
+        search(detail::mapped<tableaux::rough_ball>(s, [](const K& x) { return tableaux::rough_ball(x); }));
+    }
+    rank(certificate.suspects);
+}
+
+}  // namespace stagecraft::theory
