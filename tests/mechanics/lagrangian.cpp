@@ -7,6 +7,7 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
+#include <stagecraft/mechanics/regularised_position.hpp>
 
 #include <problems/rolling_disc/disc.hpp>
 #include <problems/thesis/any_problem.hpp>
@@ -128,16 +129,35 @@ BOOST_AUTO_TEST_CASE(baumgarte_damps_a_violation_by_its_own_equation) {
     BOOST_CHECK_THROW(baumgarte(pendulum, -1.0, 1.0), std::invalid_argument);
 }
 
-// A bead on a straight wire that turns with speed w: r'' = w^2 r, and the wire pushes with 2 w r'.
-BOOST_AUTO_TEST_CASE(moving_constraints_do_work) {
-    const double w = 1.5;
-    const auto bead = lagrangian<2, 1>(
-        free_particle, [](const auto& q) { return 0 * q[0]; },
+namespace {
+
+// A bead of mass 1 on a straight wire that turns with speed w, pulled down by `gravity`.
+auto bead(double w, double gravity) {
+    return lagrangian<2, 1>(
+        free_particle, [gravity](const auto& q) { return gravity * q[1]; },
         [w](const auto& q, const auto& t) {
             using std::cos;
             using std::sin;
             return q[1] * cos(w * t) - q[0] * sin(w * t);
         });
+}
+
+// Every regularised form of the bead, the one of position last.
+template <class Visit>
+void every_contact(double w, double gravity, double eps, double kappa, const Visit& visit) {
+    const double c = 2, d = 1.5;
+    visit(regularised(bead(w, gravity), eps, kappa, c, d));
+    visit(regularised_multiplier_form(bead(w, gravity), eps, kappa, c, d));
+    visit(regularised_creep_form(bead(w, gravity), eps, kappa, c, d));
+    if (kappa == 0.5) visit(principal_damping_transformed(bead(w, gravity), eps, c, d));
+    visit(regularised_position(bead(w, gravity), eps, kappa, c, d));
+}
+
+}  // namespace
+
+// r'' = w^2 r, and the wire pushes with 2 w r'.
+BOOST_AUTO_TEST_CASE(moving_constraints_do_work) {
+    const double w = 1.5;
     const Eigen::Vector2d q0(1, 0), v0(0, w);
     const double t = 1, r1 = std::cosh(w * t), speed = w * std::sinh(w * t);
     const Eigen::Vector2d end(r1 * std::cos(w * t), r1 * std::sin(w * t));
@@ -146,14 +166,54 @@ BOOST_AUTO_TEST_CASE(moving_constraints_do_work) {
         BOOST_TEST(r.ok());
         BOOST_TEST((r.y.head(2) - end).norm() < 1e-8);
         if constexpr (requires { problem.multiplier(Eigen::Matrix<double, Problem::size, 1>()); })
-            BOOST_TEST(std::abs(problem.multiplier(Eigen::Matrix<double, Problem::size, 1>(r.y))[0] +
+            BOOST_TEST(std::abs(problem.multiplier(Eigen::Matrix<double, Problem::size, 1>(r.y), t)[0] +
                                 2 * w * speed) < 1e-4);
     };
-    check(index_2(bead));
-    check(index_3(bead));
-    check(stabilised_index_2(bead));
-    check(index_reduced(bead));
-    check(baumgarte(bead, 5.0, 5.0));
+    check(index_2(bead(w, 0)));
+    check(index_3(bead(w, 0)));
+    check(stabilised_index_2(bead(w, 0)));
+    check(index_reduced(bead(w, 0)));
+    check(baumgarte(bead(w, 0), 5.0, 5.0));
+}
+
+// As eps -> 0 the moving wire's contact tends to the constraint: the error in q falls like eps.
+BOOST_AUTO_TEST_CASE(regularised_moving_constraints_tend_to_the_constraint) {
+    const double w = 1.5, t = 1, r1 = std::cosh(w * t);
+    const Eigen::Vector2d q0(1, 0), v0(0, w), end(r1 * std::cos(w * t), r1 * std::sin(w * t));
+    for (const double kappa : {0.5, 1.0}) {
+        std::vector<double> coarse, fine;
+        for (const bool small : {false, true})
+            every_contact(w, 0, small ? 1e-5 : 1e-4, kappa, [&]<class Problem>(const Problem& problem) {
+                const auto r = run(problem, problem.initial_state(q0, v0), t);
+                BOOST_TEST(r.ok());
+                const double force =
+                    problem.multiplier(typename Problem::state(r.y), t)[0] + 2 * w * w * std::sinh(w * t);
+                BOOST_TEST(std::abs(force) < (small ? 1e-3 : 1e-2));
+                (small ? fine : coarse).push_back((r.y.head(2) - end).norm());
+            });
+        for (std::size_t k = 0; k < fine.size(); ++k) {
+            BOOST_TEST(coarse[k] < 1e-2);
+            BOOST_TEST(coarse[k] / fine[k] > 9);
+            BOOST_TEST(coarse[k] / fine[k] < 11);
+        }
+    }
+}
+
+// On a wire at rest the bead is a mass on a spring with a damper, x'' + (d/sqrt(eps)) x' + (c/eps) x = -9.81 from
+// rest at zero, in every form.
+BOOST_AUTO_TEST_CASE(a_regularised_support_is_a_damped_oscillator) {
+    const double eps = 1e-2, stiffness = 2 / eps, damping = 1.5 / std::sqrt(eps), t = 0.2, rate = damping / 2,
+                 omega = std::sqrt(stiffness - rate * rate), rest = -9.81 / stiffness;
+    const double x =
+        rest * (1 - std::exp(-rate * t) * (std::cos(omega * t) + rate / omega * std::sin(omega * t)));
+    using one = Eigen::Matrix<double, 1, 1>;
+    every_contact(0, 9.81, eps, 0.5, [&]<class Problem>(const Problem& problem) {
+        const auto y0 = problem.initial_state(Eigen::Vector2d(0, 0), Eigen::Vector2d(0.5, 0), one(0));
+        const auto r = run(problem, y0, t);
+        BOOST_TEST(r.ok());
+        BOOST_TEST(std::abs(r.y[1] - x) < 1e-9);
+        BOOST_TEST(std::abs(r.y[0] - 0.5 * t) < 1e-12);
+    });
 }
 
 namespace {
@@ -200,4 +260,20 @@ BOOST_AUTO_TEST_CASE(a_ball_on_a_turntable_circles_with_two_sevenths_of_its_spee
     BOOST_CHECK_EXCEPTION(dae.initial_state(q, slipping), std::invalid_argument, [](const auto& e) {
         return std::string(e.what()).find("velocity constraint 1 is 0.5") != std::string::npos;
     });
+}
+
+BOOST_AUTO_TEST_CASE(a_ball_on_a_soft_turntable_circles_alike) {
+    Eigen::Matrix<double, 5, 1> q, v;
+    q << 1, 0, 0, 0, 0;
+    v << 0, 2, 5, 0, 0;
+    const auto distance = [&](double eps) {
+        const auto soft = regularised(ball(), eps, 1.0, 2.0, 2.0);
+        const auto r = run(soft, soft.initial_state(q, v), 1);
+        BOOST_TEST(r.ok());
+        return (r.y.head(2) - Eigen::Vector2d(std::cos(2.0), std::sin(2.0))).norm();
+    };
+    const double coarse = distance(1e-4), fine = distance(1e-5);
+    BOOST_TEST(coarse < 1e-2);
+    BOOST_TEST(coarse / fine > 9);
+    BOOST_TEST(coarse / fine < 11);
 }

@@ -35,23 +35,66 @@ Eigen::Matrix<Dual, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
 
 }  // namespace detail
 
+/// G(q, t) and the derivatives of the velocity constraint G v + b by q and v (that by v is G).
+template <class S, class Model>
+struct velocity_constraint_jacobian {
+    static constexpr int n = Model::coordinates, m = Model::constraints;
+    using dual = dual_number<S, n>;
+    using matrix = Eigen::Matrix<S, m, n>;
+    Eigen::Matrix<dual, m, n> dG;  ///< G with its derivatives by q
+    matrix G, Gv_q;
+
+    velocity_constraint_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
+                                 const coordinate_vector<S, Model>& v, const S& t) {
+        const Eigen::Matrix<dual, n, 1> moving = detail::variables<dual>(q);
+        const dual time = detail::constant<dual>(t);
+        dG = constraint_gradient<dual>(model, moving, time);
+        for (int k = 0; k < m; ++k)
+            for (int j = 0; j < n; ++j) G(k, j) = dG(k, j).value();
+        Gv_q = derivative(v);
+        if constexpr (has_prescribed_velocity<Model>) {
+            const multiplier_vector<dual, Model> b = prescribed_velocity<dual>(model, moving, time);
+            for (int k = 0; k < m; ++k) Gv_q.row(k) += b[k].derivatives().transpose();
+        }
+    }
+    /// d(G(q) w)/dq with w held fixed.
+    matrix derivative(const coordinate_vector<S, Model>& w) const {
+        matrix result;
+        for (int k = 0; k < m; ++k) {
+            result.row(k) = w[0] * dG(k, 0).derivatives().transpose();
+            for (int j = 1; j < n; ++j) result.row(k) += w[j] * dG(k, j).derivatives().transpose();
+        }
+        return result;
+    }
+    /// d(G(q)^T w)/dq with w held fixed.
+    Eigen::Matrix<S, n, n> force_derivative(const multiplier_vector<S, Model>& w) const {
+        Eigen::Matrix<S, n, n> result;
+        for (int i = 0; i < n; ++i) {
+            result.row(i) = w[0] * dG(0, i).derivatives().transpose();
+            for (int k = 1; k < m; ++k) result.row(i) += w[k] * dG(k, i).derivatives().transpose();
+        }
+        return result;
+    }
+};
+
 /// The acceleration a = M(q)^-1 (F - G^T lambda) with its derivatives, and those of the constraint. By the
 /// implicit function theorem M da = d(F - M a - G^T lambda) with a and lambda held fixed on the right:
 /// automatic differentiation never runs through the factorisation of M.
 template <class S, class Model>
-struct acceleration_jacobian {
-    static constexpr int n = Model::coordinates, m = Model::constraints;
+struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
+    using constraint = velocity_constraint_jacobian<S, Model>;
+    using constraint::n, constraint::m, constraint::G;
     coordinate_vector<S, Model> a;
-    Eigen::Matrix<S, m, n> G;
     Eigen::Matrix<S, n, n> a_q, a_v;
     Eigen::Matrix<S, n, m> a_lambda;
-    Eigen::Matrix<S, m, n> Gv_q;  ///< d(G(q, t) v + b(q, t))/dq
     Eigen::Matrix<S, m, n> Ga_q;  ///< d(G(q) a)/dq with a held fixed
 
     acceleration_jacobian(const Model& model, const coordinate_vector<S, Model>& q,
                           const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
                           const S& t)
-        : G(constraint_gradient<S>(model, q, t)) {
+        : constraint(model, q, v, t) {
+        using dual = typename constraint::dual;
+        using dual_vector = Eigen::Matrix<dual, n, 1>;
         const mass_inverse<S, Model> solve(model, q);
         a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
         const dual time = detail::constant<dual>(t);
@@ -60,36 +103,19 @@ struct acceleration_jacobian {
         const dual_vector F_q = force<dual>(model, q_moving, v_fixed, time);
         const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
         const Eigen::Matrix<dual, n, n> M = model.M(q_moving);
-        const Eigen::Matrix<dual, m, n> dG = constraint_gradient<dual>(model, q_moving, time);
+        a_q = -this->force_derivative(lambda);
         for (int i = 0; i < n; ++i) {
-            coordinate_vector<S, Model> row = F_q[i].derivatives();
-            for (int j = 0; j < n; ++j) row -= a[j] * M(i, j).derivatives();
-            for (int k = 0; k < m; ++k) row -= lambda[k] * dG(k, i).derivatives();
-            a_q.row(i) = row.transpose();
+            a_q.row(i) += F_q[i].derivatives().transpose();
+            for (int j = 0; j < n; ++j) a_q.row(i) -= a[j] * M(i, j).derivatives().transpose();
             a_v.row(i) = F_v[i].derivatives().transpose();
         }
         for (int j = 0; j < n; ++j) {
             a_q.col(j) = solve(a_q.col(j));
             a_v.col(j) = solve(a_v.col(j));
         }
-        for (int k = 0; k < m; ++k) {
-            a_lambda.col(k) = -solve(G.row(k).transpose());
-            Gv_q.row(k) = v[0] * dG(k, 0).derivatives().transpose();
-            Ga_q.row(k) = a[0] * dG(k, 0).derivatives().transpose();
-            for (int j = 1; j < n; ++j) {
-                Gv_q.row(k) += v[j] * dG(k, j).derivatives().transpose();
-                Ga_q.row(k) += a[j] * dG(k, j).derivatives().transpose();
-            }
-        }
-        if constexpr (has_prescribed_velocity<Model>) {
-            const multiplier_vector<dual, Model> b = prescribed_velocity<dual>(model, q_moving, time);
-            for (int k = 0; k < m; ++k) Gv_q.row(k) += b[k].derivatives().transpose();
-        }
+        for (int k = 0; k < m; ++k) a_lambda.col(k) = -solve(G.row(k).transpose());
+        Ga_q = this->derivative(a);
     }
-
-  private:
-    using dual = dual_number<S, n>;
-    using dual_vector = Eigen::Matrix<dual, n, 1>;
 };
 
 /// The once differentiated constraint Phi = d/dt (G v + b) = (dG/dt) v + db/dt + G a, with its derivatives.

@@ -59,7 +59,8 @@ class index_2_dae {
         return y;
     }
     /// The multiplier in a state.
-    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y) const {
+    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,
+                                                const Scalar& = Scalar(0)) const {
         return y.template tail<m>();
     }
 
@@ -119,6 +120,11 @@ class index_reduced_ode {
     multiplier_vector<S, Model> multiplier(const coordinate_vector<S, Model>& q,
                                            const coordinate_vector<S, Model>& v, const S& t) const {
         return constrained<S>(q, v, t).multiplier;
+    }
+    /// The same in a state (q, v).
+    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,
+                                                const Scalar& t = Scalar(0)) const {
+        return multiplier<Scalar>(y.template head<n>(), y.template tail<n>(), t);
     }
 
     /// (q, v); see index_2_dae::initial_state.

@@ -45,7 +45,9 @@ class index_3_dae {
         return (state() << q, v, consistent_multiplier(model_, q, v, t)).finished();
     }
     /// The multiplier in a state.
-    multiplier_vector<Scalar, Model> multiplier(const state& y) const { return y.template tail<m>(); }
+    multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
+        return y.template tail<m>();
+    }
     const Model& model() const { return model_; }
 
   private:
@@ -83,13 +85,8 @@ class stabilised_dae {
         const coordinate_vector<S, Model> q = y.template head<n>();
         const acceleration_jacobian<S, Model> d(model_, q, y.template segment<n>(n),
                                                 y.template segment<m>(2 * n), t);
-        using dual = dual_number<S, n>;
-        const Eigen::Matrix<dual, m, n> dG =
-            constraint_gradient<dual>(model_, detail::variables<dual>(q), detail::constant<dual>(t));
         detail::motion_jacobian(d, 2 * n, J);
-        for (int i = 0; i < n; ++i)
-            for (int k = 0; k < m; ++k)
-                J.template block<1, n>(i, 0) -= y[2 * n + m + k] * dG(k, i).derivatives().transpose();
+        J.template block<n, n>(0, 0) = -d.force_derivative(y.template tail<m>());
         J.template block<n, m>(0, 2 * n + m) = -d.G.transpose();
         J.template block<m, n>(2 * n, 0) = d.Gv_q;
         J.template block<m, n>(2 * n, n) = d.G;
@@ -108,7 +105,9 @@ class stabilised_dae {
         return y;
     }
     /// The multiplier in a state.
-    multiplier_vector<Scalar, Model> multiplier(const state& y) const { return y.template segment<m>(2 * n); }
+    multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
+        return y.template segment<m>(2 * n);
+    }
     const Model& model() const { return model_; }
 
   private:

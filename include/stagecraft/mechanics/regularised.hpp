@@ -11,8 +11,8 @@
 
 namespace stagecraft {
 
-/// The Kelvin-Voigt contact that replaces the constraint 0 = G(q) q' (thesis (3.3)-(3.5)): the contact point
-/// may creep, z' = G(q) q', against a spring and a damper, lambda = (c/eps) z + (d/eps^kappa) z'. kappa = 1
+/// The Kelvin-Voigt contact that replaces the constraint 0 = G q' + b (thesis (3.3)-(3.5)): the contact point
+/// may creep, z' = G q' + b, against a spring and a damper, lambda = (c/eps) z + (d/eps^kappa) z'. kappa = 1
 /// is strong damping, kappa = 1/2 principal damping. As eps -> 0 the motion tends to that of the index-2
 /// system.
 template <class Scalar>
@@ -57,16 +57,24 @@ class regularised_form {
 
   protected:
     template <class S>
-    Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, size, 1>& y) const {
-        return model_.G(coordinate_vector<S, Model>(y.template head<n>()));
+    Eigen::Matrix<S, m, n> G(const S& t, const Eigen::Matrix<S, size, 1>& y) const {
+        return constraint_gradient<S>(model_, coordinate_vector<S, Model>(y.template head<n>()), t);
     }
-    /// d/dt (G v) for the acceleration a.
+    /// G v + b.
     template <class S>
-    multiplier_vector<S, Model> creep_rate(const Eigen::Matrix<S, size, 1>& y,
+    multiplier_vector<S, Model> creep(const S& t, const Eigen::Matrix<S, size, 1>& y,
+                                      const Eigen::Matrix<S, m, n>& G) const {
+        const coordinate_vector<S, Model> q = y.template head<n>();
+        const multiplier_vector<S, Model> b = prescribed_velocity<S>(model_, q, t);
+        return G * y.template segment<n>(n) + b;
+    }
+    /// d/dt (G v + b) for the acceleration a.
+    template <class S>
+    multiplier_vector<S, Model> creep_rate(const S& t, const Eigen::Matrix<S, size, 1>& y,
                                            const Eigen::Matrix<S, m, n>& G,
                                            const coordinate_vector<S, Model>& a) const {
         const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-        const multiplier_vector<S, Model> curvature = constraint_curvature(model_, q, v), rest = G * a;
+        const multiplier_vector<S, Model> curvature = constraint_curvature(model_, q, v, t), rest = G * a;
         return curvature + rest;
     }
     template <class Derivatives, class S>
@@ -84,9 +92,10 @@ class regularised_form {
 /// The mass-matrix form of a regularised mechanical problem, state (q, v, zeta, lambda) with zeta = (c/eps)
 /// z:
 ///
-///     q' = v,   v' = M^-1 (F - G^T lambda),   (eps/c) zeta' = G v,   0 = (eps^kappa/d) (lambda - zeta) - G v
+///     q' = v,  v' = M^-1 (F - G^T lambda),  (eps/c) zeta' = w,  0 = (eps^kappa/d) (lambda - zeta) - w,
 ///
-/// with zeta and lambda flagged index 2. No entry grows as eps -> 0, where the index-2 system with lambda =
+/// where w = G v + b,
+/// zeta and lambda flagged index 2. No entry grows as eps -> 0, where the index-2 system with lambda =
 /// zeta is the limit, and the number of steps does not depend on eps. The default form. Made by
 /// `regularised`.
 template <mechanical_model Model, class Scalar = double>
@@ -101,8 +110,8 @@ class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const multiplier_vector<S, Model> zeta = y.template segment<m>(2 * n), lambda = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = base::G(y);
-        const multiplier_vector<S, Model> creep = G * y.template segment<n>(n);
+        const Eigen::Matrix<S, m, n> G = base::G(t, y);
+        const multiplier_vector<S, Model> creep = base::creep(t, y, G);
         detail::motion<S, Model>(model_, t, y, G, lambda, f);
         f.template segment<m>(2 * n) = creep;
         const S compliance = S(Scalar(1) / contact_.damping);
@@ -134,17 +143,21 @@ class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {
     std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
     /// The state with contact force lambda at (q, v): zeta = lambda - (d/eps^kappa) G v.
-    state initial_state(const position& q, const position& v, const force& lambda) const {
-        const force zeta = lambda - contact_.damping * (model_.G(q) * v);
+    state initial_state(const position& q, const position& v, const force& lambda,
+                        const Scalar& t = Scalar(0)) const {
+        const force zeta = lambda - contact_.damping * velocity_constraint<Scalar>(model_, q, v, t);
         return (state() << q, v, zeta, lambda).finished();
     }
+    state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
+        return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
+    }
     /// The contact force in a state.
-    force multiplier(const state& y) const { return y.template tail<m>(); }
+    force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template tail<m>(); }
 };
 
 /// The form (y, lambda) of thesis (3.7)-(3.8), state (q, v, lambda): an explicit differential equation,
 ///
-///     lambda' = (c/eps) G v + (d/eps^kappa) ((dG/dt) v + G M^-1 (F - G^T lambda)).
+///     lambda' = (c/eps) w + (d/eps^kappa) w',   w = G v + b.
 ///
 /// Made by `regularised_multiplier_form`.
 template <mechanical_model Model, class Scalar = double>
@@ -158,10 +171,10 @@ class multiplier_form : public detail::regularised_form<Model, Scalar, 1> {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const Eigen::Matrix<S, m, n> G = base::G(y);
+        const Eigen::Matrix<S, m, n> G = base::G(t, y);
         const auto a = detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
-        const multiplier_vector<S, Model> creep = G * y.template segment<n>(n),
-                                          rate = base::template creep_rate<S>(y, G, a);
+        const multiplier_vector<S, Model> creep = base::creep(t, y, G),
+                                          rate = base::template creep_rate<S>(t, y, G, a);
         for (int i = 0; i < m; ++i)
             f[2 * n + i] = S(contact_.stiffness) * creep[i] + S(contact_.damping) * rate[i];
     }
@@ -177,15 +190,19 @@ class multiplier_form : public detail::regularised_form<Model, Scalar, 1> {
         J.template block<m, m>(2 * n, 2 * n) = damper * d.phi_lambda;
     }
 
-    state initial_state(const position& q, const position& v, const force& lambda) const {
+    state initial_state(const position& q, const position& v, const force& lambda,
+                        const Scalar& = Scalar(0)) const {
         return (state() << q, v, lambda).finished();
     }
-    force multiplier(const state& y) const { return y.template tail<m>(); }
+    state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
+        return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
+    }
+    force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template tail<m>(); }
 };
 
 /// The form (y, z) of thesis (3.10)-(3.12), state (q, v, z): index 0, no derivative of G needed,
 ///
-///     v' = M^-1 (F - G^T ((c/eps) z + (d/eps^kappa) G v)),   z' = G v.
+///     v' = M^-1 (F - G^T ((c/eps) z + (d/eps^kappa) w)),   z' = w = G v + b.
 ///
 /// The costliest form for small eps: with kappa = 1 and eps = 1e-10 it takes some 70 times the steps of the
 /// others. Made by `regularised_creep_form`.
@@ -200,8 +217,8 @@ class creep_form : public detail::regularised_form<Model, Scalar, 1> {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const Eigen::Matrix<S, m, n> G = base::G(y);
-        const multiplier_vector<S, Model> creep = G * y.template segment<n>(n);
+        const Eigen::Matrix<S, m, n> G = base::G(t, y);
+        const multiplier_vector<S, Model> creep = base::creep(t, y, G);
         detail::motion<S, Model>(model_, t, y, G, contact_force(y, creep), f);
         f.template tail<m>() = creep;
     }
@@ -209,7 +226,7 @@ class creep_form : public detail::regularised_form<Model, Scalar, 1> {
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
         const S spring(contact_.stiffness), damper(contact_.damping);
-        const multiplier_vector<S, Model> creep = base::G(y) * y.template segment<n>(n);
+        const multiplier_vector<S, Model> creep = base::creep(t, y, base::G(t, y));
         const auto d =
             base::template derivatives<acceleration_jacobian<S, Model>, S>(t, y, contact_force(y, creep));
         detail::motion_jacobian(d, 2 * n, J);
@@ -220,12 +237,17 @@ class creep_form : public detail::regularised_form<Model, Scalar, 1> {
         J.template block<m, n>(2 * n, n) = d.G;
     }
 
-    state initial_state(const position& q, const position& v, const force& lambda) const {
-        const force z = (lambda - contact_.damping * (model_.G(q) * v)) / contact_.stiffness;
+    state initial_state(const position& q, const position& v, const force& lambda,
+                        const Scalar& t = Scalar(0)) const {
+        const force z =
+            (lambda - contact_.damping * velocity_constraint<Scalar>(model_, q, v, t)) / contact_.stiffness;
         return (state() << q, v, z).finished();
     }
-    force multiplier(const state& y) const {
-        return contact_force(y, force(base::G(y) * y.template segment<n>(n)));
+    state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
+        return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
+    }
+    force multiplier(const state& y, const Scalar& t = Scalar(0)) const {
+        return contact_force(y, base::creep(t, y, base::G(t, y)));
     }
 
   private:
@@ -240,9 +262,9 @@ class creep_form : public detail::regularised_form<Model, Scalar, 1> {
 };
 
 /// Principal damping in the transformed form (3.60) of the thesis, state (q, v, lambda, theta), with
-/// e = (d/c) sqrt(eps), h = (d^2/c) ((dG/dt) v + G M^-1 (F - G^T lambda)):
+/// e = (d/c) sqrt(eps), w = G v + b, h = (d^2/c) w':
 ///
-///     e lambda' = theta + h + lambda,   e theta' = -theta - lambda,   theta = (d^2/c) G v / e - lambda,
+///     e lambda' = theta + h + lambda,   e theta' = -theta - lambda,   theta = (d^2/c) w / e - lambda,
 ///
 /// a singular perturbation problem in the standard form in e, to which Theorem 6 applies under (3.61).
 /// Made by `principal_damping_transformed`.
@@ -264,9 +286,9 @@ class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const multiplier_vector<S, Model> lambda = y.template segment<m>(2 * n), theta = y.template tail<m>();
-        const Eigen::Matrix<S, m, n> G = base::G(y);
+        const Eigen::Matrix<S, m, n> G = base::G(t, y);
         const auto a = detail::motion<S, Model>(model_, t, y, G, lambda, f);
-        const multiplier_vector<S, Model> rate = base::template creep_rate<S>(y, G, a);
+        const multiplier_vector<S, Model> rate = base::template creep_rate<S>(t, y, G, a);
         for (int i = 0; i < m; ++i) {
             const S sum = theta[i] + lambda[i];
             f[2 * n + i] = (sum + S(weight_) * rate[i]) / S(e_);
@@ -291,11 +313,15 @@ class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
         }
     }
 
-    state initial_state(const position& q, const position& v, const force& lambda) const {
-        const force theta = weight_ / e_ * (model_.G(q) * v) - lambda;
+    state initial_state(const position& q, const position& v, const force& lambda,
+                        const Scalar& t = Scalar(0)) const {
+        const force theta = weight_ / e_ * velocity_constraint<Scalar>(model_, q, v, t) - lambda;
         return (state() << q, v, lambda, theta).finished();
     }
-    force multiplier(const state& y) const { return y.template segment<m>(2 * n); }
+    state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
+        return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
+    }
+    force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template segment<m>(2 * n); }
 
   private:
     Scalar e_{0}, weight_{0};
@@ -303,7 +329,10 @@ class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
 
 /// The regularised problem in its default, mass-matrix form; every form throws std::invalid_argument that
 /// names the parameter unless eps, c, d > 0 and 0 < kappa <= 1. Each has `initial_state(q, v, lambda)` and
-/// `multiplier(y)`.
+/// `initial_state(q, v)`, which takes the multiplier that the constraint itself has there, so that no layer
+/// is larger than O(eps); moving constraints take the time as the last argument. `multiplier(y, t)` is the
+/// contact force. Constraints of position creep on the level of velocity; `regularised_position` holds g(q)
+/// itself.
 template <class Scalar = double, mechanical_model Model>
 regularised_problem<Model, Scalar> regularised(Model model, Scalar eps, Scalar kappa, Scalar c, Scalar d) {
     return {std::move(model), contact<Scalar>(eps, kappa, c, d)};
