@@ -218,6 +218,23 @@ BOOST_AUTO_TEST_CASE(a_fault_in_a_and_one_in_the_embedded_weights_do_not_silence
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_row_sum_tells_what_the_order_conditions_do_not) {
+    // Stage 8 of Bogacki-Shampine 5(4) has no weight in b and b_embedded: only the sum of its row is claimed.
+    json idle = method("bogacki_shampine_5_4");
+    idle["A"][7][2] = misprinted(idle["A"][7][2]);
+    idle["claims"] = {{"order", 5}, {"embedded_order", 4}};
+    const auto c = certify_once::certify(idle.dump());
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_TEST(!c.find("order")->judgement->is_refuted());
+    BOOST_TEST(std::any_of(c.suspects.begin(), c.suspects.end(),
+                           [](const auto& s) { return s.entry == "A[8][3]"; }));
+    // Sixteen digits, 20 units of the last one: below what the conditions of order 5 can tell.
+    json node = as_printed(method("bogacki_shampine_5_4"), 16);
+    BOOST_REQUIRE(node["c"][2] == "0.2222222222222222");
+    node["c"][2] = "0.2222222222222242";
+    BOOST_TEST(certify_once::certify(node.dump()).exit_code() == 1);
+}
+
 BOOST_AUTO_TEST_CASE(exchanged_and_transposed_parts_are_recognised) {
     const auto note = [](const json& table) { return certify_once::certify(table.dump()).suspects_note; };
     json transposed = method("gauss_2");

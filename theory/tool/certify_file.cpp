@@ -10,6 +10,8 @@
 #include <stagecraft/theory/judging/junit.hpp>
 #include <stagecraft/theory/judging/method_table.hpp>
 
+#include "command.hpp"
+
 namespace stagecraft::tool {
 
 namespace {
@@ -44,6 +46,7 @@ int certify_files(const std::vector<std::string>& paths, const certify_options& 
     std::vector<theory::file_outcome> all;
     for (const std::string& path : with_folders_opened(paths)) {
         theory::file_outcome outcome{path, 0, {}};
+        if (!single) start_clock(path);
         try {
             const auto certificate = certificate_of(path, o);
             outcome = {path, certificate.exit_code(), one_line(certificate)};

@@ -31,17 +31,19 @@ bool has_subcommand(const CLI::App& app, const std::string& name) {
 }
 
 // Exact decisions on large tables can take hours: after --seconds the command says so and ends.
-constexpr int default_seconds = 60;
-
 extern "C" void out_of_time(int) {
-    static constexpr char text[] = "stagecraft: not decided within the seconds allowed (--seconds)\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
+    static constexpr char text[] = ": not decided within the seconds allowed (--seconds)\n";
+    const std::string& file = stagecraft::tool::file_at_work;
+    [[maybe_unused]] auto written = file.empty() ? write(STDERR_FILENO, "stagecraft", 10)
+                                                 : write(STDERR_FILENO, file.data(), file.size());
+    written = write(STDERR_FILENO, text, sizeof text - 1);
     _exit(3);
 }
 
 void allow_seconds(const std::string& text) {
-    std::signal(SIGALRM, out_of_time);
-    alarm(static_cast<unsigned>(stagecraft::tool::whole_number("--seconds", text, 0, 1000000)));  // 0: none
+    stagecraft::tool::seconds_allowed =
+        static_cast<unsigned>(stagecraft::tool::whole_number("--seconds", text, 0, 1000000));
+    stagecraft::tool::start_clock();
 }
 
 int complain(std::string what) {
@@ -60,13 +62,14 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.set_version_flag("--version", "stagecraft " STAGECRAFT_VERSION);
     app.fallthrough();
-    app.add_option_function<std::string>("--seconds", allow_seconds,
-                                         "end undecided after so many seconds, 0: never (default 60)");
+    app.add_option_function<std::string>(
+        "--seconds", allow_seconds, "end undecided after so many seconds for a file, 0: never (default 60)");
     for (const auto declare : stagecraft::tool::declarations()) declare(app);
     try {
         if (argc > 1 && argv[1][0] != '-' && !has_subcommand(app, argv[1]))
             return complain("unknown subcommand '" + std::string(argv[1]) + "'; allowed: " + allowed(app));
-        allow_seconds(std::to_string(default_seconds));
+        std::signal(SIGALRM, out_of_time);
+        stagecraft::tool::start_clock();
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::RuntimeError& e) {

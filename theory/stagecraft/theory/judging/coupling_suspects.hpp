@@ -132,6 +132,22 @@ struct coupled_trees_claimed {
     tree_table order, embedded;
 };
 
+/// The one value that can restore every claim: from the row sum where the nodes are given, else from the first
+/// condition that is affine in the entry, which the quick subject finds.
+template <class K, class Quick>
+std::optional<K> restoring_value(const coupled_subject<K>& s, const Quick& quick, const coupled_place& p,
+                                 const coupled_trees_claimed& trees) {
+    const auto& partner = s.partners[p.partner];
+    if (p.place.part == part::A && partner.nodes_given && !s.nystrom())
+        return K(value_at(partner, p.place) -
+                 row_sum_defects(partner)[static_cast<std::size_t>(p.place.row)]);
+    const bool embedded = p.place.part == part::b_embedded;
+    const auto& view = embedded ? trees.embedded.view() : trees.order.view();
+    const auto condition = affine_coupled_condition(quick, p, embedded, view);
+    if (!condition) return std::nullopt;
+    return coupled_value(s, p, embedded, view, *condition);
+}
+
 /// Whether something claimed of the whole, or of a tableau for itself, certainly fails.
 template <class K>
 bool refutes_a_coupled_claim(const coupled_subject<K>& s, const coupled_trees_claimed& trees) {
@@ -143,10 +159,12 @@ bool refutes_a_coupled_claim(const coupled_subject<K>& s, const coupled_trees_cl
     if (falls_short(false, claims.order.value_or(0))) return true;
     if (claims.embedded_order && falls_short(true, *claims.embedded_order)) return true;
     if (claims.symplectic.value_or(false) && symplectic_together(s).is_refuted()) return true;
-    if (!judged_alone(*s.file)) return false;
-    for (std::size_t k = 0; k < s.partners.size(); ++k)
-        if (refutes_a_claim(s.partners[k], partner_alone(*s.file, k).claims, mostly_row_sums(s.partners[k])))
-            return true;
+    if (s.nystrom()) return false;
+    for (std::size_t k = 0; k < s.partners.size(); ++k) {
+        tableaux::claims alone =
+            judged_alone(*s.file) ? partner_alone(*s.file, k).claims : tableaux::claims{};
+        if (refutes_a_claim(s.partners[k], alone, mostly_row_sums(s.partners[k]))) return true;
+    }
     return false;
 }
 
@@ -161,11 +179,7 @@ void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certi
     const coupled_trees_claimed trees(file);
     const auto search = [&](const auto& quick) {
         for (const coupled_place& p : coupled_places(file)) {
-            const bool embedded = p.place.part == part::b_embedded;
-            const auto& view = embedded ? trees.embedded.view() : trees.order.view();
-            const auto condition = affine_coupled_condition(quick, p, embedded, view);
-            if (!condition) continue;
-            const auto value = coupled_value(s, p, embedded, view, *condition);
+            const auto value = restoring_value(s, quick, p, trees);
             if (!value || !certainly_nonzero(K(*value - value_at(s.partners[p.partner], p.place)))) continue;
             coupled_subject<K> changed = s;
             put(changed, p, *value);

@@ -214,6 +214,56 @@ finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::
 
 }  // namespace detail
 
+/// Whether the author takes c = A*1: at most a third of the rows fail. Others mean the stages' times to differ.
+template <class K>
+bool mostly_row_sums(const subject<K>& s) {
+    int failing = 0;
+    for (const K& defect : row_sum_defects(s)) failing += certainly_nonzero(defect) ? 1 : 0;
+    return 3 * failing <= std::max(s.stages(), 3);
+}
+
+namespace detail {
+
+/// The stages that y_1 depends on, and where it is claimed the embedded solution.
+template <class K>
+std::vector<bool> stages_used(const subject<K>& s, bool embedded) {
+    const int n = s.stages();
+    std::vector<bool> used(static_cast<std::size_t>(n));
+    std::vector<int> next;
+    const auto use = [&](int i) {
+        if (used[static_cast<std::size_t>(i)]) return;
+        used[static_cast<std::size_t>(i)] = true;
+        next.push_back(i);
+    };
+    for (int i = 0; i < n; ++i)
+        if (certainly_nonzero(s.t.b(i)) || (embedded && certainly_nonzero(s.t.b_embedded(i)))) use(i);
+    while (!next.empty()) {
+        const int i = next.back();
+        next.pop_back();
+        for (int j = 0; j < n; ++j)
+            if (certainly_nonzero(K(s.t.A(i, j)))) use(j);
+    }
+    return used;
+}
+
+/// Whether c is meant as A*1 though some rows fail and the orders claimed do not: few rows fail, and either the
+/// entries are rounded (the conditions bound c less sharply than the sum of a row does) or nothing claimed depends on
+/// such a stage. A misprint shows nowhere else then.
+template <class K>
+bool only_row_sums_tell(const subject<K>& s, bool embedded) {
+    if (!mostly_row_sums(s)) return false;
+    if constexpr (exact_scalar<K>) {
+        const auto used = stages_used(s, embedded);
+        const auto defects = row_sum_defects(s);
+        for (std::size_t i = 0; i < defects.size(); ++i)
+            if (!used[i] && certainly_nonzero(defects[i])) return true;
+        return false;
+    }
+    return true;
+}
+
+}  // namespace detail
+
 /// Judges every claim; properties that are not claimed are reported too while they are cheap (s <= 16).
 template <class K>
 void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate& certificate) {
@@ -226,7 +276,8 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
     certificate.findings.push_back(
         detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, certificate));
     const auto& order = certificate.findings.back();
-    if (row_sums_fail && !claims.stage_order && order.judgement && !order.judgement->is_refuted()) {
+    if (row_sums_fail && !claims.stage_order && order.judgement && !order.judgement->is_refuted() &&
+        !detail::only_row_sums_tell(s, claims.embedded_order.has_value())) {
         finding& row_sums = certificate.findings.front();  // no claim of its own: the order holds without it
         row_sums.claimed.reset();
         row_sums.judgement.reset();
@@ -249,14 +300,6 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
         }
         certificate.findings.push_back(std::move(f));
     }
-}
-
-/// Whether the author takes c = A*1: at most a third of the rows fail. Others mean the stages' times to differ.
-template <class K>
-bool mostly_row_sums(const subject<K>& s) {
-    int failing = 0;
-    for (const K& defect : row_sum_defects(s)) failing += certainly_nonzero(defect) ? 1 : 0;
-    return 3 * failing <= std::max(s.stages(), 3);
 }
 
 /// Whether a claim that is a polynomial identity in the entries (row sums where needed, orders, stage order)

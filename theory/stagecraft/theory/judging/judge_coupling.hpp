@@ -125,6 +125,23 @@ finding judge_coupled_order(const coupled_subject<K>& s, bool embedded, std::opt
                          found.failing.empty() ? nullptr : &certificate.failures[first]);
 }
 
+/// c = A*1 in each tableau of a separable method that gives nodes; of other methods each is judged by itself.
+template <class K>
+void judge_coupled_row_sums(const coupled_subject<K>& s, file_certificate& certificate) {
+    if (s.file->coupling != tableaux::coupling::separable) return;
+    std::optional<finding> all;
+    for (std::size_t k = 0; k < s.partners.size(); ++k) {
+        if (!s.partners[k].nodes_given) continue;
+        const std::size_t first = certificate.failures.size();
+        finding f = judge_row_sums(s.partners[k], s.file->partners[k].claims, certificate.failures);
+        for (std::size_t i = first; i < certificate.failures.size(); ++i)
+            certificate.failures[i].condition.insert(0, partner_name(*s.file, k) + ": ");
+        if (all && all->judgement && f.judgement) f.truth = f.judgement = both(*all->judgement, *f.judgement);
+        if (!all || f.judgement) all = std::move(f);
+    }
+    if (all) certificate.findings.push_back(std::move(*all));
+}
+
 /// Whether all have the same nodes; not refuted where enclosures overlap.
 template <class K>
 bool same_nodes(const coupled_subject<K>& s) {
@@ -211,6 +228,7 @@ void judge(const coupled_subject<K>& s, file_certificate& certificate) {
                     [](const auto& p) { return p.t.b_embedded.size() > 0; }))
         certificate.findings.push_back(
             detail::judge_coupled_order(s, true, claims.embedded_order, certificate));
+    detail::judge_coupled_row_sums(s, certificate);
     if (!s.nystrom()) {
         certificate.notes.push_back(detail::same_nodes(s) ? "the nodes are the same" : "the nodes differ");
         certificate.findings.push_back(detail::judge_coupled_stage_order(s, claims.stage_order));
