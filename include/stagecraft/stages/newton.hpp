@@ -26,7 +26,7 @@ struct newton_limits {
     Scalar factor, floor, noise;
     int iterations;
     bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
-    int patience = 1;     ///< contractions to be seen before one near 1 counts as divergence
+    int patience = 1;     ///< contractions to be seen before slow ones are believed
 };
 
 /// Iterations a step by s coupled stages may take.
@@ -84,8 +84,8 @@ class newton_monitor {
             if (theta < Scalar(99) / 100) {
                 const Scalar left = size * theta / (Scalar(1) - theta);
                 if (left <= limits_.factor) return end(newton_end::converged);
-                // Give up at once if the iterations that remain cannot reach the goal at the observed rate.
-                if (left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
+                // Give up if the iterations that remain cannot reach the goal at the observed rate.
+                if (k >= limits_.patience && left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
                     return end(newton_end::diverged);
             } else if (k >= limits_.patience) {
                 return end(newton_end::diverged);
