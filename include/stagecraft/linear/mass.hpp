@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 namespace stagecraft {
@@ -47,6 +48,11 @@ class entry_mass {
     }
 
     const std::vector<entry>& entries() const { return entries_; }
+    entry_mass transposed() const {
+        entry_mass result = *this;
+        for (auto& e : result.entries_) std::swap(e.row, e.column);
+        return result;
+    }
 
   private:
     void add(int i, int j, const Scalar& value) {

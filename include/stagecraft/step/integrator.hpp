@@ -122,6 +122,14 @@ class integrator {
             });
     }
 
+    /// The number of the method that has made the last accepted step.
+    int last_method() const { return linear_.factored_method(); }
+    /// f(method) with the method of the last accepted step, whose matrices are factored for that step.
+    template <class F>
+    decltype(auto) visit_last(F&& f) {
+        return detail::visit_at(steps_, last_method(), std::forward<F>(f));
+    }
+
     /// Takes one accepted step; false if there is none to take (t1 reached) or none could be taken
     /// (status()).
     bool step() {

@@ -121,6 +121,8 @@ class linearisation {
         if (!serves_well()) renew(system);
     }
 
+    /// The method whose systems have been factored.
+    int factored_method() const { return factored_method_; }
     /// Calls factor(k, h) for the method and the step of the factors there are, if any.
     template <class Factor>
     void factor_again(Factor&& factor) const {

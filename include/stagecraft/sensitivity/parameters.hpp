@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <type_traits>
+
+#include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/problem/checked_capabilities.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// A vector in the scalar S, its derivatives zero where S has any.
+template <class S, class Vector>
+Eigen::Matrix<S, Vector::RowsAtCompileTime, 1> promoted(const Vector& x) {
+    Eigen::Matrix<S, Vector::RowsAtCompileTime, 1> result(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = S(x[i]);
+    return result;
+}
+
+template <class Problem, class T, class Y, class P, class F>
+concept callable_with_parameters = requires(const Problem& problem, const T& t, const Y& y, const P& p,
+                                            F& f) {
+    problem(t, y, p, f);
+};
+
+/// A Problem with its parameters, and with jacobian(t, y, J) where it has jacobian(t, y, p, J).
+template <class Problem, class Parameters>
+struct parameters_of : Problem {
+    Parameters p;
+    parameters_of(const Problem& problem, const Parameters& values) : Problem(problem), p(values) {}
+};
+template <class Problem, class Parameters>
+requires has_member_named<Problem, jacobian_member>
+struct parameters_of<Problem, Parameters> : Problem {
+    Parameters p;
+    parameters_of(const Problem& problem, const Parameters& values) : Problem(problem), p(values) {}
+    template <class T, class Y, class J>
+    requires requires(const Problem& problem, const T& t, const Y& y, const Parameters& values, J& out) {
+        problem.jacobian(t, y, values, out);
+    }
+    void jacobian(const T& t, const Y& y, J& out) const { Problem::jacobian(t, y, p, out); }
+};
+
+}  // namespace detail
+
+/// A problem(t, y, p, f) at one p: a problem(t, y, f) with all optional members that do not depend on p, and
+/// with jacobian(t, y, J) where there is jacobian(t, y, p, J).
+template <class Problem, class Parameters>
+struct at_parameters : detail::parameters_of<Problem, Parameters> {
+    using parameters = Parameters;
+    using detail::parameters_of<Problem, Parameters>::parameters_of;
+    using detail::parameters_of<Problem, Parameters>::p;
+
+    template <class T, class Y, class F>
+    requires detail::callable_with_parameters<
+        Problem, T, Y, Eigen::Matrix<typename F::Scalar, Parameters::RowsAtCompileTime, 1>, F>
+    void operator()(const T& t, const Y& y, F& f) const {
+        const auto& problem = static_cast<const Problem&>(*this);
+        if constexpr (std::is_same_v<typename F::Scalar, typename Parameters::Scalar>)
+            problem(t, y, p, f);
+        else
+            problem(t, y, detail::promoted<typename F::Scalar>(p), f);
+    }
+
+    /// F := df/dp, n x m: by problem.parameter_jacobian(t, y, p, F) where that exists (F is zero at the first
+    /// call), else by automatic differentiation.
+    template <class Scalar, class Vector, class Matrix>
+    void differentiate(const Scalar& t, const Vector& y, Matrix& F) const {
+        const auto& problem = static_cast<const Problem&>(*this);
+        if constexpr (requires { problem.parameter_jacobian(t, y, p, F); }) {
+            problem.parameter_jacobian(t, y, p, F);
+        } else {
+            constexpr int N = Vector::RowsAtCompileTime, M = Parameters::RowsAtCompileTime;
+            using number = dual<Scalar, M>;
+            using state = Eigen::Matrix<number, N, 1>;
+            using values = Eigen::Matrix<number, M, 1>;
+            constexpr bool dual_time =
+                detail::callable_with_parameters<Problem, number, state, values, state>;
+            static_assert(
+                dual_time || detail::callable_with_parameters<Problem, Scalar, state, values, state>,
+                "sensitivities: problem(t, y, p, f) must be generic in its scalar (const auto& t, const "
+                "auto& y, "
+                "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
+            constexpr int width = dual_width<M>;
+            const state at = detail::promoted<number>(y);
+            values q = detail::promoted<number>(p);
+            state f(y.size());
+            for (Eigen::Index first = 0; first < p.size(); first += width) {
+                for (Eigen::Index k = first; k < p.size() && k < first + width; ++k)
+                    q[k].derivatives()[k - first] = Scalar(1);
+                if constexpr (dual_time)
+                    problem(number(t), at, q, f);
+                else
+                    problem(t, at, q, f);
+                for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {
+                    for (Eigen::Index i = 0; i < y.size(); ++i) F(i, k) = f[i].derivatives()[k - first];
+                    q[k].derivatives().setZero();
+                }
+            }
+        }
+    }
+};
+
+}  // namespace stagecraft

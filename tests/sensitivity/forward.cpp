@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE forward
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/radau_ia.hpp>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/sensitivity/adjoint.hpp>
+#include <stagecraft/sensitivity/forward.hpp>
+#include <stdexcept>
+
+namespace sc = stagecraft;
+using Eigen::Vector2d, Eigen::Matrix2d;
+
+namespace {
+
+// One type, so that the steppers are compiled once: M y' = f with
+// kind 0: a chain of decays, y_1 = a/(b-a) (e^{-at} - e^{-bt});
+// kind 1: index 1, y' = -a z, 0 = z - b y, so that y = e^{-abt};
+// kind 2: van der Pol's equation.
+struct example {
+    int kind;
+    template <class T, class Y, class P, class F>
+    void operator()(const T&, const Y& y, const P& p, F& f) const {
+        if (kind == 0) f << -p[0] * y[0], p[0] * y[0] - p[1] * y[1];
+        if (kind == 1) f << -p[0] * y[1], y[1] - p[1] * y[0];
+        if (kind == 2) f << y[1], p[0] * ((1 - y[0] * y[0]) * y[1] - p[1] * y[0]);
+    }
+    Matrix2d mass() const { return Vector2d(1, kind == 1 ? 0 : 1).asDiagonal(); }
+};
+
+double distance(const Matrix2d& a, const Matrix2d& b) { return (a - b).cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sensitivities_of_a_stiff_chain_follow_the_tolerance) {
+    const double a = 2, b = 500, e = std::exp(-a), d = b - a;
+    Matrix2d exact;
+    exact << -e, 0, b / (d * d) * e - a / d * e, -a / (d * d) * e;
+    for (const double tol : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+        const auto r = sc::sensitivities(sc::radau_iia<3>(), example{0}, Vector2d(1, 0), Vector2d(a, b), 0, 1,
+                                         {.rtol = tol, .atol = tol});
+        BOOST_TEST(r.ok());
+        BOOST_TEST(distance(r.S, exact) < 2 * tol);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(algebraic_components_need_no_consistent_initial_sensitivities) {
+    const double a = 2, b = 0.75, y = std::exp(-a * b);
+    Matrix2d exact;
+    exact << -b * y, -a * y, -b * b * y, y - a * b * y;
+    const Matrix2d S0 = (Matrix2d() << 0, 0, 7, -3).finished();
+    for (const double tol : {1e-6, 1e-8, 1e-10}) {
+        const auto r = sc::sensitivities(sc::radau_iia<3>(), example{1}, Vector2d(1, b), Vector2d(a, b), 0, 1,
+                                         {.rtol = tol, .atol = tol}, &S0);
+        BOOST_TEST(r.ok());
+        BOOST_TEST(distance(r.S, exact) < tol);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(they_are_the_derivatives_of_the_numerical_solution) {
+    const Vector2d y0(2, -0.6), p(20, 1.1);
+    const sc::options<double> o{.rtol = 1e-12, .atol = 1e-12, .fixed_step = 0.02};
+    const auto at = [&](const Vector2d& q) {
+        const sc::at_parameters<example, Vector2d> problem({2}, q);
+        return sc::integrate(sc::radau_iia<3>(), problem, y0, 0, 1, o).y;
+    };
+    const auto r = sc::sensitivities(sc::radau_iia<3>(), example{2}, y0, p, 0, 1, o);
+    BOOST_TEST(r.ok());
+    for (int k = 0; k < 2; ++k) {  // differences of order 6
+        const Vector2d e = 0.0003 * p[k] * Vector2d::Unit(k);
+        const Vector2d slope = (45 * (at(p + e) - at(p - e)) - 9 * (at(p + 2 * e) - at(p - 2 * e)) +
+                                (at(p + 3 * e) - at(p - 3 * e))) /
+                               (60 * e[k]);
+        BOOST_TEST((r.S.col(k) - slope).norm() < 1e-9 * slope.norm());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_adjoint_gradient_is_that_of_the_sensitivities_to_rounding) {
+    const auto g = [](const auto& y) { return y[0] * y[0] + y[0] * y[1]; };
+    const auto compare = [&](const auto& method, int kind, const Vector2d& y0, const Vector2d& p) {
+        for (const double tol : {1e-4, 1e-9}) {
+            const sc::options<double> o{.rtol = tol, .atol = tol};
+            const auto forward = sc::sensitivities(method, example{kind}, y0, p, 0, 0.9, o);
+            const auto back = sc::adjoint_gradient(method, example{kind}, y0, p, 0, 0.9, g, o);
+            const auto &y = forward.y, slope = Vector2d(2 * y[0] + y[1], y[0]);
+            const Vector2d expected = forward.S.transpose() * slope;
+            BOOST_TEST((forward.ok() && back.ok()));
+            BOOST_TEST((back.y == y));
+            BOOST_TEST(back.value == g(y));
+            BOOST_TEST((back.dp - expected).cwiseQuotient(expected).norm() < 1e-10);
+        }
+    };
+    compare(sc::radau_iia<3>(), 2, Vector2d(2, -0.6), Vector2d(1000, 1.1));
+    compare(sc::radau_iia<3>(), 1, Vector2d(1, 0.75), Vector2d(2, 0.75));
+    compare(sc::gauss<3>(), 2, Vector2d(2, -0.6), Vector2d(20, 1.1));
+    BOOST_CHECK_THROW(compare(sc::radau_ia<3>(), 2, Vector2d(2, -0.6), Vector2d(20, 1.1)),
+                      std::invalid_argument);
+    const auto r = sc::adjoint_gradient(sc::radau_iia<3>(), example{1}, Vector2d(1, 0.75), Vector2d(2, 0.75),
+                                        0, 0.9, g, {.rtol = 1e-10, .atol = 1e-10});
+    const double y = std::exp(-1.35);  // g = y^2 (1 + b)
+    BOOST_TEST(std::abs(r.dp[0] + 2 * 0.9 * 0.75 * y * y * 1.75) < 1e-9);
+    BOOST_TEST(std::abs(r.dp[1] - y * y + 2 * 0.9 * 2 * y * y * 1.75) < 1e-9);
+    BOOST_TEST(std::abs(r.dy0[0] - 2 * y * y * 1.75) < 1e-9);
+    BOOST_TEST(std::abs(r.dy0[1]) < 1e-9);
+}
