@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE asymptotic_expansion
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/mechanics/asymptotic_expansion.hpp>
+#include <stagecraft/mechanics/regularisation_error.hpp>
 
 #include <problems/rolling_disc/disc.hpp>
 
@@ -49,34 +51,77 @@ Eigen::VectorXd full(const Problem& problem, const Eigen::VectorXd& start, doubl
         p(time, fixed, value);
         out = value;
     };
-    return detail::run(system, start, t, 1e-12);
+    return detail::run("full", system, start, {t}, 1e-12);
 }
+
+// y' = z, eps z' = y + z: g_z = 1, the layer grows.
+struct growing {
+    static constexpr int slow = 1, fast = 1;
+    template <class S>
+    Eigen::Matrix<S, 1, 1> f(const Eigen::Matrix<S, 1, 1>&, const Eigen::Matrix<S, 1, 1>& z) const {
+        return z;
+    }
+    template <class S>
+    Eigen::Matrix<S, 1, 1> g(const Eigen::Matrix<S, 1, 1>& y, const Eigen::Matrix<S, 1, 1>& z) const {
+        return Eigen::Matrix<S, 1, 1>(S(y[0] + z[0]));
+    }
+};
+
+// q_1'' = q_2 - lambda, q_2'' = 6 q_1, 0 = q_1': from q = 0, q' = (0, 1) it is q_2 = lambda = t, q_1 = 0.
+struct guided {
+    static constexpr int coordinates = 2, constraints = 1;
+    template <class S>
+    using vector = Eigen::Matrix<S, 2, 1>;
+    template <class S>
+    Eigen::Matrix<S, 2, 2> M(const vector<S>&) const {
+        Eigen::Matrix<S, 2, 2> M;
+        M << S(1), S(0), S(0), S(1);
+        return M;
+    }
+    template <class S>
+    vector<S> F(const vector<S>& q, const vector<S>&) const {
+        return vector<S>(q[1], S(6) * q[0]);
+    }
+    template <class S>
+    Eigen::Matrix<S, 1, 2> G(const vector<S>&) const {
+        return Eigen::Matrix<S, 1, 2>(S(1), S(0));
+    }
+};
 
 struct slopes {
     double y0, z0, y1, z1;  // of the remainders in eps, N = 0 and N = 1
 };
 
-// Remainders at t = far and inside the layer, at t = 1.5 eps, whichever is larger, against eps = 4^-k.
+// Least-squares slopes over four values of eps, halved each time, of the remainders at t = far and inside the
+// layer, at t = 1.5 eps, whichever is larger. Initial values y[0] + eps y[1], z[0] + eps z[1].
 template <class Problem, class Y, class Z>
-slopes remainders(const Problem& problem, const Y& y, const Z& z, double eps, double far, double layer_end) {
+slopes remainders(const Problem& problem, const std::array<Y, 2>& y, const std::array<Z, 2>& z, double eps,
+                  double far, double layer_end) {
     const asymptotic_expansion<Problem> expansion(problem, y, z, layer_end);
-    Eigen::VectorXd start(y.size() + z.size());
-    start << y, z;
-    double last[4] = {}, now[4] = {};
-    for (int k = 0; k < 2; ++k, eps /= 4) {
-        for (double& x : now) x = 0;
+    constexpr int values = 4;
+    double sum[4] = {};
+    for (int k = 0; k < values; ++k, eps /= 2) {
+        Eigen::VectorXd start(y[0].size() + z[0].size());
+        start << y[0] + eps * y[1], z[0] + eps * z[1];
+        double worst[4] = {};
         for (const double t : {1.5 * eps, far}) {
             const Eigen::VectorXd exact = full(problem, start, eps, t);
             for (int N = 0; N < 2; ++N) {
                 const auto [ye, ze] = expansion(N, eps, t);
-                now[2 * N] = std::max(now[2 * N], (exact.head(y.size()) - ye).norm());
-                now[2 * N + 1] = std::max(now[2 * N + 1], (exact.tail(z.size()) - ze).norm());
+                worst[2 * N] = std::max(worst[2 * N], (exact.head(ye.size()) - ye).norm());
+                worst[2 * N + 1] = std::max(worst[2 * N + 1], (exact.tail(ze.size()) - ze).norm());
             }
         }
-        if (k == 0) std::copy(now, now + 4, last);
+        // log eps = const - k log 2; the weights of a straight line through four points are 1.5 - k over 5.
+        for (int i = 0; i < 4; ++i) sum[i] += (1.5 - k) * std::log2(worst[i]) / 5;
     }
-    const auto order = [&](int i) { return std::log(last[i] / now[i]) / std::log(4.0); };
-    return {order(0), order(1), order(2), order(3)};
+    return {sum[0], sum[1], sum[2], sum[3]};
+}
+
+template <class Problem, class Y, class Z>
+slopes remainders(const Problem& problem, const Y& y, const Z& z, double eps, double far, double layer_end) {
+    return remainders(problem, std::array<Y, 2>{y, Y::Zero()}, std::array<Z, 2>{z, Z::Zero()}, eps, far,
+                      layer_end);
 }
 
 void has_orders_1_and_2(const slopes& s) {
@@ -127,6 +172,45 @@ BOOST_AUTO_TEST_CASE(theorem_6_on_the_strongly_damped_disc) {
     y << q, v;
     const Eigen::Vector2d lambda = consistent_multiplier(body, q, v) + Eigen::Vector2d(1, 1);
     has_orders_1_and_2(remainders(problem, y, lambda, 4e-4, 0.1, 8));
+}
+
+BOOST_AUTO_TEST_CASE(theorem_6_with_initial_values_that_depend_on_eps) {
+    const std::array y{repeat<1>(2), repeat<1>(-1.5)}, z{repeat<1>(-0.2), repeat<1>(3)};
+    has_orders_1_and_2(remainders(van_der_pol{}, y, z, 4e-3, 0.3, 20));
+    // By hand for y' = z, eps z' = -y - z: y_1(0) = y[1] + 2, zeta_1(0) = z[1] - z_1(0).
+    const asymptotic_expansion<overdamped_oscillator> expansion({}, std::array{repeat<1>(1), repeat<1>(5)},
+                                                                std::array{repeat<1>(1), repeat<1>(7)});
+    const auto o = expansion.outer(0);
+    BOOST_TEST(o.y1[0] == 7, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(expansion.layer(0).zeta1[0] == 7 - o.z1[0], boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(expansion(1, 1e-3, 0).first[0] == 1.005, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(expansion(1, 1e-3, 0).second[0] == 1.007, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(theorem_6_is_refused_where_its_hypothesis_fails) {
+    // Otherwise the layer would grow like e^xi, to 1e17 at xi = 40, with no word about it.
+    BOOST_CHECK_THROW(asymptotic_expansion<growing>({}, repeat<1>(1), repeat<1>(1)), std::domain_error);
+    BOOST_CHECK_THROW(asymptotic_expansion<van_der_pol>({}, repeat<1>(0.5), repeat<1>(0.1)),
+                      std::domain_error);
+}
+
+BOOST_AUTO_TEST_CASE(the_error_of_regularisation_in_closed_form) {
+    // g_y Y = lambda_0'/c = 1/c: Y_q = (t, t^3)/c, Y_v = (1, 3 t^2)/c, Lambda = t^3/c.
+    const double c = 5;
+    const auto terms =
+        regularisation_error(guided{}, Eigen::Vector2d(0, 0), Eigen::Vector2d(0, 1), c, {0.0, 0.5, 2.0});
+    BOOST_TEST(terms.size() == 3);
+    for (const auto& term : terms) {
+        const double t = term.t;
+        BOOST_TEST((term.y0 - Eigen::Vector4d(0, t, 0, 1)).norm() < 1e-9);
+        BOOST_TEST(std::abs(term.lambda0[0] - t) < 1e-9);
+        BOOST_TEST((term.Y - Eigen::Vector4d(t, t * t * t, 1, 3 * t * t) / c).norm() < 1e-8);
+        if (t > 0) BOOST_TEST(std::abs(term.Lambda[0] - t * t * t / c) < 1e-8);
+    }
+    const Eigen::Vector2d q(0, 0), v(0, 1);
+    BOOST_TEST(regularisation_error(guided{}, q, v, c, {}).empty());
+    BOOST_CHECK_THROW(regularisation_error(guided{}, q, v, 0, {1.0}), std::invalid_argument);
+    BOOST_CHECK_THROW(regularisation_error(guided{}, q, v, c, {1.0, 0.5}), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(bad_arguments_are_refused) {

@@ -13,12 +13,6 @@ using namespace thesis;
 
 namespace {
 
-setup disc_at(double t) {
-    setup s = disc_dae();
-    s.y0 = solve(s, {.stages = 5, .tolerance = 1e-13, .steps = 1000, .end = t}).path.back().y;
-    return s;
-}
-
 struct by_h {
     double y, lambda;
 };
@@ -26,7 +20,7 @@ struct by_h {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(lemma_1_perturbed_stages_move_by_h_delta_plus_theta_and_lambda_by_that_over_h) {
-    const setup exact = disc_at(0.25);
+    const setup exact = restarted(disc_dae(), 0.25);
     // Slopes in h of what fixed perturbations delta of f and theta of g do to the last stage of Radau IIA-3.
     const auto effect = [&](double delta, double theta) {
         setup disturbed = exact;
@@ -55,7 +49,7 @@ BOOST_AUTO_TEST_CASE(lemma_1_perturbed_stages_move_by_h_delta_plus_theta_and_lam
 BOOST_AUTO_TEST_CASE(lemma_2_1_the_collocation_polynomials_approximate_derivatives_as_well) {
     // |u^(k) - y^(k)| = O(h^{s+1-k}), |v^(k) - lambda^(k)| = O(h^{s-k}), s = 3; the first derivative by
     // divided differences between fixed points of the step.
-    const setup s = disc_at(0.25);
+    const setup s = restarted(disc_dae(), 0.25);
     std::vector<double> h, u, v, du, dv;
     for (double step = 1e-2; step > 1e-3; step /= 2) {
         std::array<vector, 2> run, exact;

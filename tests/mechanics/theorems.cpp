@@ -12,12 +12,6 @@ using namespace thesis;
 
 namespace {
 
-// The disc at time t as a new start: the problem is autonomous.
-setup restarted(setup s, double t) {
-    s.y0 = solve(s, {.stages = 5, .tolerance = 1e-13, .steps = 2000, .end = t}).path.back().y;
-    return s;
-}
-
 struct norms {
     double plain, scaled;
 };
@@ -245,82 +239,4 @@ BOOST_AUTO_TEST_CASE(theorem_1_a_step_exists_from_values_off_by_h_squared_and_h)
         lambda.push_back((end - s.y0).tail(2).norm());
     }
     BOOST_TEST(std::abs(slope(h, lambda)) < 0.1);
-}
-
-BOOST_AUTO_TEST_CASE(theorem_7_bounds_the_error_on_a_grid_of_h_and_eps) {
-    // Strong damping as singular perturbation problem, from a point past the layer. Radau IIA-3: p = 5, q =
-    // 3, stiffly accurate: y is O(h^5) + O(eps h^4), lambda O(h^5) + O(eps h^3), with constants that depend
-    // on neither.
-    double worst_y = 0, worst_lambda = 0;
-    std::vector<double> h_only;  // the same lambda error over h^5 alone
-    for (const double eps : {1e-3, 1e-4, 1e-6, 1e-8}) {
-        const setup s = restarted(disc_regularised(form::multiplier, eps, 1.0), 0.1);
-        const trajectory exact = solve(s, {.stages = 7, .tolerance = 1e-11, .steps = 1280, .end = 0.2});
-        for (const long steps : {20, 40, 80, 160}) {
-            const trajectory run = solve(s, {.tolerance = 1e-11, .steps = steps, .end = 0.2});
-            const double h = 0.2 / static_cast<double>(steps);
-            const std::size_t stride = 1280 / static_cast<std::size_t>(steps);
-            double y = 0, lambda = 0;
-            for (std::size_t k = 1; k < run.path.size(); ++k) {
-                const vector d = run.path[k].y - exact.path[k * stride].y;
-                y = std::max(y, d.head(10).norm());
-                lambda = std::max(lambda, d.tail(2).norm());
-            }
-            // What the Newton tolerance and rounding leave: 1e-12 in y, 1e-11 in lambda.
-            worst_y = std::max(worst_y, (y - 1e-12) / (std::pow(h, 5) + eps * std::pow(h, 4)));
-            worst_lambda = std::max(worst_lambda, (lambda - 1e-11) / (std::pow(h, 5) + eps * std::pow(h, 3)));
-            if (eps == 1e-3) h_only.push_back(lambda / std::pow(h, 5));
-        }
-    }
-    // Five orders of magnitude of eps and four of the error: one constant for all.
-    BOOST_TEST(worst_y < 600);
-    BOOST_TEST(worst_lambda < 2000);
-    BOOST_TEST(h_only.back() > 10 * h_only.front());  // h^5 alone is no bound
-}
-
-BOOST_AUTO_TEST_CASE(theorem_7_lambda_of_methods_that_are_not_stiffly_accurate) {
-    // lambda = O(h^{q+1}) only, however small eps: q = 2 for Radau IA-3 and for Gauss-2, which misses
-    // |R(inf)| < 1 and loses one more order; Radau IIA-3 is stiffly accurate and has its p = 5.
-    const setup s = restarted(disc_regularised(form::multiplier, 1e-8, 1.0), 0.1);
-    const trajectory exact = solve(s, {.stages = 7, .tolerance = 1e-11, .steps = 320, .end = 0.2});
-    const auto order_of_lambda = [&](request method) {
-        std::vector<double> h, error;
-        for (const long steps : {10, 20, 40}) {
-            method.tolerance = 1e-11;
-            method.steps = steps;
-            method.end = 0.2;
-            const trajectory run = solve(s, method);
-            const std::size_t stride = 320 / static_cast<std::size_t>(steps);
-            h.push_back(0.2 / static_cast<double>(steps));
-            error.push_back(0);
-            for (std::size_t k = 1; k < run.path.size(); ++k)
-                error.back() =
-                    std::max(error.back(), vector(run.path[k].y - exact.path[k * stride].y).tail(2).norm());
-        }
-        return slope(h, error);
-    };
-    BOOST_TEST(std::abs(order_of_lambda(radau_ia_3) - 3) < 0.3);
-    BOOST_TEST(std::abs(order_of_lambda(gauss_2) - 2) < 0.3);
-    BOOST_TEST(order_of_lambda(radau_iia_3) > 4.7);
-}
-
-BOOST_AUTO_TEST_CASE(corollary_4_principal_damping_is_off_by_the_root_of_eps_in_its_layer) {
-    // From lambda(0) + (1, 1): within the layer, which is O(sqrt(eps)) long, the velocities are off by
-    // O(sqrt(eps)) and no better; past it by O(eps), better than the corollary.
-    std::vector<double> eps{1e-4, 1e-5, 1e-6, 1e-7}, inside, past;
-    for (const double e : eps) {
-        const setup soft = disc_regularised(form::mass_matrix, e, 0.5, {1, 1});
-        const auto largest = [&](double end, long steps, std::size_t from) {
-            const request how{.tolerance = 1e-12, .steps = steps, .end = end};
-            const trajectory a = solve(soft, how), b = solve(disc_dae(), how);
-            double worst = 0;
-            for (std::size_t k = from; k < a.path.size(); ++k)
-                worst = std::max(worst, (a.path[k].y.head(10) - b.path[k].y.head(10)).norm());
-            return worst;
-        };
-        inside.push_back(largest(3 * std::sqrt(e), 100, 1));
-        past.push_back(largest(0.2, 400, 300));
-    }
-    BOOST_TEST(std::abs(slope(eps, inside) - 0.5) < 0.1);
-    BOOST_TEST(std::abs(slope(eps, past) - 1) < 0.1);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <stagecraft/mechanics/regularisation_error.hpp>
 #include <stagecraft/mechanics/regularised.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -59,10 +60,9 @@ setup disc_reduced() {
 }
 
 template <class Scalar>
-setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa,
-                                  const Eigen::Matrix<Scalar, 2, 1>& offset) {
+setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa, const Eigen::Matrix<Scalar, 2, 1>& offset,
+                                  Scalar c, Scalar d) {
     const disc<Scalar> body;
-    const Scalar c = 2, d = 2;
     if constexpr (std::is_same_v<Scalar, double>) {  // the other forms are compared in double only
         if (f == form::multiplier)
             return wrapped<Scalar>(stagecraft::regularised_multiplier_form(body, eps, kappa, c, d), offset);
@@ -74,9 +74,19 @@ setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa,
     if (f != form::mass_matrix) throw std::invalid_argument("disc_regularised: this form is for double");
     return wrapped<Scalar>(stagecraft::regularised<Scalar>(body, eps, kappa, c, d), offset);
 }
-template setup_of<double> disc_regularised(form, double, double, const Eigen::Matrix<double, 2, 1>&);
+template setup_of<double> disc_regularised(form, double, double, const Eigen::Matrix<double, 2, 1>&, double,
+                                           double);
 template setup_of<long double> disc_regularised(form, long double, long double,
-                                                const Eigen::Matrix<long double, 2, 1>&);
+                                                const Eigen::Matrix<long double, 2, 1>&, long double,
+                                                long double);
+
+std::vector<correction> disc_correction(double c, const std::vector<double>& times) {
+    std::vector<correction> result;
+    for (const auto& term : stagecraft::regularisation_error(disc<>(), rolling_disc::initial_position(),
+                                                             rolling_disc::initial_velocity(), c, times))
+        result.push_back({term.t, term.Y, term.Lambda});
+    return result;
+}
 
 double disc_energy(const vector& y) {
     return stagecraft::total_energy<double>(disc<>(), y.head<5>(), y.segment<5>(5));

@@ -62,6 +62,11 @@ trajectory_of<Scalar> solve(const setup_of<Scalar>& s, const request& how) {
 template trajectory_of<double> solve(const setup_of<double>&, const request&);
 template trajectory_of<long double> solve(const setup_of<long double>&, const request&);
 
+setup restarted(setup s, double t) {
+    s.y0 = solve(s, {.stages = 5, .tolerance = 1e-13, .steps = 2000, .end = t}).path.back().y;
+    return s;
+}
+
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
     double mx = 0, my = 0, xy = 0, xx = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {

@@ -33,13 +33,23 @@ const char* name(form f);
 
 /// The rolling disc as index-2 system, index-reduced, and regularised (c = d = 2 as in the thesis), with
 /// `offset` added to the consistent lambda(0). `transformed` is principal damping, whatever kappa says.
-/// Scalar is double or long double.
+/// Scalar is double or long double. The spring and the damper are c and d.
 template <class Scalar = double>
 setup_of<Scalar> disc_dae();
 setup disc_reduced();
 template <class Scalar = double>
 setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa,
-                                  const Eigen::Matrix<Scalar, 2, 1>& offset = {0, 0});
+                                  const Eigen::Matrix<Scalar, 2, 1>& offset = {0, 0}, Scalar c = 2,
+                                  Scalar d = 2);
+
+/// The error of the regularised disc with kappa < 1 over eps, as eps -> 0: what the expansion (3.50), (3.51)
+/// begins with.
+struct correction {
+    double t;
+    vector Y;  ///< of q, q'
+    Eigen::Vector2d Lambda;
+};
+std::vector<correction> disc_correction(double c, const std::vector<double>& times);
 
 /// Total and kinetic energy and constraint G(q) q' of the disc in a state that begins with (q, q').
 double disc_energy(const vector& y);
@@ -87,6 +97,9 @@ using trajectory = trajectory_of<double>;
 /// its watch.
 template <class Scalar>
 trajectory_of<Scalar> solve(const setup_of<Scalar>& s, const request& how);
+
+/// The setup started from its own solution at time t; the problem must be autonomous.
+setup restarted(setup s, double t);
 
 /// Slope of the least-squares line through (log x, log y).
 double slope(const std::vector<double>& x, const std::vector<double>& y);

@@ -3,44 +3,22 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <functional>
-#include <stagecraft/coefficients/radau_iia.hpp>
+#include <array>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
-#include <stagecraft/integrate.hpp>
+#include <stagecraft/mechanics/erased_run.hpp>
 #include <stagecraft/mechanics/singular_perturbation.hpp>
 
 namespace stagecraft {
-
-namespace detail {
-
-/// A problem behind one type, so that one integrator is compiled whatever is expanded.
-struct erased_problem {
-    std::function<void(double, const Eigen::VectorXd&, Eigen::VectorXd&)> f;
-    Eigen::MatrixXd M;
-    void operator()(double t, const Eigen::VectorXd& y, Eigen::VectorXd& out) const { f(t, y, out); }
-    const Eigen::MatrixXd& mass() const { return M; }
-};
-
-inline Eigen::VectorXd run(const erased_problem& problem, const Eigen::VectorXd& y0, double end,
-                           double tolerance) {
-    if (end == 0) return y0;
-    const auto r = integrate(radau_iia<3>(), problem, y0, 0.0, end, {.rtol = tolerance, .atol = tolerance});
-    if (!r.ok())
-        throw std::runtime_error("asymptotic_expansion: a run ended with " + std::string(name(r.status)));
-    return r.y;
-}
-
-}  // namespace detail
 
 /// The expansion of Hairer-Wanner II, Theorem VI.3.2 (thesis, Theorem 6) up to N = 1,
 ///
 ///     y(t) = y_0(t) + eps (y_1(t) + eta_0(t/eps)) + O(eps^2)
 ///     z(t) = z_0(t) + zeta_0(t/eps) + eps (z_1(t) + zeta_1(t/eps)) + O(eps^2),
 ///
-/// for initial values y(0), z(0) that do not depend on eps. The outer coefficients solve a
+/// for initial values y(0), z(0) that may depend on eps: expanded in its powers as well. The outer coefficients solve a
 /// differential-algebraic system of index 1, the layer terms an initial value problem in xi = t/eps; both are
 /// integrated with the three-stage Radau IIA method when they are first needed. N = 0 takes y_0, z_0, zeta_0
 /// only.
@@ -62,10 +40,19 @@ class asymptotic_expansion {
     };
 
     /// `layer_end` is a xi at which the layer has died out to `tolerance` (exp(-layer_end |mu(g_z)|) is
-    /// small). Throws std::runtime_error if 0 = g(y(0), z) has no solution near z(0), or if a run fails.
+    /// small). Throws std::runtime_error if 0 = g(y(0), z) has no solution near z(0), or if a run fails, and
+    /// std::domain_error where the hypothesis mu(g_z) < 0 fails in the Euclidean norm: at the initial values,
+    /// at the end of the layer, or where `outer` is asked for. Another scalar product is another choice of z.
     asymptotic_expansion(Problem problem, const slow_vector& y, const fast_vector& z, double layer_end = 40,
                          double tolerance = 1e-11)
-        : problem_(std::move(problem)), tolerance_(tolerance), y_(y), z_(z) {
+        : asymptotic_expansion(std::move(problem), std::array<slow_vector, 2>{y, slow_vector::Zero()},
+                               std::array<fast_vector, 2>{z, fast_vector::Zero()}, layer_end, tolerance) {}
+
+    /// The same from y(0) = y[0] + eps y[1], z(0) = z[0] + eps z[1].
+    asymptotic_expansion(Problem problem, const std::array<slow_vector, 2>& y,
+                         const std::array<fast_vector, 2>& z, double layer_end = 40, double tolerance = 1e-11)
+        : problem_(std::move(problem)), tolerance_(tolerance), y_(y[0]), z_(z[0]) {
+        check_hypothesis(y_, z_);
         for (int k = 0;; ++k) {
             const fast_vector step = g_z(y_, z_).lu().solve(problem_.g(y_, z_));
             z_ -= step;
@@ -73,13 +60,15 @@ class asymptotic_expansion {
                 throw std::runtime_error("asymptotic_expansion: no z near z(0) solves 0 = g(y(0), z)");
             if (step.norm() <= 1e-14 * (1 + z_.norm())) break;
         }
-        zeta_ = z - z_;
+        check_hypothesis(y_, z_);
+        zeta_ = z[0] - z_;
         slope_y_ = problem_.f(y_, z_);
         slope_z_ = slope_of_z(y_, z_);
         total_.setZero();
         total_ = integral(layer_state(layer_end));
-        y1_ = total_;  // y_1(0) + eta_0(0) = 0 and eta_0(0) = -integral
+        y1_ = y[1] + total_;  // y_1(0) + eta_0(0) = y[1] and eta_0(0) = -integral
         z1_ = first_z(y_, z_, y1_);
+        zeta1_ = z[1] - z1_;
     }
 
     /// y_0, z_0, y_1, z_1 at time t.
@@ -95,7 +84,8 @@ class asymptotic_expansion {
             out << problem_.f(y0, z0), problem_.g(y0, z0), f_along(y0, z0, y1, z1),
                 g_along(y0, z0, y1, z1) - slope_of_z(y0, z0);
         };
-        const Eigen::VectorXd u = detail::run(system, start, t, tolerance_);
+        const Eigen::VectorXd u = detail::run("asymptotic_expansion", system, start, {t}, tolerance_);
+        check_hypothesis(u.head<n>(), u.segment<m>(n));
         return {u.head<n>(), u.segment<n>(n + m), u.segment<m>(n), u.tail<m>()};
     }
 
@@ -150,6 +140,18 @@ class asymptotic_expansion {
             result.col(j) = g_along(y, z, slow_vector::Zero(), fast_vector(fast_matrix::Identity().col(j)));
         return result;
     }
+    /// mu(g_z) < 0 in the Euclidean norm is -(g_z + g_z^T) > 0.
+    void check_hypothesis(const slow_vector& y, const fast_vector& z) const {
+        const fast_matrix A = g_z(y, z), symmetric = -(A + A.transpose());
+        const small_ldlt<double, m> factors(symmetric);
+        for (int i = 0; i < m; ++i) {
+            if (factors.pivot(i) > 0) continue;
+            std::ostringstream text;
+            text << "asymptotic_expansion: mu(g_z) must be negative in the Euclidean norm, and is not at y = "
+                 << y.transpose() << ", z = " << z.transpose();
+            throw std::domain_error(text.str());
+        }
+    }
     /// z_0' on 0 = g(y_0, z_0).
     fast_vector slope_of_z(const slow_vector& y, const fast_vector& z) const {
         const fast_vector rhs = g_along(y, z, problem_.f(y, z), fast_vector::Zero());
@@ -166,7 +168,7 @@ class asymptotic_expansion {
     /// (zeta_0, integral of f(y, z + zeta_0) - f(y, z) from 0, zeta_1) at xi.
     Eigen::VectorXd layer_state(double xi) const {
         Eigen::VectorXd start(n + 2 * m);
-        start << zeta_, slow_vector::Zero(), -z1_;
+        start << zeta_, slow_vector::Zero(), zeta1_;
         detail::erased_problem system;
         system.M = Eigen::MatrixXd::Identity(n + 2 * m, n + 2 * m);
         system.f = [this](double s, const Eigen::VectorXd& u, Eigen::VectorXd& out) {
@@ -178,13 +180,14 @@ class asymptotic_expansion {
             out << problem_.g(y_, z) - problem_.g(y_, z_), problem_.f(y_, z) - problem_.f(y_, z_),
                 g_along(y_, z, a + eta, b + zeta1) - g_along(y_, z_, a, b);
         };
-        return detail::run(system, start, xi, tolerance_);
+        return detail::run("asymptotic_expansion", system, start, {xi}, tolerance_);
     }
 
     Problem problem_;
     double tolerance_;
     slow_vector y_, y1_ = slow_vector::Zero(), slope_y_ = slow_vector::Zero(), total_ = slow_vector::Zero();
-    fast_vector z_, zeta_ = fast_vector::Zero(), z1_ = fast_vector::Zero(), slope_z_ = fast_vector::Zero();
+    fast_vector z_, zeta_ = fast_vector::Zero(), z1_ = fast_vector::Zero(), zeta1_ = fast_vector::Zero(),
+                    slope_z_ = fast_vector::Zero();
 };
 
 }  // namespace stagecraft
