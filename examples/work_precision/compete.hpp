@@ -3,9 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
+#include <problems/stored.hpp>
 #include <string>
 #include <vector>
 
@@ -25,19 +24,7 @@ struct settings {
     double patience = 1.0;  // seconds per solver and tolerance after which two repeats suffice
 };
 
-/// data/<file>.json.
-inline nlohmann::json read_json(const std::string& file) {
-    std::ifstream in(std::string(DATA_DIR) + "/" + file + ".json");
-    return nlohmann::json::parse(in);
-}
-/// Numbers written as strings, of more digits than a double has.
-inline Eigen::VectorXd to_vector(const nlohmann::json& values) {
-    Eigen::VectorXd y(values.size());
-    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = std::stod(values[i].get<std::string>());
-    return y;
-}
-/// The solution at the end of the interval, from data/<file>.json.
-inline Eigen::VectorXd reference(const std::string& file) { return to_vector(read_json(file).at("y_end")); }
+using problems::reference;
 
 inline bool wanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();

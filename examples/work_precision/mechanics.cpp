@@ -21,7 +21,8 @@ void compete_on_mechanics(const settings& set, std::vector<curve>& curves) {
     std::vector<reference_point> ellipse;
     for (int t = 1; t < 20; t += 2) ellipse.push_back(kepler_ellipse(t));
     compete(problems::kepler{}, reference("kepler"), set, curves, ellipse);
-    const auto disc = read_json("../rolling_disc/data/disc");
-    const auto at = [&](const char* time) { return to_vector(disc.at(time).at("values")); };
+    const auto at = [&](const std::string& time) {
+        return problems::stored_numbers(DATA_DIR "/../rolling_disc/data/disc.json", "/" + time + "/values");
+    };
     compete(problems::rolling_disc{}, at("t=1.0"), set, curves, {{0.1, at("t=0.1")}, {0.5, at("t=0.5")}});
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The problems of tests/data/bvp.json, whose solutions are known to 24 digits at 21 points.
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <problems/stored.hpp>
 
 #include "problem.hpp"
 
@@ -10,13 +9,6 @@ namespace bvp {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-double number(const std::string& text) {
-    if (text == "pi") return pi;
-    const auto slash = text.find('/');
-    return slash == std::string::npos ? std::stod(text)
-                                      : std::stod(text.substr(0, slash)) / std::stod(text.substr(slash + 1));
-}
 
 void second_order(problem& p, const std::string& kind, double q) {
     const auto set = [&](auto g, auto by_u, auto by_v) {
@@ -126,26 +118,21 @@ void van_der_pol(problem& p, double q) {
 }  // namespace
 
 std::vector<problem> stored() {
-    nlohmann::json file;
-    std::ifstream(DATA_FILE) >> file;
     std::vector<problem> all;
-    for (const auto& [name, c] : file["cases"].items()) {
+    for (const auto& c : problems::boundary_value_cases()) {
         problem p;
-        p.name = name;
-        p.n = static_cast<int>(c["first_order_rhs"].size());
+        p.name = c.name;
+        p.n = c.equations;
         p.second_order = p.n == 2;
-        p.a = number(c["a"]), p.b = number(c["b"]);
-        const double q = number(c["p"]);
-        const std::string kind = name.substr(0, name.find('_'));
+        p.a = c.a, p.b = c.b;
+        const double q = c.p;
+        const std::string kind = c.name.substr(0, c.name.find('_'));
         if (p.second_order) second_order(p, kind, q);
         if (kind == "t31") nonlinear_beam(p, q);
         if (kind == "amr") turning_modes(p);
         if (kind == "vdp") van_der_pol(p, q);
-        for (const auto& point : c["points"]) {
-            std::vector<double> y;
-            for (int i = 1; i <= p.n; ++i) y.push_back(number(point[static_cast<std::size_t>(i)]));
-            p.reference.emplace_back(std::clamp(number(point[0]), p.a, p.b), y);
-        }
+        for (const auto& point : c.points)
+            p.reference.emplace_back(point.front(), std::vector<double>(point.begin() + 1, point.end()));
         all.push_back(std::move(p));
     }
     return all;

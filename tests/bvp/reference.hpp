@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <string>
@@ -16,33 +15,14 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// "1/100", "pi" or a decimal number.
-double number(const std::string& text) {
-    if (text == "pi") return pi;
-    const auto slash = text.find('/');
-    return slash == std::string::npos ? std::stod(text)
-                                      : std::stod(text.substr(0, slash)) / std::stod(text.substr(slash + 1));
-}
-
-// Solutions with 24 digits, computed in quadruple precision with a method of order 18.
-const nlohmann::json& reference_cases() {
-    static const nlohmann::json file = [] {
-        nlohmann::json json;
-        std::ifstream(STAGECRAFT_SOURCE_DIR "/tests/data/bvp.json") >> json;
-        return json;
-    }();
-    return file["cases"];
-}
-
 // The largest error over the points of the reference, relative as the tolerance is.
 template <class Solution>
-double largest_error(const Solution& y, const nlohmann::json& reference) {
+double largest_error(const Solution& y, const problems::boundary_value_case& reference) {
     double worst = 0;
-    for (const auto& point : reference["points"]) {
-        const double t = std::clamp(number(point[0]), y.t0(), y.t1());
-        const auto value = y(t);
+    for (const auto& point : reference.points) {
+        const auto value = y(point.front());
         for (Eigen::Index i = 0; i < value.size(); ++i) {
-            const double exact = number(point[static_cast<std::size_t>(i) + 1]);
+            const double exact = point[static_cast<std::size_t>(i) + 1];
             worst = std::max(worst, std::abs(value[i] - exact) / (1 + std::abs(exact)));
         }
     }
@@ -50,7 +30,7 @@ double largest_error(const Solution& y, const nlohmann::json& reference) {
 }
 
 template <class Result>
-void check(const nlohmann::json& reference, double tolerance, const Result& r) {
+void check(const problems::boundary_value_case& reference, double tolerance, const Result& r) {
     BOOST_TEST_CONTEXT("tolerance " << tolerance << ": " << r.message) {
         BOOST_TEST(name(r.status) == std::string("success"));
         if (!r.ok()) return;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <problems/stored.hpp>
 #include <string>
 
 // The problems of examples/problems/data/*.json, each a right-hand side and nothing else.
@@ -113,15 +113,6 @@ struct index_three {
     }
     std::array<int, 5> index() const { return {1, 1, 2, 2, 3}; }
 };
-
-// y_end of examples/problems/data/NAME.json.
-inline Eigen::VectorXd reference(const std::string& name) {
-    std::ifstream in(std::string(STAGECRAFT_SOURCE_DIR) + "/examples/problems/data/" + name + ".json");
-    const auto digits = nlohmann::json::parse(in).at("y_end");
-    Eigen::VectorXd y(digits.size());
-    for (std::size_t i = 0; i < digits.size(); ++i) y[i] = std::stod(digits[i].get<std::string>());
-    return y;
-}
 
 // max |e_i| / (|ref_i| + floor)
 template <class Vector>

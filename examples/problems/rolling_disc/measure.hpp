@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
 #include <stdexcept>
@@ -22,13 +21,7 @@ using state = Eigen::Matrix<double, 12, 1>;
 /// The reference solution at t = `key` ("1.0", say), rounded from 33 digits to double.
 /// Throws std::runtime_error if the file cannot be read or does not hold that time.
 inline state reference_solution(const std::string& file, const std::string& key) {
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error("cannot read " + file);
-    const auto data = nlohmann::json::parse(in);
-    if (!data.contains("t=" + key)) throw std::runtime_error(file + " has no t=" + key);
-    state y;
-    for (int i = 0; i < 12; ++i) y[i] = std::stod(data["t=" + key]["values"][i].get<std::string>());
-    return y;
+    return problems::stored_numbers(file, "/t=" + key + "/values");
 }
 
 /// What is seen at one accepted step.
