@@ -80,10 +80,11 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
 template <class Observer, class Run, class Vector>
 inline constexpr bool wants_output = asks_for_output<Observer, Vector, typename Run::output_type>;
 
+/// True of what may stand in the place of y0 by another overload than that of Eigen's vectors.
 template <class State>
-inline constexpr bool is_checkpoint = false;
+inline constexpr bool has_own_overload = false;
 template <class Vector>
-inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
+inline constexpr bool has_own_overload<checkpoint<Vector>> = true;
 
 }  // namespace detail
 
@@ -103,7 +104,8 @@ inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 ///          members to a lambda; problem/semi_explicit.hpp and problem/fully_implicit.hpp make a problem of
 ///          y' = f(t, y, z), 0 = g and of F(t, y, y') = 0; dae/consistent.hpp finds and checks their initial
 ///          values.
-/// y0       An Eigen column vector of fixed or dynamic size, of the method's scalar type.
+/// y0       An Eigen column vector of fixed or dynamic size, of the method's scalar type. (states.hpp: a std::array, a
+///          std::vector, a number, complex.)
 /// options  Tolerances, step sizes and limits (control/options.hpp). options.fixed_step > 0 takes equal steps
 ///          without an error estimate.
 /// observer Called after every accepted step as observer(t, y, h, output), (t, y, h) or (t, y), where
@@ -116,10 +118,10 @@ inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 /// and is kept in result.exception. t1 == t0 returns y0 with success and takes no step. No step allocates
 /// memory where the state has a fixed size or the matrices are dense.
 template <class Method, class Problem, class Derived, class Observer = no_observer>
-auto integrate(const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
-               std::type_identity_t<typename Derived::Scalar> t0,
-               std::type_identity_t<typename Derived::Scalar> t1,
-               const options<typename Derived::Scalar>& o = {}, Observer&& observer = {})
+requires(!detail::has_own_overload<typename Derived::PlainObject>) auto integrate(
+    const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
+    std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
+    const options<typename Derived::Scalar>& o = {}, Observer&& observer = {})
     -> result<typename Derived::PlainObject> {
     using vector = typename Derived::PlainObject;
     using problem_type = std::remove_reference_t<Problem>;
@@ -196,16 +198,15 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
 
 /// Says what y0 must be where it is no vector of Eigen's (arguments in another order, say).
 template <class Method, class Problem, class State, class T0, class T1, class Observer = no_observer>
-requires(!detail::eigen_object<State> &&
-         !detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const Method&, Problem&&,
-                                                                          const State&, const T0&, const T1&,
-                                                                          const options<double>& = {},
-                                                                          Observer&& = {}) {
+requires(!detail::eigen_object<State> && !detail::has_own_overload<State>) result<Eigen::VectorXd> integrate(
+    const Method&, Problem&&, const State&, const T0&, const T1&, const options<double>& = {},
+    Observer&& = {}) {
     constexpr bool state = detail::eigen_object<State>;
     static_assert(
         state,
         "integrate(method, problem, y0, t0, t1, options, observer): the third argument must be a column "
-        "vector of Eigen's");
+        "vector of Eigen's; with stagecraft/states.hpp it may be a std::array, a std::vector, a double or "
+        "complex");
     return {};
 }
 
