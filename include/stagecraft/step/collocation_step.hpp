@@ -11,6 +11,7 @@
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 
@@ -153,6 +154,11 @@ class collocation_step : public step_defaults<Space> {
     }
 
     bool stiffly_accurate() const { return stiffly_accurate_; }
+    /// |R(infinity)| < 1, R(infinity) = 1 - b^T A^-1 1.
+    bool forgets() const {
+        using std::abs;
+        return abs(Scalar(1) - update_.sum()) < detail::largest_damping<Scalar>();
+    }
     /// True if f(t1, y1) is asked for before the step is accepted. Where y1 is no stage, what f does between
     /// the last node and the end of the step is in no stage value, and the estimate is to be made at the
     /// right end as well.

@@ -180,14 +180,7 @@ class integrator {
             static_assert(one_step_method<step_type, system_type>);
             const bool fixed = plan_.fixed();
             m.prepare(system_, {fixed, keeps_output_, options_.jumps, variable || options_.continuous});
-            if (!fixed && system_.largest_index() > 2 && !m.stiffly_accurate())
-                throw std::invalid_argument(
-                    "integrate: method must be stiffly accurate for problem.index() 3, where the errors of "
-                    "others have no bound; use options.fixed_step");
-            if (options_.continuous && !fixed && !m.knows_output_error())
-                throw std::invalid_argument(
-                    "integrate: continuous needs a transformed_tableau of two stages at least, other than "
-                    "Radau IA");
+            if (!fixed) demand_free_steps(m, system_.largest_index(), options_.continuous);
             acceptance_.prepare(k, m, system_);
         });
     }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <stdexcept>
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -104,6 +105,8 @@ class step_defaults {
     static void accepted() {}
     /// y1 has been replaced: what was kept of it for the next step is not valid.
     static void replaced() {}
+    /// False if |R(infinity)| is one: what a step leaves in algebraic components stays for ever.
+    static constexpr bool forgets() { return true; }
     /// bag(...) with what is kept for the next step (checkpoint.hpp).
     template <class Bag>
     static void carry(Bag&) {}
@@ -147,5 +150,24 @@ class step_defaults {
     /// estimate does not see every jump has besides blind(), knows_slopes(), weigh_slopes() and damp().
     static const scalar& jump_ratio(const scalar& smooth) { return smooth; }
 };
+
+/// Throws std::invalid_argument where the method cannot serve steps that are not equal, with components of that
+/// index, and with errors between the ends of the steps controlled as well (`continuous`).
+template <class Step>
+void demand_free_steps(const Step& m, int largest_index, bool continuous) {
+    if (largest_index > 1 && !m.forgets())  // HLR89, section 4
+        throw std::invalid_argument(
+            "integrate: method must have |R(infinity)| < 1 for problem.index() 2 and 3, whose errors it "
+            "would "
+            "keep for ever; use options.fixed_step");
+    if (largest_index > 2 && !m.stiffly_accurate())
+        throw std::invalid_argument(
+            "integrate: method must be stiffly accurate for problem.index() 3, where the errors of others "
+            "have "
+            "no bound; use options.fixed_step");
+    if (continuous && !m.knows_output_error())
+        throw std::invalid_argument(
+            "integrate: continuous needs a transformed_tableau of two stages at least, other than Radau IA");
+}
 
 }  // namespace stagecraft

@@ -128,6 +128,7 @@ class tableau_step : public step_defaults<Space> {
     /// Of a jump of f they show a part.
     Scalar jump_ratio(const Scalar&) const { return blind_.largest_ratio; }
     bool stiffly_accurate() const { return is_.stiffly_accurate; }
+    bool forgets() const { return is_.forgets; }
     /// False if no stage needs a Jacobian.
     bool implicit() const { return !is_.lower || sequential_.implicit(); }
     /// True if the next step uses f at its left end.

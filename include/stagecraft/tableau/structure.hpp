@@ -18,10 +18,22 @@ struct tableau_structure {
     bool left_stage = false;  ///< the first stage is the left end of the step (first row of A, c_1 zero)
     bool stiffly_accurate = false;  ///< last row of A equals b and c_s = 1, so that y1 = Y_s
     bool regular = false;           ///< A without a left end is regular
+    bool forgets = true;  ///< |R(infinity)| < 1: errors of algebraic components decay. Where A can have any.
 
     /// The last stage of a step is the first one of the next.
     bool first_same_as_last() const { return left_stage && stiffly_accurate; }
 };
+
+namespace detail {
+
+/// The largest |R(infinity)| that counts as smaller than one: what rounding leaves of one does not.
+template <class Scalar>
+Scalar largest_damping() {
+    using std::sqrt;
+    return Scalar(1) - sqrt(std::numeric_limits<Scalar>::epsilon());
+}
+
+}  // namespace detail
 
 /// Examines the entries; zero means exactly zero. If there is a left stage, let a_1 be the rest of the first
 /// column and A_r the rest of A: `carry` becomes (1, -A_r^-1 a_1) if A_r is regular, else zeros.
@@ -43,7 +55,7 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
     const int first = is.left_stage ? 1 : 0, n = s - first;
     std::vector<Scalar> a(static_cast<std::size_t>(n * n)), x(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
-        x[i] = is.left_stage ? Scalar(-m.A(first + i, 0)) : Scalar(0);
+        x[i] = is.left_stage ? Scalar(-m.A(first + i, 0)) : Scalar(1);
         for (int j = 0; j < n; ++j) a[i + j * n] = m.A(first + i, first + j);
     }
     carry.setZero(s);
@@ -62,14 +74,20 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
             for (int j = k + 1; j < n; ++j) a[i + j * n] -= f * a[k + j * n];
         }
     }
-    if (is.left_stage && is.regular) {
-        carry[0] = Scalar(1);
-        for (int k = n - 1; k >= 0; --k) {
-            for (int j = k + 1; j < n; ++j) x[k] -= a[k + j * n] * x[j];
-            x[k] /= a[k + k * n];
-            carry[first + k] = x[k];
-        }
+    if (!is.regular) return is;
+    for (int k = n - 1; k >= 0; --k) {
+        for (int j = k + 1; j < n; ++j) x[k] -= a[k + j * n] * x[j];
+        x[k] /= a[k + k * n];
     }
+    Scalar r(is.left_stage ? 0 : 1);  // R(infinity), where y1 = Y_s if the left end is a stage
+    if (is.left_stage) {
+        carry[0] = Scalar(1);
+        for (int k = 0; k < n; ++k) carry[first + k] = x[k];
+        if (is.stiffly_accurate) r = x[n - 1];
+    } else {
+        for (int k = 0; k < n; ++k) r -= m.b[k] * x[k];
+    }
+    is.forgets = abs(r) < detail::largest_damping<Scalar>();
     return is;
 }
 
