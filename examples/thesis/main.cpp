@@ -11,11 +11,17 @@
 int main(int argc, char** argv) {
     using namespace thesis;
     const std::vector<std::pair<std::string, std::function<outcome()>>> experiments{
-        {"assumptions", assumptions},       {"solution", solution},
-        {"orders", orders_of_convergence},  {"epsilon", regularisation_error},
-        {"transformation", transformation}, {"layers", boundary_layers},
-        {"regularised", regularised_runs},  {"times", run_times},
-        {"methods", other_methods},         {"bodies", nonholonomic_bodies}};
+        {"assumptions", assumptions},
+        {"solution", solution},
+        {"orders", orders_of_convergence},
+        {"epsilon", regularisation_error},
+        {"expansion", root_expansion},
+        {"transformation", transformation},
+        {"layers", boundary_layers},
+        {"regularised", regularised_runs},
+        {"times", run_times},
+        {"methods", other_methods},
+        {"bodies", nonholonomic_bodies}};
     CLI::App app{"The rolling disc as index-2 system and regularised: the experiments, one page each."};
     bool all = false;
     std::string directory;
