@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(expansion_3_50_begins_with_eps_times_Y_whatever_kappa) {
     for (const double kappa : {0.25, 0.5}) {
         std::vector<double> of_y, of_lambda;
         for (const double eps : small) {
-            const remainder rest = after_eps_Y(eps, kappa);
+            const auto rest = after_eps_Y(eps, kappa);
             of_y.push_back(rest.y);
             of_lambda.push_back(rest.lambda);
         }
