@@ -3,9 +3,13 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/dae/projection.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/mechanics/constraint_forces.hpp>
 #include <stagecraft/mechanics/holonomic.hpp>
+#include <stagecraft/mechanics/invariants.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
 #include <stagecraft/mechanics/regularised_position.hpp>
 
@@ -116,19 +120,6 @@ BOOST_AUTO_TEST_CASE(position_constraints_give_every_formulation_of_the_pendulum
     check(baumgarte(pendulum, 5.0, 5.0), 1e-7);
 }
 
-BOOST_AUTO_TEST_CASE(baumgarte_damps_a_violation_by_its_own_equation) {
-    const auto pendulum =
-        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() - 1) / 2; });
-    const double alpha = 3, beta = 3, t = 1;
-    Eigen::Vector4d y0(0.9, -0.5, 0.3, 0.2);  // g and g' are not zero: g'' + 6 g' + 9 g = 0 from there
-    const double g0 = (y0.head<2>().squaredNorm() - 1) / 2, rate = y0.head<2>().dot(y0.tail<2>());
-    const auto r = run(baumgarte(pendulum, alpha, beta), y0, t);
-    const double expected = std::exp(-alpha * t) * (g0 + (rate + alpha * g0) * t);
-    BOOST_TEST(std::abs((r.y.head(2).squaredNorm() - 1) / 2 - expected) < 1e-8);
-    BOOST_TEST(std::abs(expected) > 1e-3);
-    BOOST_CHECK_THROW(baumgarte(pendulum, -1.0, 1.0), std::invalid_argument);
-}
-
 namespace {
 
 // A bead of mass 1 on a straight wire that turns with speed w, pulled down by `gravity`.
@@ -154,6 +145,67 @@ void every_contact(double w, double gravity, double eps, double kappa, const Vis
 }
 
 }  // namespace
+
+// On a circle of radius 1 the rod pulls with v^2 + 9.81 cos(angle), in every formulation.
+BOOST_AUTO_TEST_CASE(forces_of_constraints_are_written_as_a_table) {
+    const auto pendulum =
+        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() - 1) / 2; });
+    const Eigen::Vector2d q(0.6, -0.8), v(0.8, 0.6);
+    const double tension = 1 + 9.81 * 0.8;
+    const auto check = [&](const auto& problem) {
+        const auto y = problem.initial_state(q, v);
+        BOOST_TEST((constraint_forces(problem, y) - tension * q).norm() < 1e-13);
+        std::ostringstream out;
+        write_constraint_forces(
+            out, problem, [&](double) { return y; }, std::vector<double>{0, 0.5});
+        BOOST_TEST(out.str() ==
+                   "t,lambda_0,force_0_0,force_0_1\n0,8.848,5.3088,-7.0784\n"
+                   "0.5,8.848,5.3088,-7.0784\n");
+    };
+    check(index_2(pendulum));
+    check(index_3(pendulum));
+    check(stabilised_index_2(pendulum));
+    check(index_reduced(pendulum));
+}
+
+// A bead on the turning wire, moved back by the smallest change: along the normal of the wire.
+BOOST_AUTO_TEST_CASE(projection_on_what_index_reduction_loses) {
+    const double w = 1.5, t = 0.4, c = std::cos(w * t), s = std::sin(w * t);
+    const auto lost = invariants(bead(w, 0));
+    BOOST_TEST(lost.count == 2);
+    auto keep = projection_onto<lost.count>(lost);
+    Eigen::Vector4d y(2 * c - 0.3 * s, 2 * s + 0.3 * c, 0.5, -1);
+    Eigen::Vector2d r;
+    lost(t, y, r);
+    BOOST_TEST(std::abs(r[0] - 0.3) < 1e-15);                         // the distance from the wire
+    BOOST_TEST(std::abs(r[1] - (-1 * c - 0.5 * s - w * 2)) < 1e-14);  // its rate
+    BOOST_TEST(keep.correct(t, y));
+    lost(t, y, r);
+    BOOST_TEST(r.norm() < 1e-14);
+    Eigen::Matrix<double, 2, 4> J, differences;
+    lost.jacobian(t, y, J);
+    for (int j = 0; j < 4; ++j) {
+        Eigen::Vector2d up, down;
+        const Eigen::Vector4d e = 1e-5 * Eigen::Vector4d::Unit(j);
+        lost(t, Eigen::Vector4d(y + e), up);
+        lost(t, Eigen::Vector4d(y - e), down);
+        differences.col(j) = (up - down) / 2e-5;
+    }
+    BOOST_TEST((J - differences).norm() < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(baumgarte_damps_a_violation_by_its_own_equation) {
+    const auto pendulum =
+        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() - 1) / 2; });
+    const double alpha = 3, beta = 3, t = 1;
+    Eigen::Vector4d y0(0.9, -0.5, 0.3, 0.2);  // g and g' are not zero: g'' + 6 g' + 9 g = 0 from there
+    const double g0 = (y0.head<2>().squaredNorm() - 1) / 2, rate = y0.head<2>().dot(y0.tail<2>());
+    const auto r = run(baumgarte(pendulum, alpha, beta), y0, t);
+    const double expected = std::exp(-alpha * t) * (g0 + (rate + alpha * g0) * t);
+    BOOST_TEST(std::abs((r.y.head(2).squaredNorm() - 1) / 2 - expected) < 1e-8);
+    BOOST_TEST(std::abs(expected) > 1e-3);
+    BOOST_CHECK_THROW(baumgarte(pendulum, -1.0, 1.0), std::invalid_argument);
+}
 
 // r'' = w^2 r, and the wire pushes with 2 w r'.
 BOOST_AUTO_TEST_CASE(moving_constraints_do_work) {

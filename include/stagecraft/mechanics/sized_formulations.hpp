@@ -133,8 +133,11 @@ class sized_formulation
         y.segment(multipliers_at(), m_) = lambda;
         return y;
     }
-    /// The multiplier in a state, and the forces G^T lambda of the constraints on each coordinate.
-    vector multiplier(const vector& y) const { return y.segment(multipliers_at(), m_); }
+    /// The multiplier in a state, G there, and the forces G^T lambda of the constraints on each coordinate.
+    vector multiplier(const vector& y, double = 0) const { return y.segment(multipliers_at(), m_); }
+    auto constraint_gradient(const vector& y, double t) const {
+        return sized::G(model_, vector(y.head(n_)), t);
+    }
     vector constraint_force(double t, const vector& y) const {
         return sized::G(model_, vector(y.head(n_)), t).transpose() * multiplier(y);
     }
