@@ -128,6 +128,18 @@ BOOST_AUTO_TEST_CASE(error_constants_are_those_of_the_pade_table) {
     BOOST_TEST((certify(family::gauss, 2).error_constant != certify(family::gauss, 3).error_constant));
 }
 
+BOOST_AUTO_TEST_CASE(principal_errors_are_those_computed_from_the_tableaux) {
+    // 2-norms from tableaux with 50 digits, by another program.
+    const auto norm = [](family f, int s) { return certify(f, s).principal_error.value().norm; };
+    BOOST_TEST(norm(family::gauss, 2) == "0.00433062198");
+    BOOST_TEST(norm(family::gauss, 3) == "0.000165046691");
+    BOOST_TEST(norm(family::radau_iia, 2) == "0.0244976973");
+    BOOST_TEST(norm(family::radau_iia, 3) == "0.000989528507");
+    BOOST_TEST(norm(family::lobatto_iiic, 4) == "0.000220062254");
+    BOOST_TEST(certify(family::gauss, 5).principal_error.value().order == 11);
+    BOOST_TEST(!certify(family::gauss, 6).principal_error.has_value());  // 12486 trees
+}
+
 BOOST_AUTO_TEST_CASE(r_at_infinity_is_plus_or_minus_1_or_0_or_a_pole) {
     for_all_members({family::gauss},
                     [](const certificate& c, int s) { BOOST_TEST((*c.r_infinity == sign_power(s))); });

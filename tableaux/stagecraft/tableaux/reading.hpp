@@ -99,4 +99,16 @@ inline void apply(const reading& how, tableau_file& file) {
     });
 }
 
+/// The same file with its rounded decimals understood as cut off: a value lies between the number as written and one
+/// unit of the last digit away from zero. Doubles, and what a reading has widened, stay as they are.
+inline tableau_file cut_off(tableau_file file) {
+    file.for_each_entry([](entry& e) {
+        if (!e.rounded || !(read_entry(e.text).enclosure == e.enclosure)) return;
+        const rational half = e.uncertainty();
+        const rational by = e.enclosure.middle() < 0 ? -half : half;
+        e.enclosure = {e.enclosure.lower + by, e.enclosure.upper + by};
+    });
+    return file;
+}
+
 }  // namespace stagecraft::tableaux

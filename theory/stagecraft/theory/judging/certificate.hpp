@@ -10,6 +10,7 @@
 
 #include "stagecraft/tableau.hpp"
 #include "stagecraft/tableaux/rational.hpp"
+#include "stagecraft/theory/judging/principal_error.hpp"
 #include "stagecraft/theory/models/legendre_simplifying.hpp"
 #include "stagecraft/theory/stability/spectrum.hpp"
 #include "stagecraft/theory/stability/stability_function.hpp"
@@ -34,9 +35,10 @@ struct certificate {
     stability_function<tableaux::rational> R;
     std::optional<tableaux::rational> r_infinity;  ///< empty where R has a pole at infinity
     tableaux::rational error_constant;             ///< |R(z) - e^z| = error_constant |z|^{order+1} + ...
-    theory::spectra spectra;                       ///< eigenvalues of A, poles of R
-    tableaux::inertia weights;                     ///< signs of the weights b
-    tableaux::inertia M;                           ///< inertia of the algebraic stability matrix
+    std::optional<theory::principal_error> principal_error;  ///< where the trees of its order are few enough
+    theory::spectra spectra;                                 ///< eigenvalues of A, poles of R
+    tableaux::inertia weights;                               ///< signs of the weights b
+    tableaux::inertia M;                                     ///< inertia of the algebraic stability matrix
 
     verdict order_verdict = verdict::unexamined();
     verdict a_stable = verdict::unexamined();

@@ -47,6 +47,7 @@ inline nlohmann::ordered_json to_json(const certificate& c) {
         {"stability_function",
          {{"numerator", polynomial(c.R.numerator)}, {"denominator", polynomial(c.R.denominator)}}},
     };
+    if (c.principal_error) j["principal_error"] = to_json(*c.principal_error);
     add_to_json(c.spectra, j);
     ordered_json claims = ordered_json::array();
     for (const claim& entry : c.claims()) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,6 +69,28 @@ inline void certify_order(const exact_model& m, certificate& out) {
         if (!only_autonomous) out.order = std::max(out.order, found.order);
         out.order_verdict = verdict::proved("at least: " + bound);
     }
+}
+
+/// Orders beyond this have more than 4766 trees, and a certificate is to take milliseconds.
+inline constexpr int largest_principal_order = 12;
+
+inline void certify_principal_error(const exact_model& m, certificate& out) {
+    const int n = out.order + 1;
+    if (n > largest_principal_order) return;
+    const auto terms = local_error_terms(m, n);
+    if (terms.norm_squared == 0) return;  // the order is a lower bound
+    rational largest(0);
+    for (const auto& t : terms.terms) largest = std::max(largest, abs(t.coefficient));
+    const auto digits = [](double x) {
+        char buffer[32];
+        std::snprintf(buffer, sizeof buffer, "%.9g", x);
+        return std::string(buffer);
+    };
+    out.principal_error = {n, digits(std::sqrt(terms.norm_squared.to<double>())),
+                           digits(largest.to<double>())};
+    out.others.push_back({text(*out.principal_error),
+                          verdict::proved("residuals of all " + std::to_string(terms.terms.size()) +
+                                          " trees over their symmetry")});
 }
 
 inline void certify_stability_function(const exact_model& m, certificate& out) {
@@ -256,6 +280,7 @@ inline certificate certify(const exact_model& m, std::string method, std::string
         {maximal('D', k.d), verdict::proved("rows of b^T(u A v) against integration from x to 1")});
     out.others.push_back({"stage order " + std::to_string(k.stage_order()), verdict::proved("min(B, C)")});
     certify_order(m, out);
+    certify_principal_error(m, out);
     certify_stability_function(m, out);
     certify_spectrum(m, out);
     certify_algebraic_stability(m, out);

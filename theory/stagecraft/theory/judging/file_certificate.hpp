@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stagecraft/tableaux/tableau_json.hpp>
+#include <stagecraft/theory/judging/principal_error.hpp>
 #include <stagecraft/theory/judging/spectrum_json.hpp>
 #include <stagecraft/theory/judging/verdict_json.hpp>
 #include <stagecraft/theory/statements/verdict.hpp>
@@ -37,13 +38,6 @@ struct finding {
     std::optional<verdict> truth;
     std::optional<verdict> judgement;
     std::optional<numerical_order> numerical;  ///< for orders, where it exceeds the exact one
-};
-
-/// The weighted residuals (elementary weight - 1/gamma)/sigma of the first order with some that are not 0.
-struct principal_error {
-    int order = 0;
-    std::string norm;     ///< their 2-norm
-    std::string largest;  ///< the largest in size
 };
 
 /// A condition that fails.
@@ -140,10 +134,7 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
         }
         j[f.name] = std::move(entry);
     }
-    if (c.principal_error)
-        j["principal_error"] = {{"order", c.principal_error->order},
-                                {"norm", c.principal_error->norm},
-                                {"largest", c.principal_error->largest}};
+    if (c.principal_error) j["principal_error"] = to_json(*c.principal_error);
     if (c.partners.empty()) add_to_json(c.spectra, j);
     j["failures"] = nlohmann::ordered_json::array();
     for (const failure& f : c.failures)
@@ -205,9 +196,7 @@ inline std::string to_text(const file_certificate& c) {
         }
         out += "\n";
     }
-    if (const auto& e = c.principal_error)
-        out += "  principal error, of order " + std::to_string(e->order) + ": 2-norm " + e->norm +
-               ", largest " + e->largest + "\n";
+    if (c.principal_error) out += "  " + text(*c.principal_error) + "\n";
     if (c.spectra.eigenvalues) out += "  eigenvalues of A: " + text(*c.spectra.eigenvalues) + "\n";
     if (c.spectra.poles) out += "  poles of R: " + text(*c.spectra.poles) + "\n";
     if (!c.spectra.note.empty()) out += "  " + c.spectra.note + "\n";

@@ -85,8 +85,7 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
     return f;
 }
 
-/// From the conditions of the first order that has failing ones: tau(t) = (b^T phi - 1/gamma)/sigma
-/// (Hairer-Norsett-Wanner I.II.3, Theorem 3.2; the norms are those of Prince and Dormand 1981).
+/// From the conditions of the first order that has failing ones.
 template <class K>
 std::optional<principal_error> principal_error_of(const order_finding<K>& found) {
     if (found.failing.empty()) return std::nullopt;

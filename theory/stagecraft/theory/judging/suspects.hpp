@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
@@ -259,11 +260,27 @@ inline bool has_rounded_fractions(const tableaux::tableau_file& file) {
     return 2 * enormous > fractions;
 }
 
+/// What rounding leaves uncertain of the sum that the entry belongs to, its row of A with c or the weights: the most
+/// that it leaves of one of them.
+inline tableaux::rational sum_uncertainty(const tableaux::tableau_file& file, const place& p) {
+    tableaux::rational most(0);
+    const auto take = [&](const tableaux::entry& e) { most = std::max(most, e.uncertainty()); };
+    if (p.part == part::b || p.part == part::b_embedded) {
+        for (const auto& e : p.part == part::b ? file.b : file.b_embedded) take(e);
+    } else {
+        for (const auto& e : file.A[static_cast<std::size_t>(p.row)]) take(e);
+        if (!file.c.empty()) take(file.c[static_cast<std::size_t>(p.row)]);
+    }
+    return most;
+}
+
 /// Whether the change from the entry to `value` is at the level of rounding.
-inline bool only_rounding(const tableaux::entry& old, const tableaux::range& value, bool rounded_fractions) {
+inline bool only_rounding(const tableaux::tableau_file& file, const place& p, const tableaux::range& value,
+                          bool rounded_fractions) {
+    const auto& old = entry_at(file, p);
     const auto change = abs(value.middle() - old.enclosure.middle());
-    if (old.rounded) return change <= tableaux::rational(2 * units_of_rounding) * old.uncertainty();
-    return rounded_fractions && change <= tableaux::expression_grammar::power_of_ten(-12);
+    if (change <= tableaux::rational(2 * units_of_rounding) * sum_uncertainty(file, p)) return true;
+    return !old.rounded && rounded_fractions && change <= tableaux::expression_grammar::power_of_ten(-12);
 }
 inline tableaux::range range_of(const tableaux::ball& x) { return to_range(x); }
 inline tableaux::range range_of(const tableaux::quadratic& x) { return tableaux::to_range(x); }
@@ -276,7 +293,7 @@ bool append_suspects(const tableaux::tableau_file& file, const std::vector<repai
     bool dropped = false;
     for (const auto& [p, value] : repairs) {
         const auto& old = entry_at(file, p);
-        if (only_rounding(old, range_of(value), rounded_fractions)) {
+        if (only_rounding(file, p, range_of(value), rounded_fractions)) {
             dropped = true;
             continue;
         }
@@ -285,11 +302,30 @@ bool append_suspects(const tableaux::tableau_file& file, const std::vector<repai
     return dropped;
 }
 
+/// A decimal as sign, digits and exponent, so that 1.25e-1, .125 and 0.1250 differ in nothing; anything else as it is.
+inline std::string without_notation(const std::string& text) {
+    if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return text;
+    const auto e = std::min(text.find_first_of("eE"), text.size());
+    std::string digits;
+    int exponent = e < text.size() ? std::atoi(text.c_str() + e + 1) : 0;
+    bool after_point = false;
+    for (const char ch : text.substr(0, e)) {
+        if (ch == '.') after_point = true;
+        if (ch < '0' || ch > '9') continue;
+        exponent -= after_point ? 1 : 0;
+        if (!digits.empty() || ch != '0') digits += ch;
+    }
+    exponent += static_cast<int>(digits.size());
+    while (!digits.empty() && digits.back() == '0') digits.pop_back();
+    return (text.front() == '-' ? "-" : "") + digits + "e" + std::to_string(exponent);
+}
+
 /// The likelier misprint first: not a lone zero, then the smaller difference in print.
 inline void rank(std::vector<suspect>& suspects) {
     std::stable_sort(suspects.begin(), suspects.end(), [](const suspect& x, const suspect& y) {
         const auto key = [](const suspect& s) {
-            return std::pair(s.written == "0" || s.suggest == "0", misprint_distance(s.written, s.suggest));
+            return std::pair(s.written == "0" || s.suggest == "0",
+                             misprint_distance(without_notation(s.written), without_notation(s.suggest)));
         };
         return key(x) < key(y);
     });

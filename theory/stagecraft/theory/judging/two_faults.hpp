@@ -33,7 +33,8 @@ std::vector<failing_sum<K>> failing_sums(const subject<K>& s, const tableaux::cl
             if (!certainly_nonzero(defect)) continue;
             all.push_back({defect, {}});
             const int end = s.strictly_lower ? i : s.lower ? i + 1 : n;
-            for (int j = 0; j < end; ++j) all.back().places.push_back({part::A, i, j});
+            for (int j = 0; j < end; ++j)  // of two faults none is a lone zero
+                if (certainly_nonzero(K(s.t.A(i, j)))) all.back().places.push_back({part::A, i, j});
             all.back().places.push_back({part::c, i, 0});
         }
     }
@@ -41,7 +42,8 @@ std::vector<failing_sum<K>> failing_sums(const subject<K>& s, const tableaux::cl
         const K defect = b.sum() - K(1);
         if (!certainly_nonzero(defect)) return;
         all.push_back({defect, {}});
-        for (int i = 0; i < n; ++i) all.back().places.push_back({which, i, 0});
+        for (int i = 0; i < n; ++i)
+            if (certainly_nonzero(K(b(i)))) all.back().places.push_back({which, i, 0});
     };
     if (claims.order.value_or(0) > 0) weights(s.t.b, part::b);
     if (claims.embedded_order.value_or(0) > 0) weights(s.t.b_embedded, part::b_embedded);
@@ -153,13 +155,13 @@ bool find_two_in_sums(const subject<K>& s, const tableaux::tableau_file& file,
     };
     const bool fractions = has_rounded_fractions(file);
     const auto rounding = [&](const repair<K>& r) {
-        return only_rounding(entry_at(file, r.place), range_of(r.value), fractions);
+        return only_rounding(file, r.place, range_of(r.value), fractions);
     };
     for (const auto& [first, second] : find_repaired_pairs(s, file.claims)) {
         if (rounding(first) || rounding(second)) continue;
         named pair{suspect_of(first), suspect_of(second), 0};
-        pair.distance = misprint_distance(pair.first.written, pair.first.suggest) +
-                        misprint_distance(pair.second.written, pair.second.suggest);
+        for (const suspect* x : {&pair.first, &pair.second})
+            pair.distance += misprint_distance(without_notation(x->written), without_notation(x->suggest));
         all.push_back(std::move(pair));
     }
     if (all.empty()) return false;

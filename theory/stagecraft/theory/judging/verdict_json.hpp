@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <stagecraft/theory/judging/principal_error.hpp>
 #include <stagecraft/theory/statements/verdict.hpp>
 
 namespace stagecraft::theory {
@@ -16,6 +17,11 @@ inline nlohmann::ordered_json to_json(const verdict& v) {
     }
     j["reason"] = v.reason();
     return j;
+}
+
+/// {"order": 5, "norm": ..., "largest": ...}.
+inline nlohmann::ordered_json to_json(const principal_error& e) {
+    return {{"order", e.order}, {"norm", e.norm}, {"largest", e.largest}};
 }
 
 }  // namespace stagecraft::theory
