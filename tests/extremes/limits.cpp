@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE limits
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -220,15 +221,16 @@ BOOST_AUTO_TEST_CASE(a_jump_found_to_the_resolution_of_t_is_passed) {
     BOOST_TEST(r.t < 1);
 }
 
-// The same value of f at all nodes of a step that spans whole periods: what has been seen bounds the steps.
+// The same value of f at all nodes of a step that spans whole periods: what has been seen bounds the steps, those
+// before the first jump too.
 BOOST_AUTO_TEST_CASE(a_right_hand_side_that_is_switched_periodically_is_not_stepped_over) {
     const decay wave{0, [](double t, double) { return std::fmod(t, 2) < 1 ? 1.0 : -1.0; }};
     for (const int s : {3, 5, 7})
-        for (const double tol : {1e-4, 1e-6})
+        for (const double tol : {1e-3, 1e-4, 1e-6})
             for (const double end : {11.0, 1001.0}) {
                 const auto r = sc::integrate(radau(s), wave, V1(0.0), 0, end, {.rtol = tol, .atol = tol});
                 BOOST_TEST(r.ok());
-                BOOST_TEST(std::abs(r.y[0] - 1) < 20 * end * tol,
+                BOOST_TEST(std::abs(r.y[0] - 1) < std::min(20 * end * tol, 0.5),
                            "s = " << s << ", tol " << tol << ", end " << end << ": " << r.y[0]);
             }
 }

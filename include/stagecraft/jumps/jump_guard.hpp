@@ -20,7 +20,9 @@ namespace stagecraft {
 ///   - A pair may show nothing of certain jumps: combinations of the slopes at its blind spots
 ///     (find_blind_spots) are then watched by a jump_watch. That costs one combination of the slopes per spot
 ///     and step, and for each suspicion one step that is taken in two halves.
-///   - The jumps that have been found bound the steps that follow (jump_spacing).
+///   - The jumps that have been found bound the steps that follow (jump_spacing). Before the first one, where a
+///     component of y' has been constant, steps at most double: one that a clock switches looks like that, and a
+///     step that grows faster may end beyond its first period.
 ///   - A jump that has been found to the resolution of t is passed: see passes().
 /// Nothing is done for fixed steps.
 template <class Scalar>
@@ -68,10 +70,15 @@ class jump_guard {
         refused_h_ = h;
         refused_error_ = err;
     }
-    /// h, or the largest step allowed from t.
-    Scalar bounded(const Scalar& h, const Scalar& t) const {
+    /// True if a step of h from t is longer than all that the run has seen of f, and no jump is known yet.
+    bool bold(const Scalar& h, const Scalar& t) const {
         using std::abs;
-        const Scalar most = spacing_.largest(t);
+        return on_ && !spacing_.known() && abs(h) > spacing_.since(t);
+    }
+    /// h, or the largest step allowed from t: no longer than all that has been seen where that is `too_bold`.
+    Scalar bounded(const Scalar& h, const Scalar& t, bool too_bold) const {
+        using std::abs;
+        const Scalar most = too_bold ? spacing_.since(t) : spacing_.largest(t);
         return most > Scalar(0) && abs(h) > most ? Scalar(h < Scalar(0) ? -most : most) : h;
     }
     /// True if the smallest step that t resolves may be accepted with an error of `err` >= 1, where `expected`

@@ -28,6 +28,12 @@ class jump_spacing {
         from_ = t;
         known_ = true;
     }
+    bool known() const { return known_; }
+    /// How far t is from the last jump, or from the start.
+    Scalar since(const Scalar& t) const {
+        using std::abs;
+        return abs(t - from_);
+    }
     /// The largest step allowed from t; 0 means any.
     Scalar largest(const Scalar& t) const {
         using std::abs;

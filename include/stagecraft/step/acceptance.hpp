@@ -153,7 +153,9 @@ class acceptance {
         }
         // Keep the factors while the gain from a new step size is small.
         if (kept && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
-        return jumps_.bounded(scalar(trial.plan.h * factor), trial.plan.t_next);
+        const scalar next = trial.plan.h * factor;
+        const bool bold = jumps_.bold(next, trial.plan.t_next) && method.sees_constant_slope(trial.now);
+        return jumps_.bounded(next, trial.plan.t_next, bold);
     }
 
     /// True if a step of h, the smallest that t resolves, may be accepted with error err >= 1.

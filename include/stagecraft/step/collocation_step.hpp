@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <stagecraft/dense_output.hpp>
@@ -262,6 +263,23 @@ class collocation_step : public step_defaults<Space> {
         if (!(size[1] > Scalar(0))) return Scalar(1);
         const Scalar q = sqrt(size[0] / size[1]);
         return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
+    }
+
+    /// True if some component of y' is the same at all nodes of the step, and not zero: its stages lie on a line
+    /// through y, z_j = c_j z_s / c_s, up to rounding.
+    bool sees_constant_slope(const output& now) const {
+        using std::abs;
+        const int s = count(), last = s - 1;
+        const auto& c = stages_.method().c;
+        const auto& Z = now.increments();
+        for (int i = 0; i < Z.rows(); ++i) {
+            const Scalar most = 64 * std::numeric_limits<Scalar>::epsilon() * abs(Z(i, last));
+            int on_line = 0;
+            while (on_line < last && abs(Z(i, on_line) * c[last] - c[on_line] * Z(i, last)) <= most)
+                ++on_line;
+            if (on_line == last && last > 0 && most > Scalar(0)) return true;
+        }
+        return false;
     }
 
     /// True if output_error() means something: two stages at least, and the stages alone make the polynomial.

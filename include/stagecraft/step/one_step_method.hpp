@@ -146,6 +146,9 @@ class step_defaults {
 
     // Jumps of f (jumps/jump_guard.hpp).
 
+    /// True if some component of y' is found to be the same at all nodes of the step, and not zero.
+    static bool sees_constant_slope(const output&) { return false; }
+
     /// What an estimate of 1 stands for across a jump of f, `smooth` where there is none. A method whose
     /// estimate does not see every jump has besides blind(), knows_slopes(), weigh_slopes() and damp().
     static const scalar& jump_ratio(const scalar& smooth) { return smooth; }
