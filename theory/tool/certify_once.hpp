@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// The checker, compiled once for all tests of it.
+/// The checker, compiled once (certify_file.cpp) for the command and for all tests of it.
 namespace certify_once {
 
 /// theory::certify of a tableau given as JSON text. Throws tableaux::unusable_input.
