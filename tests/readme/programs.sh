@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# programs.sh COMPILER SOURCE BUILD INCLUDE...: every C++ block of the README compiles as shown and runs; where a text
+# programs.sh COMPILER SOURCE WORK PAGE INCLUDE...: every C++ block of the page compiles as shown and runs; where a text
 # block follows it, that is what it prints. The first one gets along with include/ and Eigen.
 set -euo pipefail
-compiler=$1 source=$2 work=$3/readme
-shift 3
+compiler=$1 source=$2 work=$3 page=$4
+shift 4
 rm -rf "$work"
 mkdir -p "$work"
 awk -v dir="$work" '
     /^```cpp$/ { ++n; file = dir "/program" n ".cpp"; next }
     /^```text$/ { file = dir "/program" n ".txt"; next }
     /^```/ { file = ""; next }
-    file != "" { print >file }' "$source/README.md"
+    file != "" { print >file }' "$source/$page"
 test -s "$work/program1.cpp" && test -s "$work/program1.txt"
 roots=(-I"$source/include")
 for program in "$work"/program*.cpp; do
