@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
+#include <boost/spirit/home/x3.hpp>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <optional>
 #include <stagecraft/tableaux/elementary.hpp>
-#include <stagecraft/tableaux/expression_program.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/range.hpp>
 #include <stagecraft/tableaux/rational.hpp>
@@ -47,6 +45,97 @@ struct exact_decimals {
 };
 
 namespace expression_grammar {
+
+/// One instruction of the stack machine that an expression compiles to: a literal or one of + - * / ^,
+/// 'n' (negate), 'r' (square root), 'c' (cos), 's' (sin), 'p' (pi), 'x' (the variable of a polynomial).
+struct instruction {
+    char code;
+    std::string literal;
+};
+
+struct program_tag {};
+namespace x3 = boost::spirit::x3;
+
+template <char Code>
+inline constexpr auto emit = [](auto& context) {
+    x3::get<program_tag>(context).get().push_back({Code, {}});
+};
+inline constexpr auto emit_literal = [](auto& context) {
+    const auto& matched = x3::_attr(context);
+    x3::get<program_tag>(context).get().push_back({'#', std::string(matched.begin(), matched.end())});
+};
+
+// Every alternative is decided by its first word, so no action ever runs twice.
+inline const x3::rule<struct sum_id> sum = "a number";
+inline const x3::rule<struct signed_id> signed_power = "a number";
+inline const auto exponent = x3::char_("eE") >> -x3::char_("+-") >> +x3::digit;
+inline const auto literal =
+    x3::raw[x3::lexeme[((+x3::digit >> -('.' >> *x3::digit)) | ('.' >> +x3::digit)) >> -exponent]];
+inline const auto variable = x3::lexeme[x3::lit('x') >> !x3::alnum];
+inline const auto primary = literal[emit_literal] | variable[emit<'x'>] | ('(' > sum > ')') |
+                            x3::lexeme["pi" >> !x3::alnum][emit<'p'>] |
+                            (x3::lexeme["sqrt" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'r'>]) |
+                            (x3::lexeme["cos" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'c'>]) |
+                            (x3::lexeme["sin" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'s'>]);
+inline const auto signed_power_def =
+    ('-' > signed_power)[emit<'n'>] | ('+' > signed_power) | (primary >> -('^' > signed_power)[emit<'^'>]);
+inline const auto product = signed_power >>
+                            *(('*' > signed_power)[emit<'*'>] | ('/' > signed_power)[emit<'/'>]);
+inline const auto sum_def = product >> *(('+' > product)[emit<'+'>] | ('-' > product)[emit<'-'>]);
+BOOST_SPIRIT_DEFINE(sum, signed_power)
+
+/// Longest text of an entry and deepest nesting accepted: far beyond any published tableau, and small
+/// enough for the parser's recursion.
+inline constexpr std::size_t longest_text = 4096;
+inline constexpr int deepest_nesting = 100;
+
+/// Throws where parentheses, powers or signs in a row nest deeper than deepest_nesting.
+inline void require_shallow(std::string_view text) {
+    int open = 0, deepest = 0, signs = 0;
+    char previous = '(';
+    for (const char ch : text) {
+        if (ch == ' ' || ch == '\t') continue;
+        if (ch == '(') deepest = std::max(deepest, ++open);
+        if (ch == ')') --open;
+        const bool after_operator = std::string_view("(+-*/^").find(previous) != std::string_view::npos;
+        if (ch == '^' || ((ch == '-' || ch == '+') && after_operator)) ++signs;
+        previous = ch;
+    }
+    if (deepest > deepest_nesting || signs > 2 * deepest_nesting)
+        throw std::invalid_argument("nested too deeply");
+}
+
+inline std::string describe_failure(std::string_view text, std::size_t at) {
+    const auto skip = text.find_first_not_of(" \t", at);
+    if (skip == std::string_view::npos) return text.empty() ? "is empty" : "ends too early";
+    const auto letter = [](char ch) {
+        return (ch >= 'a' && ch <= 'z') || (ch >= 'A' && ch <= 'Z') || ch == '_';
+    };
+    std::size_t end = skip;
+    while (end < text.size() && letter(text[end])) ++end;
+    if (end > skip) return "unknown symbol '" + std::string(text.substr(skip, end - skip)) + "'";
+    const char ch = text[skip];
+    const std::string shown = ch > ' ' && ch < 127 ? std::string(1, ch) : "?";
+    return "unexpected '" + shown + "' at character " + std::to_string(skip + 1);
+}
+
+inline std::vector<instruction> compile(std::string_view text) {
+    if (text.size() > longest_text) throw std::invalid_argument("longer than 4096 characters");
+    require_shallow(text);
+    std::vector<instruction> program;
+    auto at = text.begin();
+    const auto grammar = x3::with<program_tag>(std::ref(program))[sum];
+    bool matched = false;
+    try {
+        matched = x3::phrase_parse(at, text.end(), grammar, x3::blank);
+    } catch (const x3::expectation_failure<std::string_view::iterator>& failure) {
+        at = failure.where();
+        matched = false;
+    }
+    if (!matched || at != text.end())
+        throw std::invalid_argument(describe_failure(text, static_cast<std::size_t>(at - text.begin())));
+    return program;
+}
 
 /// Values longer than this are no longer carried exactly; those beyond the second bound are refused.
 inline constexpr int exact_bits = 4096;
