@@ -329,3 +329,41 @@ BOOST_AUTO_TEST_CASE(a_ball_on_a_soft_turntable_circles_alike) {
     BOOST_TEST(coarse / fine > 9);
     BOOST_TEST(coarse / fine < 11);
 }
+
+// A ball thrown without spin slides and then rolls with 5/7 of its speed; so it does if it is made to roll at once.
+BOOST_AUTO_TEST_CASE(a_constraint_that_begins_to_act_changes_the_velocity_by_an_impulse) {
+    ball at_rest;
+    at_rest.speed = 0;
+    const auto start = assemble(at_rest, Eigen::Matrix<double, 5, 1>::Zero(),
+                                (Eigen::Matrix<double, 5, 1>() << 3, 0, 0, 0, 1).finished());
+    BOOST_TEST(std::abs(start.v[0] - 5.0 / 7 * 3) < 1e-15);
+    BOOST_TEST(std::abs(start.v[3] - 5.0 / 7 * 3) < 1e-15);
+    BOOST_TEST(start.v[4] == 1);
+    BOOST_CHECK_NO_THROW(index_2(at_rest).initial_state(start.q, start.v));
+}
+
+BOOST_AUTO_TEST_CASE(a_mechanism_is_assembled_from_rough_coordinates) {
+    const auto pendulum =
+        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() - 1) / 2; });
+    const auto start = assemble(pendulum, Eigen::Vector2d(0.7, -0.9), Eigen::Vector2d(1, 0));
+    BOOST_TEST((start.q - Eigen::Vector2d(0.7, -0.9).normalized()).norm() < 1e-15);
+    BOOST_TEST(std::abs(start.q.dot(start.v)) < 1e-15);
+    BOOST_CHECK_NO_THROW(index_3(pendulum).initial_state(start.q, start.v));
+    const auto nowhere =
+        lagrangian<2, 1>(free_particle, weight, [](const auto& q) { return (q.squaredNorm() + 1) / 2; });
+    BOOST_CHECK_THROW(assemble(nowhere, Eigen::Vector2d(0.7, -0.9), Eigen::Vector2d(1, 0)),
+                      std::runtime_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_constraint_that_depends_on_others_is_named) {
+    const auto twice = lagrangian<3, 2>(free_particle, weight, [](const auto& q) {
+        auto g = q.template head<2>().eval();
+        g[0] = q.squaredNorm() - 1;
+        g[1] = 3 * q.squaredNorm() - 3;
+        return g;
+    });
+    BOOST_CHECK_EXCEPTION(index_3(twice).initial_state(Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)),
+                          std::domain_error, [](const auto& e) {
+                              return std::string(e.what()).find("constraint 1 depends") != std::string::npos;
+                          });
+}

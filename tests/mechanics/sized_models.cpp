@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/mechanics/constraint_forces.hpp>
 #include <stagecraft/mechanics/sized_formulations.hpp>
 
 using namespace stagecraft;
@@ -99,6 +100,59 @@ struct doubled : chain {
     }
 };
 
+// Ropes side by side, their masses tied to those of their neighbours by elastic threads.
+struct net {
+    int ropes = 25;
+    chain rope{40, 0.05, 0.01};
+    double stiffness = 20, distance = 0.05;
+
+    int each() const { return rope.coordinates(); }
+    int coordinates() const { return ropes * each(); }
+    int constraints() const { return ropes * rope.links; }
+
+    Eigen::DiagonalMatrix<double, Eigen::Dynamic> M() const {
+        return Eigen::DiagonalMatrix<double, Eigen::Dynamic>(VectorXd::Constant(coordinates(), rope.mass));
+    }
+    VectorXd F(const VectorXd& q, const VectorXd&) const {
+        VectorXd F(coordinates());
+        for (int i = 0; i < coordinates(); ++i) F[i] = i % 2 == 0 ? 0 : -rope.mass * 9.81;
+        const int step = each();
+        for (int i = 0; i + step < coordinates(); ++i) {
+            const double pull = stiffness * (q[i + step] - q[i] - (i % 2 == 0 ? distance : 0));
+            F[i] += pull;
+            F[i + step] -= pull;
+        }
+        return F;
+    }
+    /// The link to mass k of rope r from the one above it.
+    Eigen::Vector2d link(const VectorXd& q, int r, int k) const {
+        const int at = r * each() + 2 * k;
+        return k == 0 ? Eigen::Vector2d(q[at] - r * distance, q[at + 1])
+                      : Eigen::Vector2d(q[at] - q[at - 2], q[at + 1] - q[at - 1]);
+    }
+    VectorXd g(const VectorXd& q) const {
+        VectorXd g(constraints());
+        for (int r = 0; r < ropes; ++r)
+            for (int k = 0; k < rope.links; ++k)
+                g[r * rope.links + k] = (link(q, r, k).squaredNorm() - rope.length * rope.length) / 2;
+        return g;
+    }
+    Eigen::SparseMatrix<double> G(const VectorXd& q) const {
+        Eigen::SparseMatrix<double> G(constraints(), coordinates());
+        G.reserve(2 * coordinates());
+        for (int r = 0, column = 0; r < ropes; ++r)
+            for (int k = 0; k < rope.links; ++k)
+                for (int i = 0; i < 2; ++i, ++column) {
+                    G.startVec(column);
+                    G.insertBack(r * rope.links + k, column) = link(q, r, k)[i];
+                    if (k + 1 < rope.links)
+                        G.insertBack(r * rope.links + k + 1, column) = -link(q, r, k + 1)[i];
+                }
+        G.finalize();
+        return G;
+    }
+};
+
 template <class Problem>
 auto run(const Problem& problem, const chain& model, double end, double tolerance) {
     const VectorXd q = model.horizontal();
@@ -157,4 +211,38 @@ BOOST_AUTO_TEST_CASE(a_chain_of_200_links_falls_with_its_energy_and_its_lengths)
                1e-6 * turned_over);
     BOOST_TEST(std::abs(end[399] + 9.81 * 0.2 * 0.2 / 2) <
                1e-6);  // no wave has reached its free end: it falls freely
+}
+
+// All ropes swing alike, the threads stay as long as they are: each moves as a rope alone does.
+BOOST_AUTO_TEST_CASE(a_net_of_1000_point_masses_swings_as_its_ropes_do) {
+    const net model;
+    VectorXd hanging = VectorXd::Zero(model.each()), pushed = VectorXd::Zero(model.each());
+    for (int k = 0; k < model.rope.links; ++k) {
+        hanging[2 * k + 1] = -(k + 1) * model.rope.length;
+        pushed[2 * k] = 0.5 + 0.02 * k;
+    }
+    VectorXd q(model.coordinates()), v(model.coordinates());
+    for (int r = 0; r < model.ropes; ++r) {
+        VectorXd own = hanging;
+        for (int i = 0; i < model.each(); i += 2) own[i] += r * model.distance;
+        q.segment(r * model.each(), model.each()) = own;
+        v.segment(r * model.each(), model.each()) = pushed;
+    }
+    const options<double> loose{.rtol = 1e-5, .atol = 1e-5}, tight{.rtol = 1e-9, .atol = 1e-9};
+    const auto all = index_2(model, q);
+    BOOST_TEST(all.size() == 5000);
+    const auto r = integrate(radau_iia<3>(), all, all.initial_state(q, v), 0.0, 0.03, loose);
+    BOOST_TEST(r.ok());
+    const auto one = index_2(model.rope, hanging);
+    const auto alone = integrate(radau_iia<3>(), one, one.initial_state(hanging, pushed), 0.0, 0.03, tight);
+    BOOST_TEST(alone.ok());
+    for (int k = 0; k < model.ropes; ++k) {
+        VectorXd own = r.y.segment(k * model.each(), model.each());
+        for (int i = 0; i < model.each(); i += 2) own[i] -= k * model.distance;
+        BOOST_TEST((own - alone.y.head(model.each())).cwiseAbs().maxCoeff() < 1e-4);
+    }
+    BOOST_TEST((alone.y.head(model.each()) - hanging).cwiseAbs().maxCoeff() > 0.01);
+    BOOST_TEST(
+        (constraint_forces(one, alone.y) * VectorXd::Ones(40) - one.constraint_force(0.03, alone.y)).norm() <
+        1e-12);
 }

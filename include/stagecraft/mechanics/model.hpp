@@ -271,7 +271,7 @@ std::string singular_position(const Model& model, const coordinate_vector<double
 
 /// The multiplier consistent with (q, v) at time t: lambda of G M^-1 G^T lambda = G M^-1 F + (dG/dt) v, the
 /// once differentiated constraint (thesis (3.17); the factor c belongs to G v only, and G v = 0 here). Throws
-/// std::domain_error that names the position if M(q) is singular there.
+/// std::domain_error that names the position if M(q) is singular there, or the constraint that depends on others.
 template <class S, class Model>
 multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coordinate_vector<S, Model>& q,
                                                   const coordinate_vector<S, Model>& v,
@@ -284,7 +284,13 @@ multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coor
     const multiplier_vector<S, Model> rhs =
         constraint_gradient<S>(model, q, t) * solve(force<S>(model, q, v, t)) +
         constraint_curvature<S>(model, q, v, t);
-    return small_ldlt<S, Model::constraints>(constraint_inertia<S>(model, q, t)).solve(rhs);
+    const multiplier_matrix<S, Model> inertia = constraint_inertia<S>(model, q, t);
+    const small_ldlt<S, Model::constraints> factors(inertia);
+    for (int k = 0; k < Model::constraints; ++k)
+        if (!(factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * inertia(k, k)))
+            throw std::domain_error("mechanical: constraint " + std::to_string(k) +
+                                    " depends on those before it here: G has not full rank");
+    return factors.solve(rhs);
 }
 
 /// Kinetic energy v^T M(q) v / 2.

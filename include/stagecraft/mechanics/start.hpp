@@ -61,9 +61,57 @@ void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
     list_violations(violated, "velocity constraint", velocity_constraint<Scalar>(model, q, v, t),
                     Scalar(eps * G * at_least(v.cwiseAbs().maxCoeff(), 1)));
     if (const std::string text = violated.str(); !text.empty())
-        throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" + text);
+        throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" + text +
+                                    " (assemble(model, q, v) finds such q and v nearby)");
 }
 
 }  // namespace detail
+
+/// A position and a velocity.
+template <class S, class Model>
+struct assembly {
+    coordinate_vector<S, Model> q, v;
+};
+
+/// The position near q and the velocity near v that satisfy the constraints at time t, as a start of any
+/// formulation: a mechanism assembled from rough coordinates, or the moment at which a constraint begins to act (v
+/// then changes by the impulse along G^T that stops G v + b, as in a plastic impact). Distances are measured by M.
+/// Newton's iteration; one factorisation of M each. Throws std::runtime_error with the violation that is left if
+/// there is no such position near q.
+template <class Model, class DerivedQ, class DerivedV>
+assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Eigen::MatrixBase<DerivedQ>& q,
+                                                    const Eigen::MatrixBase<DerivedV>& v,
+                                                    const typename DerivedQ::Scalar& t = 0) {
+    using S = typename DerivedQ::Scalar;
+    constexpr int n = Model::coordinates, m = Model::constraints;
+    assembly<S, Model> at{q, v};
+    const S eps = Eigen::NumTraits<S>::epsilon();
+    multiplier_vector<S, Model> left;
+    // The smallest change in the metric of M with G change = r.
+    const auto change = [&](const multiplier_vector<S, Model>& r) {
+        const mass_inverse<S, Model> solve(model, at.q);
+        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model, at.q, t);
+        Eigen::Matrix<S, n, m> W;
+        for (int k = 0; k < m; ++k) W.col(k) = solve(coordinate_vector<S, Model>(G.row(k).transpose()));
+        return coordinate_vector<S, Model>(W * small_ldlt<S, m>(multiplier_matrix<S, Model>(G * W)).solve(r));
+    };
+    if constexpr (holonomic_model<Model>) {
+        constexpr int most = 50;
+        for (int k = 0;; ++k) {
+            left = position_constraint<S>(model, at.q, t);
+            const coordinate_vector<S, Model> d = change(left);
+            if (k == most || !(d.squaredNorm() - d.squaredNorm() == S(0))) {
+                std::ostringstream text;
+                text << "assemble: no position near q satisfies the constraints; max |g| is still "
+                     << left.cwiseAbs().maxCoeff();
+                throw std::runtime_error(text.str());
+            }
+            at.q -= d;
+            if (d.cwiseAbs().maxCoeff() <= S(8) * eps * (S(1) + at.q.cwiseAbs().maxCoeff())) break;
+        }
+    }
+    for (int k = 0; k < 2; ++k) at.v -= change(velocity_constraint<S>(model, at.q, at.v, t));
+    return at;
+}
 
 }  // namespace stagecraft
