@@ -34,9 +34,17 @@ concept runnable_method = requires(const Method& m) {
     as_tuple(m);
 };
 
+template <class Method>
+using scalar_of_method =
+    typename std::tuple_element_t<0, std::decay_t<decltype(as_tuple(std::declval<Method>()))>>::scalar;
+
+template <class Derived>
+requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) void take_real(
+    const Eigen::MatrixBase<Derived>&);
+/// A real matrix of Eigen's.
 template <class State>
 concept eigen_object = requires(const State& y) {
-    []<class D>(const Eigen::MatrixBase<D>&) {}(y);
+    take_real(y);
 };
 
 /// True if the observer can be called in a run by these, or there is none to be made.
@@ -118,7 +126,7 @@ inline constexpr bool has_own_overload<checkpoint<Vector>> = true;
 /// and is kept in result.exception. t1 == t0 returns y0 with success and takes no step. No step allocates
 /// memory where the state has a fixed size or the matrices are dense.
 template <class Method, class Problem, class Derived, class Observer = no_observer>
-requires(!detail::has_own_overload<typename Derived::PlainObject>) auto integrate(
+requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
     std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
     const options<typename Derived::Scalar>& o = {}, Observer&& observer = {})
@@ -126,18 +134,38 @@ requires(!detail::has_own_overload<typename Derived::PlainObject>) auto integrat
     using vector = typename Derived::PlainObject;
     using problem_type = std::remove_reference_t<Problem>;
     using check = checked_call<problem_type, vector>;
-    constexpr bool method_first = detail::runnable_method<Method>,
-                   returns = method_first && detail::returning_right_hand_side<problem_type, vector>,
-                   looked_at = !method_first || returns, column = looked_at || check::column,
-                   const_enough = looked_at || check::const_enough, callable = looked_at || check::callable,
-                   writes_through = looked_at || check::writes_through,
-                   band_known = looked_at || check::band_known,
-                   observed = detail::observes < method_first && !returns && check::good, Method,
-                   problem_type, vector, std::remove_reference_t < Observer >>
-        ;
+    using scalar = typename Derived::Scalar;
+    constexpr bool method_first = detail::runnable_method<Method>, same_scalar = [] {
+        if constexpr (method_first)
+            return std::is_same_v<detail::scalar_of_method<Method>, scalar>;
+        else
+            return true;
+    }();
+    constexpr bool ready = method_first && same_scalar,
+                   returns = ready && detail::returning_right_hand_side<problem_type, vector>,
+                   unseen = !ready || returns, column = unseen || check::column,
+                   const_enough = unseen || check::const_enough, callable = unseen || check::callable,
+                   writes_through = unseen || check::writes_through, band_known = unseen || check::band_known,
+                   pattern_known = unseen || check::pattern_known, mass_usable = unseen || check::mass_usable,
+                   jacobian_usable = unseen || check::jacobian_usable, good = !unseen && check::good;
+    if constexpr (good && check::without_jacobian) {
+        // The first to differentiate it, if it is generic: what does not compile in it is said from here.
+        using number = dual<scalar, vector::RowsAtCompileTime>;
+        [[maybe_unused]] constexpr bool differentiable =
+            requires(const number& t, const dual_vector<scalar, vector::RowsAtCompileTime>& y,
+                     dual_vector<scalar, vector::RowsAtCompileTime>& f) {
+            problem(t, y, f);
+        };
+    }
+    constexpr bool observed =
+        detail::observes<good, Method, problem_type, vector, std::remove_reference_t<Observer>>;
     static_assert(method_first,
                   "integrate(method, problem, y0, t0, t1, options, observer): the first argument must be a "
                   "tableau, a transformed_tableau or a variable_order set");
+    static_assert(
+        same_scalar,
+        "integrate: method and y0 must have the same scalar type: y0 is Eigen::Vector3d, say, for a "
+        "method in double");
     static_assert(column, "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say");
     static_assert(const_enough,
                   "integrate: the problem is const and its operator()(t, y, f) is not: write `void "
@@ -148,9 +176,21 @@ requires(!detail::has_own_overload<typename Derived::PlainObject>) auto integrat
         "operator()(double t, const Vector& y, Vector& f) const` with Vector the type of y0 (of fixed "
         "size if that is), or as problem(t, y) and return it");
     static_assert(writes_through,
-                  "integrate: the problem takes f by value, what it writes is lost: write `Vector& f`");
+                  "integrate: the problem takes f by value, what it writes is lost: write `Vector& f` or "
+                  "`auto& f`");
     static_assert(band_known,
                   "integrate: the problem has bandwidth(): include stagecraft/linear/banded_blocks.hpp");
+    static_assert(pattern_known,
+                  "integrate: the problem has sparsity(): include stagecraft/linear/sparse_blocks.hpp");
+    static_assert(
+        mass_usable,
+        "integrate: problem.mass must be a member function `auto mass() const` that returns the n x n "
+        "matrix M; give a member that means something else another name");
+    static_assert(
+        jacobian_usable,
+        "integrate: problem.jacobian must be a member function `void jacobian(double t, const Vector& "
+        "y, Matrix& J) const`, Vector the type of y0, Matrix n x n of the same sizes (at compile time); a "
+        "banded_matrix with bandwidth(), the type of sparsity() with that");
     static_assert(
         observed,
         "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, output), y by "
@@ -158,7 +198,7 @@ requires(!detail::has_own_overload<typename Derived::PlainObject>) auto integrat
     if constexpr (returns) {
         return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, y0, t0, t1, o,
                          std::forward<Observer>(observer));
-    } else if constexpr (method_first && check::good && observed) {
+    } else if constexpr (good && observed) {
         using run_type = integrator<Method, problem_type, vector>;
         vector start = y0;
         run_type run(method, problem, start, t0, t1, o,

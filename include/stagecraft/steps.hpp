@@ -130,13 +130,20 @@ class step_range {
 /// (observe/observer.hpp). An lvalue is kept by reference. Its start() is called, its other members are not.
 /// An exception from it leaves the loop, with t() and y() at the state that was to be corrected.
 template <class Method, class Problem, class Derived>
-requires right_hand_side < std::remove_reference_t<Problem>,
-typename Derived::PlainObject >
-    step_range<Method, Problem, typename Derived::PlainObject> steps(
-        const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
-        std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
-        const options<typename Derived::Scalar>& o = {}) {
-    return {method, std::forward<Problem>(problem), y0, t0, t1, o};
+auto steps(const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
+           std::type_identity_t<typename Derived::Scalar> t0,
+           std::type_identity_t<typename Derived::Scalar> t1,
+           const options<typename Derived::Scalar>& o = {}) {
+    using vector = typename Derived::PlainObject;
+    constexpr bool callable = checked_call<std::remove_reference_t<Problem>, vector>::good;
+    static_assert(
+        callable,
+        "steps: the problem must be callable as problem(t, y, f) and write f(t, y) into f, as `void "
+        "operator()(double "
+        "t, const Vector& y, Vector& f) const` with Vector the type of y0 (of fixed size if that is); "
+        "integrate() says more");
+    if constexpr (callable)
+        return step_range<Method, Problem, vector>(method, std::forward<Problem>(problem), y0, t0, t1, o);
 }
 
 /// The rest of a run of which a checkpoint was taken, as integrate() goes on from one.

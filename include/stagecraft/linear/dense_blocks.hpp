@@ -87,7 +87,7 @@ bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scala
 template <class Matrix>
 struct default_blocks {};
 template <class Matrix>
-requires requires { typename Matrix::Scalar; }
+requires std::is_base_of_v<Eigen::MatrixBase<Matrix>, Matrix>
 struct default_blocks<Matrix> {
     using type = dense_blocks<typename Matrix::Scalar, Matrix::RowsAtCompileTime>;
 };

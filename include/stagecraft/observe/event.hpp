@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -332,7 +333,15 @@ class event_watch {
 template <class Vector, class... Functions>
 event_watch<Vector> events(event_function<Functions>... list) {
     using function = typename event_watch<Vector>::function;
-    return event_watch<Vector>({event_function<function>{function(std::move(list.g)), list.options}...});
+    constexpr bool callable = (std::is_constructible_v<function, Functions> && ...);
+    static_assert(
+        callable,
+        "events: g in event(g) must be callable as g(t, y), y const or by value and of the type named in "
+        "events<Vector>, and return a number");
+    if constexpr (callable)
+        return event_watch<Vector>({event_function<function>{function(std::move(list.g)), list.options}...});
+    else
+        return event_watch<Vector>({});
 }
 
 /// Without the type of the state it does not compile.

@@ -8,6 +8,7 @@
 
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/capabilities.hpp>
+#include <stagecraft/problem/checked_capabilities.hpp>
 
 namespace stagecraft {
 
@@ -42,6 +43,22 @@ auto output_parameter() {
 template <class Problem, class Vector>
 concept callable_right_hand_side = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y,
                                             Vector& f) {
+    p(t, y, f);
+};
+
+/// A vector that cannot be passed by value.
+template <class Vector>
+struct passed_by_reference : Vector {
+    using Vector::operator=;
+    passed_by_reference(const passed_by_reference&) = delete;
+};
+/// Problem is generic and takes f by value: it can be called with a temporary, which no reference to f binds to but
+/// `auto&&` and `const auto&`, and not with what cannot be copied.
+template <class Problem, class Vector>
+concept takes_copy = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y) {
+    p(t, y, std::declval<Vector>());
+}
+&&!requires(Problem & p, const typename Vector::Scalar& t, const Vector& y, passed_by_reference<Vector>& f) {
     p(t, y, f);
 };
 
@@ -80,6 +97,9 @@ requires(!std::is_class_v<Problem> || std::is_final_v<Problem>) struct writes_re
 /// write where it cannot be made. At most one of the first four is false.
 template <class Problem, class Vector>
 struct checked_call {
+    template <class Matrix>
+    static constexpr bool usable_in =
+        !detail::has_member_named<Problem, detail::jacobian_member> || has_jacobian<Problem, Vector, Matrix>;
     static constexpr bool column = Vector::ColsAtCompileTime == 1;
     static constexpr bool const_enough =
         !column || detail::callable_right_hand_side<Problem, Vector> ||
@@ -88,13 +108,39 @@ struct checked_call {
         !column || !const_enough || detail::callable_right_hand_side<Problem, Vector>;
     static constexpr bool writes_through =
         !column || !const_enough || !callable ||
-        !std::is_same_v<
-            std::remove_cv_t<typename decltype(detail::output_parameter<std::remove_cv_t<Problem>>())::type>,
-            Vector>;
+        (!std::is_same_v<
+             std::remove_cv_t<typename decltype(detail::output_parameter<std::remove_cv_t<Problem>>())::type>,
+             Vector> &&
+         !detail::takes_copy<Problem, Vector>);
     static constexpr bool band_known = has_linear_solver<Problem> || !has_bandwidth<Problem> ||
                                        detail::solvable<banded_matrix<typename Vector::Scalar>>;
 
-    static constexpr bool good = column && const_enough && callable && writes_through && band_known;
+    static constexpr bool pattern_known = [] {
+        if constexpr (has_sparsity<Problem> && !has_linear_solver<Problem>)
+            return detail::solvable<std::remove_cvref_t<decltype(std::declval<Problem&>().sparsity())>>;
+        else
+            return true;
+    }();
+    static constexpr bool mass_usable =
+        !detail::has_member_named<Problem, detail::mass_member> || has_mass<Problem>;
+    static constexpr bool jacobian_usable = [] {
+        if constexpr (has_matrix<Problem> || !band_known || !pattern_known)
+            return true;  // checked_capabilities says what is wrong with others
+        else if constexpr (has_bandwidth<Problem>)
+            return usable_in<banded_matrix<typename Vector::Scalar>>;
+        else if constexpr (has_sparsity<Problem>)
+            return usable_in<std::remove_cvref_t<decltype(std::declval<Problem&>().sparsity())>>;
+        else
+            return usable_in<
+                Eigen::Matrix<typename Vector::Scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>>;
+    }();
+    /// It will be differentiated automatically if it is generic.
+    static constexpr bool without_jacobian = !has_matrix<Problem> && !has_bandwidth<Problem> &&
+                                             !has_sparsity<Problem> &&
+                                             !detail::has_member_named<Problem, detail::jacobian_member>;
+
+    static constexpr bool good = column && const_enough && callable && writes_through && band_known &&
+                                 pattern_known && mass_usable && jacobian_usable;
 };
 
 }  // namespace stagecraft
