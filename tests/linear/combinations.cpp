@@ -27,7 +27,8 @@ void check(int n) {
     sc::combine<false, Count>(n, Count, c.data(), in.data(), fixed.data());
     sc::combine<false, -1>(n, Count, c.data(), in.data(), any.data());
     sc::combine<true, -1>(n, Count, c.data(), in.data(), added.data());
-    sc::combine_onto<-1>(n, base.data(), 0.5, c.data(), in.data(), onto.data(),
+    const auto column = [&](int j) { return in.col(j).data(); };
+    sc::combine_onto<-1>(n, base.data(), 0.5, c.data(), column, onto.data(),
                          std::make_integer_sequence<int, Count>());
     BOOST_TEST(close(fixed, sum));
     BOOST_TEST(close(any, sum));

@@ -9,11 +9,6 @@
 
 namespace stagecraft {
 
-/// The scalars that the processor knows: their loops are written in packets and inlined to the last call. With
-/// wide ones, where every operation is a function itself, that would only cost the compiler minutes.
-template <class Scalar>
-inline constexpr bool built_in = std::is_floating_point_v<Scalar>;
-
 /// out := c[0] in_0 + c[1] in_1 + ..., as many vectors of n numbers as there are j, one behind the other in
 /// memory; added to what is in `out` if `Add`.
 template <bool Add, class Scalar, int... j>
@@ -56,24 +51,30 @@ void combine(int n, int count, const Scalar* c, const Scalar* in, Scalar* out) {
     }
 }
 
-/// out := base + h (c[0] in_0 + c[1] in_1 + ...), n being N or, where that is -1, any number.
-template <int N, class Scalar, int... j>
+/// out := base + h c[0] from(0) + h c[1] from(1) + ..., n being N or, where that is -1, any number; from(j) points at
+/// n numbers. The term of the largest j, known last in the stages of a method, is added last. To four components
+/// numbers are taken one by one: a packet that is read where two numbers have just been written waits for them.
+template <int N, class Scalar, class From, int... j>
 requires(built_in<Scalar>)
     [[gnu::flatten]] inline void combine_onto(int any, const Scalar* base, const Scalar& h, const Scalar* c,
-                                              const Scalar* in, Scalar* out,
+                                              const From& from, Scalar* out,
                                               std::integer_sequence<int, j...>) {
-    const int n = N >= 0 ? N : any;
-    int i = 0;
-    const auto run = [&]<class P>(P) {
-        const auto step = P::all(h);
-        const typename P::type by[] = {P::all(c[j])...};
-        for (; i + P::size <= n; i += P::size) {
-            const auto sum = (... + (P::load(in + static_cast<std::ptrdiff_t>(j) * n + i) * by[j]));
-            P::store(out + i, P::load(base + i) + step * sum);
-        }
-    };
-    run(packet<Scalar>());
-    run(single<Scalar>());
+    if constexpr (N >= 0 && N <= 4) {
+        const auto one = [&](int i) { out[i] = (base[i] + ... + (from(j)[i] * (h * c[j]))); };
+        [&]<int... i>(std::integer_sequence<int, i...>) { (one(i), ...); }
+        (std::make_integer_sequence<int, N>());
+    } else {
+        const int n = N >= 0 ? N : any;
+        int i = 0;
+        const auto run = [&]<class P>(P) {
+            const Scalar* const in[] = {from(j)...};
+            const typename P::type by[] = {P::all(h * c[j])...};
+            for (; i + P::size <= n; i += P::size)
+                P::store(out + i, (P::load(base + i) + ... + (P::load(in[j] + i) * by[j])));
+        };
+        run(packet<Scalar>());
+        run(single<Scalar>());
+    }
 }
 
 /// out := factor (c[0] a[0] + c[1] a[1] + ...) for `count` > 0 vectors of n numbers, wherever they are; added
@@ -112,6 +113,68 @@ requires(built_in<Scalar>)
     run(packet<Scalar>(), std::make_integer_sequence<int, 2>());
     run(packet<Scalar>(), std::make_integer_sequence<int, 1>());
     run(single<Scalar>(), std::make_integer_sequence<int, 1>());
+}
+
+/// out := c[0] from(0) + c[1] from(1) + ..., n being N or, where that is -1, any number; from(j) points at n
+/// numbers, which may be those of `out`.
+template <int N, class Scalar, class From, int... j>
+requires(built_in<Scalar>)
+    [[gnu::flatten]] inline void combine_from(int any, const Scalar* c, const From& from, Scalar* out,
+                                              std::integer_sequence<int, j...>) {
+    if constexpr (N >= 0 && N <= 4) {
+        const auto one = [&](int i) { out[i] = (... + (from(j)[i] * c[j])); };
+        [&]<int... i>(std::integer_sequence<int, i...>) { (one(i), ...); }
+        (std::make_integer_sequence<int, N>());
+    } else {
+        const int n = N >= 0 ? N : any;
+        int i = 0;
+        const auto run = [&]<class P>(P) {
+            const Scalar* const in[] = {from(j)...};
+            const typename P::type by[] = {P::all(c[j])...};
+            for (; i + P::size <= n; i += P::size) P::store(out + i, (... + (P::load(in[j] + i) * by[j])));
+        };
+        run(packet<Scalar>());
+        run(single<Scalar>());
+    }
+}
+
+/// Column k of z += sum_j C_kj column j of x, C row by row, and w += x; returns the sum of the squares of what
+/// has been added to z, each times the square of its weight. All have Count columns of n numbers.
+template <int N, int Count, class Scalar>
+requires(built_in<Scalar>) [[gnu::flatten]] inline Scalar
+    add_products(int any, const Scalar* C, const Scalar* x, const Scalar* weights, Scalar* w, Scalar* z) {
+    const int n = N >= 0 ? N : any;
+    int i = 0;
+    const auto run = [&]<class P, int... j>(P, std::integer_sequence<int, j...>) {
+        auto sum = P::all(Scalar(0));
+        const auto one = [&] {
+            const typename P::type in[] = {P::load(x + static_cast<std::ptrdiff_t>(j) * n + i)...};
+            const auto at = [&](Scalar* to, const typename P::type& more) {
+                P::store(to, P::load(to) + more);
+                return more;
+            };
+            (at(w + static_cast<std::ptrdiff_t>(j) * n + i, in[j]), ...);
+            const auto product = [&](const Scalar* row) { return (... + (in[j] * P::all(row[j]))); };
+            const auto square = [](const auto& v) { return v * v; };
+            const auto squares =
+                (... + square(at(z + static_cast<std::ptrdiff_t>(j) * n + i, product(C + j * Count))));
+            sum = sum + squares * square(P::load(weights + i));
+        };
+        if constexpr (N >= 0 && N <= 4) {
+            [&]<int... k>(std::integer_sequence<int, k...>) { ((one(), i += P::size, void(k)), ...); }
+            (std::make_integer_sequence<int, N>());
+        } else {
+            for (; i + P::size <= n; i += P::size) one();
+        }
+        return P::sum(sum);
+    };
+    constexpr std::make_integer_sequence<int, Count> columns;
+    if constexpr (N >= 0 && N <= 4) {
+        return run(single<Scalar>(), columns);
+    } else {
+        const Scalar most = run(packet<Scalar>(), columns);
+        return most + run(single<Scalar>(), columns);
+    }
 }
 
 /// The sum of (x_ij w_i)^2 over the columns j of x and i < n.

@@ -80,20 +80,16 @@ class lane_lu {
                 x[i][l] = l < used ? re[l][from_[i][l]] : Scalar(0);
                 y[i][l] = l < used ? im[l][from_[i][l]] : Scalar(0);
             }
-        for (int k = 0; k < N; ++k)
-            for (int i = k + 1; i < N; ++i) {
+        substitute(
+            [&](int i, int k) {
                 x[i] -= re_[i + k * N] * x[k] - im_[i + k * N] * y[k];
                 y[i] -= re_[i + k * N] * y[k] + im_[i + k * N] * x[k];
-            }
-        for (int k = N - 1; k >= 0; --k) {
-            const pack r = x[k] * re_[k + k * N] - y[k] * im_[k + k * N];
-            y[k] = x[k] * im_[k + k * N] + y[k] * re_[k + k * N];
-            x[k] = r;
-            for (int i = 0; i < k; ++i) {
-                x[i] -= re_[i + k * N] * x[k] - im_[i + k * N] * y[k];
-                y[i] -= re_[i + k * N] * y[k] + im_[i + k * N] * x[k];
-            }
-        }
+            },
+            [&](int k) {
+                const pack r = x[k] * re_[k + k * N] - y[k] * im_[k + k * N];
+                y[k] = x[k] * im_[k + k * N] + y[k] * re_[k + k * N];
+                x[k] = r;
+            });
         for (int l = 0; l < used; ++l)
             for (int i = 0; i < N; ++i) re[l][i] = x[i][l], im[l][i] = y[i][l];
     }
@@ -102,19 +98,36 @@ class lane_lu {
     bool negative_determinant() const { return negative_; }
 
     /// Solves with the matrix of lane 0, which is real.
-    void solve_real(Scalar* b) const {
+    [[gnu::flatten]] void solve_real(Scalar* b) const {
         std::array<Scalar, N> x;
         for (int i = 0; i < N; ++i) x[i] = b[from_[i][0]];
-        for (int k = 0; k < N; ++k)
-            for (int i = k + 1; i < N; ++i) x[i] -= re_[i + k * N][0] * x[k];
-        for (int k = N - 1; k >= 0; --k) {
-            x[k] *= re_[k + k * N][0];
-            for (int i = 0; i < k; ++i) x[i] -= re_[i + k * N][0] * x[k];
-        }
+        substitute([&](int i, int k) { x[i] -= re_[i + k * N][0] * x[k]; },
+                   [&](int k) { x[k] *= re_[k + k * N][0]; });
         for (int i = 0; i < N; ++i) b[i] = x[i];
     }
 
   private:
+    /// The order of a solution by L and U: subtract(i, k) for l_ik x_k or u_ik x_k from x_i, divide(k) by u_kk.
+    /// Without loops where there are few; then the numbers stay in registers.
+    template <class Subtract, class Divide>
+    static void substitute(const Subtract& subtract, const Divide& divide) {
+        if constexpr (N <= 8) {
+            unrolled<N>(N, [&](auto k) { unrolled<N - 1 - k>(N, [&](auto i) { subtract(k + 1 + i, k); }); });
+            unrolled<N>(N, [&](auto step) {
+                constexpr int k = N - 1 - step;
+                divide(k);
+                unrolled<k>(N, [&](auto i) { subtract(i, k); });
+            });
+        } else {
+            for (int k = 0; k < N; ++k)
+                for (int i = k + 1; i < N; ++i) subtract(i, k);
+            for (int k = N - 1; k >= 0; --k) {
+                divide(k);
+                for (int i = 0; i < k; ++i) subtract(i, k);
+            }
+        }
+    }
+
     void exchange(int i, int k, int l) {
         for (int j = 0; j < N; ++j) {
             std::swap(re_[i + j * N][l], re_[k + j * N][l]);

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/linear/combinations.hpp>
+
 namespace stagecraft {
 
 /// The identity as mass matrix, that of y' = f: nothing is stored and nothing is multiplied.
@@ -82,7 +84,7 @@ inline constexpr bool has_entries = Mass::identity || requires(const Mass& m) {
 /// Adds `factor` M x to r, both pointers to n contiguous numbers.
 template <class Scalar>
 void add_mass_times(const identity_mass&, const Scalar& factor, const Scalar* x, Scalar* r, int n) {
-    for (int i = 0; i < n; ++i) r[i] += factor * x[i];
+    combine<true, 1>(n, 1, &factor, x, r);
 }
 template <class Scalar>
 void add_mass_times(const entry_mass<Scalar>& m, const Scalar& factor, const Scalar* x, Scalar* r, int) {

@@ -2,8 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
 
 namespace stagecraft {
+
+/// The scalars that the processor knows: their loops are written in packets and inlined to the last call. With
+/// wide ones, where every operation is a function itself, that would only cost the compiler minutes.
+template <class Scalar>
+inline constexpr bool built_in = std::is_floating_point_v<Scalar>;
 
 /// As many numbers as one instruction of the processor adds or multiplies. The hot loops are written in these
 /// packets, so that they do not wait for a compiler to vectorise loops of run-time length, which g++ does at

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <limits>
+#include <type_traits>
+
 namespace stagecraft {
 
 /// To be called with the vector that a right-hand side is about to write. In builds with assertions (without
@@ -9,8 +12,13 @@ namespace stagecraft {
 template <class Vector>
 void expect_written([[maybe_unused]] Vector& f) {
 #ifndef NDEBUG
-    const typename Vector::Scalar zero(0);  // of any kind of number, dual ones too
-    for (auto i = f.size(); i-- > 0;) f[i] = zero / zero;
+    using scalar = typename Vector::Scalar;
+    if constexpr (std::is_floating_point_v<scalar>) {  // without a division, as it happens in every call
+        f.setConstant(std::numeric_limits<scalar>::quiet_NaN());
+    } else {
+        const scalar zero(0);  // of any kind of number, dual ones too
+        for (auto i = f.size(); i-- > 0;) f[i] = zero / zero;
+    }
 #endif
 }
 

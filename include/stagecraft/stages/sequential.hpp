@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,6 +24,9 @@ namespace stagecraft {
 template <class Vector, int Stages, class Blocks>
 class sequential_stages {
     using Scalar = typename Vector::Scalar;
+    static constexpr int N = Vector::RowsAtCompileTime;
+    // With more, f inlined as often costs the compiler more than the run gains.
+    static constexpr bool unrolls = Stages > 0 && Stages <= 7 && N >= 0;
 
   public:
     using slopes = stage_slopes<Vector, Stages, Blocks>;
@@ -43,9 +49,16 @@ class sequential_stages {
             block_.push_back(k);
         }
         shift_.resize(diagonal_.size());
-        if constexpr (Stages > 0)
+        if constexpr (unrolls) {
             for (int i = 0; i < Stages; ++i)
                 for (int j = 0; j < Stages; ++j) rows_[i * Stages + j] = m.A(i, j);
+        } else if (!implicit()) {
+            for (int i = 0; i < m.stages(); ++i) {
+                for (int j = 0; j < i; ++j)
+                    if (!(m.A(i, j) == Scalar(0))) terms_.push_back({m.A(i, j), j});
+                row_ends_.push_back(terms_.size());
+            }
+        }
     }
 
     bool implicit() const { return !diagonal_.empty(); }
@@ -84,8 +97,7 @@ class sequential_stages {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
-        // With more stages, f unrolled as often costs the compiler more than the run gains.
-        if constexpr (Stages > 0 && Stages <= 7 && built_in<Scalar>)
+        if constexpr (built_in<Scalar>)
             if (!implicit() && !v.by_value) {
                 if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
                 return slowest;
@@ -154,6 +166,11 @@ class sequential_stages {
     }
 
   private:
+    struct term {
+        Scalar entry;
+        int column;
+    };
+
     void set_shifts(const Scalar& h) {
         for (std::size_t k = 0; k < diagonal_.size(); ++k) shift_[k] = Scalar(1) / (h * diagonal_[k]);
     }
@@ -165,30 +182,86 @@ class sequential_stages {
         x = r_;
     }
 
-    /// The slopes of an explicit method of a number of stages known to the compiler: the loop over them is
-    /// unrolled, each stage value is made in one pass. False if one is not finite.
+    /// The slopes of an explicit method. False if one is not finite.
     template <class System>
     bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
+        if constexpr (unrolls)
+            return evaluate_unrolled(system, t, y, h, v);
+        else
+            return evaluate_by_terms(system, t, y, h, v);
+    }
+    /// The loop over the stages is unrolled; slopes and stage values are local variables.
+    template <class System>
+    bool evaluate_unrolled(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
+        std::array<vector, Stages> k;
+        vector yi, fi;
+        std::copy_n(v.k.data(), N, k[0].data());
+        const auto slope = [&](int j) { return k[j].data(); };
         bool finite = true;
-        unrolled<Stages>(Stages, [&](auto stage) {
-            constexpr int i = decltype(stage)::value;
+        unrolled<Stages>(Stages, [&](auto number) {
+            constexpr int i = decltype(number)::value;
             if ((i == 0 && v.left_stage) || !finite) return;
             if constexpr (i == 0)
-                yi_ = y;
+                yi = y;
             else
-                combine_onto<Vector::RowsAtCompileTime>(n_, y.data(), h, rows_.data() + i * Stages,
-                                                        v.k.data(), yi_.data(),
-                                                        std::make_integer_sequence<int, i>());
-            system(t + v.method.c[i] * h, yi_, fi_);
-            if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
-            const int n = Vector::RowsAtCompileTime >= 0 ? Vector::RowsAtCompileTime : n_;
-            for (int c = 0; c < n; ++c) v.k.data()[c + i * n] = fi_[c];
-            finite = all_finite(fi_, n, system.sums());
+                combine_onto<N>(N, y.data(), h, rows_.data() + i * Stages, slope, yi.data(),
+                                std::make_integer_sequence<int, i>());
+            system(t + v.method.c[i] * h, yi, fi);
+            if constexpr (!System::mass_type::identity) v.mass.solve(fi.data());
+            // Few numbers are read one by one: a packet that is read where f has just written two numbers
+            // waits until both have reached the cache.
+            Scalar* const kept = v.k.data() + i * N;
+            if constexpr (N <= 4)
+                unrolled<N>(N,
+                            [&](auto c) { kept[c] = k[i][c] = const_cast<const volatile Scalar&>(fi[c]); });
+            else
+                std::copy_n(fi.data(), N, kept), k[i] = fi;
+            finite = all_finite(fi, N, system.sums());
         });
-        last_ = yi_;
+        last_ = yi;
         return finite;
     }
-
+    /// Stage by stage, each from the entries of A that are not zero.
+    template <class System>
+    bool evaluate_by_terms(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
+        for (int i = v.left_stage ? 1 : 0; i < v.method.stages(); ++i) {
+            sum_terms(i, y, h, v.k.data());
+            system(t + v.method.c[i] * h, yi_, fi_);
+            if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
+            const int n = N >= 0 ? N : n_;
+            std::copy_n(fi_.data(), n, v.k.data() + static_cast<std::ptrdiff_t>(i) * n);
+            if (!all_finite(fi_, n, system.sums())) return false;
+        }
+        last_ = yi_;
+        return true;
+    }
+    /// yi_ := y + h sum_j a_ij k_j.
+    void sum_terms(int i, const vector& y, const Scalar& h, const Scalar* k) {
+        const term *from = terms_.data() + (i > 0 ? row_ends_[i - 1] : 0), *const to =
+                                                                               terms_.data() + row_ends_[i];
+        if constexpr (N >= 0 && N <= 8) {
+            std::array<Scalar, N> sum;
+            unrolled<N>(N, [&](auto c) { sum[c] = y[c]; });
+            for (; from < to; ++from) {
+                const Scalar a = h * from->entry, *const kj = k + from->column * N;
+                unrolled<N>(N, [&](auto c) { sum[c] += a * kj[c]; });
+            }
+            unrolled<N>(N, [&](auto c) { yi_[c] = sum[c]; });
+        } else {
+            constexpr int room = 16;  // terms that are summed in one pass
+            std::array<Scalar, room> entries;
+            std::array<const Scalar*, room> columns;
+            yi_ = y;
+            while (from < to) {
+                int count = 0;
+                for (; from < to && count < room; ++from, ++count) {
+                    entries[count] = from->entry;
+                    columns[count] = k + static_cast<std::ptrdiff_t>(from->column) * n_;
+                }
+                combine_scattered<true>(n_, count, h, entries.data(), columns.data(), yi_.data());
+            }
+        }
+    }
     template <class System>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                    const vector& weights, const newton_limits<Scalar>& limits,
@@ -210,9 +283,11 @@ class sequential_stages {
     }
 
     int n_;
-    workspace<Scalar, (Stages > 0 ? squared<Stages> : 0)> rows_;  // of A
-    std::vector<Scalar> diagonal_, shift_;                        // distinct non-zero a_ii and 1/(h a_ii)
-    std::vector<int> block_;                                      // of each stage, -1 for an explicit one
+    workspace<Scalar, (unrolls ? squared<Stages> : 0)> rows_;  // of A
+    std::vector<term> terms_;                                  // of the rows of an explicit A
+    std::vector<std::size_t> row_ends_;                        // where those of a row end
+    std::vector<Scalar> diagonal_, shift_;                     // distinct non-zero a_ii and 1/(h a_ii)
+    std::vector<int> block_;                                   // of each stage, -1 for an explicit one
     std::vector<typename Blocks::real> blocks_;
     vector r_, z_, d_, yi_, fi_, last_;
 };

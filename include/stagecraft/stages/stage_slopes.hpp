@@ -38,9 +38,17 @@ struct stage_slopes {
         if constexpr (Stages > 0)
             if (last == Stages && !by_value) {
                 std::array<Scalar, Stages> c;
-                for (int j = 0; j < Stages; ++j) c[j] = h * coefficient(j);
-                stagecraft::combine<false, Stages>(N >= 0 ? N : static_cast<int>(r.size()), Stages, c.data(),
-                                                   k.data(), r.data());
+                for (int j = 0; j < Stages; ++j) c[j] = coefficient(j);
+                if constexpr (N >= 0 && N <= 4 && built_in<Scalar>) {
+                    const std::array<Scalar, N> zero{};
+                    combine_onto<N>(
+                        N, zero.data(), h, c.data(), [this](int j) { return k.data() + j * N; }, r.data(),
+                        std::make_integer_sequence<int, Stages>());
+                } else {
+                    for (Scalar& x : c) x = h * x;
+                    stagecraft::combine<false, Stages>(N >= 0 ? N : static_cast<int>(r.size()), Stages,
+                                                       c.data(), k.data(), r.data());
+                }
                 return;
             }
         if constexpr (N >= 0 && N <= 4) {  // too few components for passes over several slopes at once

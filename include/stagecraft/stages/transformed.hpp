@@ -2,10 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
@@ -131,12 +134,7 @@ class transformed_stages {
             residual(system.mass(), Z, h);
             system.measure(work::solve, [&] { blocks_.solve(F_.data()); });
             ++solves;
-            W_ += F_;
-            mix(T_.data(), F_.data(), D_.data());
-            const Scalar size = norm(D_, weights, system.sums());
-            if (size - size == Scalar(0))
-                for (int i = 0; i < s; ++i) Z.col(i) += D_.col(i);
-            if (monitor.over(size)) break;
+            if (monitor.over(add_increment(Z, weights, system.sums()))) break;
         }
         return monitor.outcome();
     }
@@ -159,6 +157,8 @@ class transformed_stages {
 
   private:
     using matrix = Eigen::Matrix<Scalar, N, Stages>;
+    // Sums over the stages are made in one pass each. (From ten stages on: see untransformed().)
+    static constexpr bool fused = built_in<Scalar> && Stages > 0 && Stages <= 9;
 
     int size() const {
         if constexpr (N >= 0)
@@ -187,17 +187,24 @@ class transformed_stages {
     /// Column k of out := sum_j C_kj column j of in, C row by row.
     void mix(const Scalar* C, const Scalar* in, Scalar* out) const {
         const int n = size(), s = stages();
-        for (int k = 0; k < s; ++k, C += s, out += n) {
-            if constexpr (N >= 0 && N <= 4) {  // too few for packets: the sum stays in registers
-                std::array<Scalar, N> sum;
-                for (int i = 0; i < n; ++i) sum[i] = C[0] * in[i];
-                for (int j = 1; j < s; ++j)
-                    for (int i = 0; i < n; ++i) sum[i] += C[j] * in[i + j * n];
-                for (int i = 0; i < n; ++i) out[i] = sum[i];
-            } else {
-                combine<false, Stages>(n, s, C, in, out);
-            }
+        for (int k = 0; k < s; ++k, C += s, out += n) combine<false, Stages>(n, s, C, in, out);
+    }
+
+    /// W += F and Z += T F; returns the norm of what is added to Z. Where it is not finite, neither is Z.
+    template <class StageMatrix, class Sums>
+    Scalar add_increment(StageMatrix& Z, const vector& weights, const Sums& sums) {
+        if constexpr (fused) {
+            const Scalar sum =
+                add_products<N, Stages>(size(), T_.data(), F_.data(), weights.data(), W_.data(), Z.data());
+            if (Sums::complete && sum - sum == Scalar(0) && size() > 0)
+                return std::sqrt(sum / (Scalar(size()) * Scalar(Stages)));
+            mix(T_.data(), F_.data(), D_.data());
+        } else {
+            W_ += F_;
+            mix(T_.data(), F_.data(), D_.data());
+            for (int i = 0; i < stages(); ++i) Z.col(i) += D_.col(i);
         }
+        return norm(D_, weights, sums);
     }
 
     /// From ten stages on T is so ill-conditioned (twenty: no digit of double is left in T^-1 T) that W and Z
@@ -219,8 +226,17 @@ class transformed_stages {
             }
         }
         const int n = size();
-        mix(T_inverse_.data(), D_.data(), F_.data());
         const int real = real_blocks();
+        if constexpr (fused && Mass::identity) {
+            for (int k = 0; k < real; ++k) residual_of<1>(k, k, {-shift_[k]});
+            for (int k = real; k < Stages; k += 2) {
+                const Scalar a = -shift_[k], b = shift_[k + 1];
+                residual_of<2>(k, k, {a, b});
+                residual_of<2>(k + 1, k, {-b, a});
+            }
+            return;
+        }
+        mix(T_inverse_.data(), D_.data(), F_.data());
         for (int k = 0; k < real; ++k)
             add_mass_times(mass, Scalar(-shift_[k]), W_.data() + k * n, F_.data() + k * n, n);
         for (int k = real; k < stages(); k += 2) {
@@ -232,6 +248,20 @@ class transformed_stages {
             add_mass_times(mass, Scalar(-b), w, g, n);
             add_mass_times(mass, a, v, g, n);
         }
+    }
+
+    /// Column k of F, M being the identity: of T^-1 f(Y), and of W the columns from `first` with these factors.
+    template <std::size_t Terms>
+    void residual_of(int k, int first, const std::array<Scalar, Terms>& factors) {
+        constexpr int all = Stages + static_cast<int>(Terms);
+        const int n = size();
+        std::array<Scalar, all> c;
+        std::copy_n(T_inverse_.data() + k * Stages, Stages, c.data());
+        std::copy_n(factors.data(), Terms, c.data() + Stages);
+        const auto from = [&](int j) {
+            return j < Stages ? D_.data() + j * n : W_.data() + (first + j - Stages) * n;
+        };
+        combine_from<N>(n, c.data(), from, F_.data() + k * n, std::make_integer_sequence<int, all>());
     }
 
     template <class Sums>
