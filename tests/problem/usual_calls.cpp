@@ -2,9 +2,11 @@
 #define BOOST_TEST_MODULE usual_calls
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <sstream>
 #include <stagecraft/families.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/observe/progress.hpp>
+#include <stagecraft/observe/table.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -76,6 +78,32 @@ BOOST_AUTO_TEST_CASE(progress_is_told_in_parts_and_may_cancel) {
     BOOST_TEST((cancelled.status == sc::status::stopped));
     BOOST_TEST(std::abs(cancelled.t - 1.5) < 0.011);
     BOOST_CHECK_THROW(sc::progress([](double) {}, 0), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_is_written_as_a_table_that_reads_back_to_the_bit) {
+    const sc::options<double> o{.fixed_step = 0.25};
+    std::stringstream file;
+    auto table = sc::csv(file, {"x", "y"});
+    const auto r = sc::integrate(sc::radau_iia<3>(), circle, Vector2d(0, 1), 0, 1, o, table);
+    std::string line, last;
+    std::getline(file, line);
+    BOOST_TEST(line == "t,x,y");
+    std::getline(file, line);
+    BOOST_TEST(line == "0,0,1");
+    int rows = 1;
+    for (; std::getline(file, line); ++rows) last = line;
+    BOOST_TEST(rows == 5);
+    double t = 0, x = 0, y = 0;
+    char comma;
+    std::istringstream(last) >> t >> comma >> x >> comma >> y;
+    BOOST_TEST((t == 1 && x == r.y[0] && y == r.y[1]));
+    std::ostringstream objects;
+    auto row = sc::json_lines(objects);
+    row(0.5, Vector2d(-1, 0.1));
+    BOOST_TEST(objects.str() == "{\"t\": 0.5, \"y0\": -1, \"y1\": 0.10000000000000001}\n");
+    BOOST_CHECK_THROW(sc::csv(file, {"a,b"}), std::invalid_argument);
+    auto short_of_one = sc::csv(file, {"x"});
+    BOOST_CHECK_THROW(short_of_one(0.5, Vector2d(0, 1)), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_method_without_embedded_weights_is_refused_with_what_helps) {
