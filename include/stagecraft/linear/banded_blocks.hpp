@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/complex_number.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/split_lu.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -28,32 +30,40 @@ class banded_lu {
         a_.assign(static_cast<std::size_t>(height_) * n, T{});
         pivot_.assign(n, 0);
     }
-    void set_zero() { std::fill(a_.begin(), a_.end(), T{}); }
     T& operator()(int i, int j) { return column(j)[i]; }
+    /// The matrix := -J, of the band and size given to resize().
+    template <class Scalar>
+    void assign_negative(const banded_matrix<Scalar>& J) {
+        std::fill(a_.begin(), a_.end(), T{});
+        for (int j = 0; j < n_; ++j) {
+            const Scalar* from = &J(j, j);
+            T* to = column(j) + j;
+            for (int i = -std::min(upper_, j), last = std::min(lower_, n_ - 1 - j); i <= last; ++i)
+                to[i] = T(Scalar(-from[i]));
+        }
+    }
 
     /// False if the matrix is singular or not finite.
     bool factor() {
-        return with_lower([this](auto lower) { return this->factor_band<lower>(); });
+        return with_count(lower_, [this](auto lower) { return this->factor_band<lower>(); });
     }
 
     /// x := A^-1 x; x is indexed from 0 to n - 1.
     template <class X>
     void solve(X&& x) const {
-        with_lower([&](auto lower) { return this->template solve_lower<lower>(x); });
-        for (int k = n_ - 1; k >= 0; --k) {
-            const T* ck = column(k);
-            const T m = x[k] * ck[k];
-            x.set(k, m);
-            for (int i = std::max(0, k - width_); i < k; ++i) x.set(i, x[i] - ck[i] * m);
-        }
+        with_count(lower_, [&](auto lower) {
+            return exchanged_ ? this->template solve_lower<lower, true>(x)
+                              : this->template solve_lower<lower, false>(x);
+        });
+        with_count(width_, [&](auto width) { return this->template solve_upper<width>(x); });
     }
 
   private:
-    /// f(the number of lower diagonals as a constant), 0 standing for more than four: loops that short are
-    /// unrolled.
+    /// f(a number of diagonals as a constant), 0 standing for none and for more than four: loops that short
+    /// are unrolled.
     template <class F>
-    bool with_lower(F&& f) const {
-        switch (lower_) {
+    static bool with_count(int diagonals, F&& f) {
+        switch (diagonals) {
             case 1:
                 return f(std::integral_constant<int, 1>());
             case 2:
@@ -73,6 +83,7 @@ class banded_lu {
         const int lower = Lower > 0 ? Lower : lower_;
         int last_column = 0;  // the furthest that one of the rows met so far reaches
         width_ = 0;
+        exchanged_ = false;
         for (int k = 0; k < n_; ++k) {
             T* ck = column(k);
             int p = k;
@@ -83,6 +94,7 @@ class banded_lu {
             }
             if (!usable_pivot(largest)) return false;
             pivot_[k] = p;
+            exchanged_ = exchanged_ || p != k;
             std::swap(ck[k], ck[p]);
             ck[k] = inverse_of(ck[k]);
             for (int i = k + 1; i <= k + lower; ++i) ck[i] = ck[i] * ck[k];
@@ -99,20 +111,53 @@ class banded_lu {
         return true;
     }
 
-    template <int Lower, class X>
+    // The entries of x that a column changes are kept in `next`, which moves along with it. Those beyond the
+    // ends of x are zeros; what becomes of them is not used.
+    template <int Lower, bool Exchanged, class X>
     bool solve_lower(X& x) const {
-        const int lower = Lower > 0 ? Lower : lower_;
+        if constexpr (Lower == 0) return solve_wide_lower(x);
+        std::array<T, Lower + 1> next{};
+        for (int i = 0; i <= Lower && i < n_; ++i) next[i] = x[i];
+        for (int k = 0; k < n_; ++k) {
+            const T* ck = column(k) + k;
+            if constexpr (Exchanged)
+                unrolled<Lower>(Lower, [&, p = pivot_[k] - k](auto i) {
+                    if (p == i + 1) std::swap(next[0], next[i + 1]);
+                });
+            const T m = next[0];
+            x.set(k, m);
+            unrolled<Lower>(Lower, [&](auto i) { next[i] = next[i + 1] - ck[i + 1] * m; });
+            next[Lower] = k + 1 + Lower < n_ ? T(x[k + 1 + Lower]) : T{};
+        }
+        return true;
+    }
+    template <int Width, class X>
+    bool solve_upper(X& x) const {
+        std::array<T, Width + 1> next{};
+        for (int i = 0; i <= Width && i < n_; ++i) next[i] = x[n_ - 1 - i];
+        for (int k = n_ - 1; k >= 0; --k) {
+            const T* ck = column(k) + k;
+            const T m = (Width > 0 ? next[0] : T(x[k])) * ck[0];
+            x.set(k, m);
+            if constexpr (Width > 0) {
+                unrolled<Width>(Width, [&](auto i) { next[i] = next[i + 1] - ck[-1 - i] * m; });
+                next[Width] = k - 1 - Width >= 0 ? T(x[k - 1 - Width]) : T{};
+            } else {
+                for (int i = std::max(0, k - width_); i < k; ++i) x.set(i, x[i] - ck[i - k] * m);
+            }
+        }
+        return true;
+    }
+
+    template <class X>
+    bool solve_wide_lower(X& x) const {
         for (int k = 0; k < n_; ++k) {
             const T* ck = column(k);
             const int p = pivot_[k];
             const T m = x[p];
             if (p != k) x.set(p, x[k]);
             x.set(k, m);
-            if (k + lower < n_) {
-                for (int i = k + 1; i <= k + lower; ++i) x.set(i, x[i] - ck[i] * m);
-            } else {
-                for (int i = k + 1; i < n_; ++i) x.set(i, x[i] - ck[i] * m);
-            }
+            for (int i = k + 1; i <= std::min(k + lower_, n_ - 1); ++i) x.set(i, x[i] - ck[i] * m);
         }
         return true;
     }
@@ -123,6 +168,7 @@ class banded_lu {
         return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j);
     }
     int n_ = -1, lower_ = 0, upper_ = 0, height_ = 1, width_ = 0;  // width_: of the upper factor
+    bool exchanged_ = false;                                       // some rows were
     std::vector<T> a_;
     std::vector<int> pivot_;
 };
@@ -176,12 +222,8 @@ struct banded_blocks {
   private:
     template <class T>
     static void assemble(banded_lu<T>& lu, const banded_matrix<Scalar>& J) {
-        const int n = J.size();
-        lu.resize(n, {J.lower(), J.upper()});
-        lu.set_zero();
-        for (int j = 0; j < n; ++j)
-            for (int i = std::max(0, j - J.upper()); i <= std::min(n - 1, j + J.lower()); ++i)
-                lu(i, j) = T(Scalar(-J(i, j)));
+        lu.resize(J.size(), {J.lower(), J.upper()});
+        lu.assign_negative(J);
     }
     template <class T>
     static void add_mass_to(banded_lu<T>& lu, const identity_mass&, const T& shift, int n) {
