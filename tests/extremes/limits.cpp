@@ -221,6 +221,28 @@ BOOST_AUTO_TEST_CASE(a_jump_found_to_the_resolution_of_t_is_passed) {
     BOOST_TEST(r.t < 1);
 }
 
+// The estimate of a stiff component falls as 1/z^2 across a jump, z = h lambda, once it is filtered twice; the error
+// as 1/z only.
+BOOST_AUTO_TEST_CASE(a_stiff_component_is_right_at_the_end_of_a_step_across_a_jump) {
+    for (const int s : {3, 5, 7})
+        for (const double rate : {1e4, 7e4, 1e6, 6e6})
+            for (const double tol : {1e-8, 1e-10})
+                for (double jump = 0.05; jump < 0.9; jump += 0.1) {
+                    const decay p{rate,
+                                  [=](double t, double y) { return -rate * (y - (t < jump ? 1 : -1)); }};
+                    double worst = 0;
+                    const auto watch = [&](double t, const V1& y) {
+                        const double exact = t < jump ? 1 : 2 * std::exp(-rate * (t - jump)) - 1;
+                        worst = std::max(worst, std::abs(y[0] - exact) / tol);
+                    };
+                    const auto r =
+                        sc::integrate(radau(s), p, V1(1.0), 0, 1, {.rtol = tol, .atol = tol}, watch);
+                    BOOST_TEST(r.ok());
+                    BOOST_TEST(worst < 2000,
+                               "s = " << s << ", rate " << rate << ", jump at " << jump << ", tol " << tol);
+                }
+}
+
 // The same value of f at all nodes of a step that spans whole periods: what has been seen bounds the steps, those
 // before the first jump too.
 BOOST_AUTO_TEST_CASE(a_right_hand_side_that_is_switched_periodically_is_not_stepped_over) {

@@ -61,14 +61,14 @@ class jump_guard {
     /// refused for its error before. Then it is a jump if the error has not fallen as h^power, nearly, which
     /// it does where f is smooth.
     void refused(const Scalar& t, const Scalar& h, const Scalar& err, int power, bool again) {
-        using std::abs;
-        using std::pow;
         if (!on_) return;
-        if (again && err > Scalar(2) &&
-            err > refused_error_ * pow(abs(h / refused_h_), Scalar(power + 1) / 2))
-            spacing_.found(t, h);
+        if (again && stays(h, err, power)) spacing_.found(t, h);
         refused_h_ = h;
         refused_error_ = err;
+    }
+    /// True if the estimate of a step of h, err before it is filtered again, is that of a jump. `again` as above.
+    bool across(const Scalar& h, const Scalar& err, int power, bool again) const {
+        return on_ && (doubted() || (again && stays(h, err, power)));
     }
     /// True if a step of h from t is longer than all that the run has seen of f, and no jump is known yet.
     bool bold(const Scalar& h, const Scalar& t) const {
@@ -129,6 +129,12 @@ class jump_guard {
     }
 
   private:
+    /// True if the error of a repeated attempt has not fallen with the step as it does where f is smooth.
+    bool stays(const Scalar& h, const Scalar& err, int power) const {
+        using std::abs;
+        using std::pow;
+        return err > Scalar(2) && err > refused_error_ * pow(abs(h / refused_h_), Scalar(power + 1) / 2);
+    }
     /// The largest value of the combinations at the blind spots. Contributions of stiff components are no
     /// jump, or die out with time: where they matter, the method's own filter removes them, applied twice.
     template <class Step, class System, class Size>

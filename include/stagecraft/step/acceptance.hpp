@@ -94,11 +94,14 @@ class acceptance {
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
         scalar err = estimate_size();
         if (err >= scalar(1) && (first || refused.all > 0)) {
+            const scalar once = err;
             counts.error_solves +=
                 method.estimate_again(system, trial.t, trial.y, trial.plan.h, trial.now, trial.y1, error_);
             if (first && refused.all > 0) method.without_start(system, trial.now, error_);
             method.advance(trial.y, trial.now, trial.y1);
             err = estimate_size();
+            if (!first && jumps_.across(trial.plan.h, once, method.estimate_power(), refused.for_error > 0))
+                raise(err, once / stiff_share());
         }
         if (err < scalar(1) && method.needs_right_value()) {
             const Vector& f1 = trial.f.right(system, trial.plan.t_next, trial.y1);
@@ -228,6 +231,9 @@ class acceptance {
     static void raise(scalar& err, const scalar& other) {
         if (!(other <= err)) err = other;
     }
+    /// Across a jump of f a stiff component ends a step with an error of about what its estimate shows, filtered
+    /// once; filtered twice, of about the square. It decays with the next steps: so many tolerances are let pass.
+    static scalar stiff_share() { return scalar(10); }
     static scalar usual_safety() { return scalar(9) / scalar(10); }
 
     scalar rtol_;
