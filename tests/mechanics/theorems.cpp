@@ -106,6 +106,11 @@ orders global(request method, long first = 200) {
     return m.slopes();
 }
 
+// Orders of a stage.
+struct by_stage {
+    double y, lambda;
+};
+
 const request radau_iia_2{.stages = 2}, radau_iia_3{.stages = 3},
     radau_ia_3{.method = family::radau_ia, .stages = 3}, gauss_2{.method = family::gauss, .stages = 2};
 
@@ -213,30 +218,89 @@ BOOST_AUTO_TEST_CASE(corollary_1_collocation_has_order_s_at_least) {
     BOOST_TEST(global(gauss_2).constraint < 2.2);
 }
 
-BOOST_AUTO_TEST_CASE(theorem_1_a_step_exists_from_values_off_by_h_squared_and_h) {
+namespace {
+
+// The stages (Y_ni, Lambda_ni) of one step of Radau IIA-3: its collocation polynomial at the nodes.
+std::array<vector, 3> stages(const setup& s, double step) {
+    const double c[] = {(4 - std::sqrt(6.0)) / 10, (4 + std::sqrt(6.0)) / 10, 1};
+    std::array<vector, 3> values;
+    request one{.tolerance = 1e-12, .steps = 1, .end = step};
+    one.watch = [&](double, const vector&, double, const piece& p) {
+        for (int i = 0; i < 3; ++i) values[i] = p(c[i] * step);
+        return true;
+    };
+    solve(s, one);
+    return values;
+}
+
+// Slopes in h of Y_ni - y_n and Lambda_ni - lambda_n, i = 1, 2, 3, from starts that `disturb` moves.
+template <class Disturb>
+std::array<by_stage, 3> stage_orders(const setup& exact, Disturb disturb) {
+    std::vector<double> h, y[3], lambda[3];
+    for (double step = 1e-3; step > 1e-4; step /= 2) {
+        setup s = exact;
+        disturb(s.y0, step);
+        const auto all = stages(s, step);
+        h.push_back(step);
+        for (int i = 0; i < 3; ++i) {
+            y[i].push_back((all[i] - s.y0).head(10).norm());
+            lambda[i].push_back((all[i] - s.y0).tail(2).norm());
+        }
+    }
+    std::array<by_stage, 3> orders;
+    for (int i = 0; i < 3; ++i) orders[i] = {slope(h, y[i]), slope(h, lambda[i])};
+    return orders;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(theorem_1_every_stage_is_o_of_h_away) {
     const setup exact = restarted(disc_dae(), 0.25);
-    std::vector<double> h, y, lambda;
-    for (double step = 1e-3; step > 1e-4; step /= 2) {
-        setup s = exact;
-        s.y0[6] += 3 * step * step;  // g(y_n) = O(h^2)
-        s.y0[10] += 2 * step;        // g_y f = O(h)
-        s.y0[11] -= step;
-        const vector end = solve(s, {.tolerance = 1e-12, .steps = 1, .end = step}).path.back().y;
-        h.push_back(step);
-        y.push_back((end - s.y0).head(10).norm());
-        lambda.push_back((end - s.y0).tail(2).norm());
+    // (2.9): g(y_n) = O(h^2) by the velocities, g_y f = O(h) by lambda.
+    for (const auto& i : stage_orders(exact, [](vector&y, double h) {
+             y[6] += 3 * h * h;
+             y[10] += 2 * h;
+             y[11] -= h;
+         })) {
+        BOOST_TEST(std::abs(i.y - 1) < 0.1);
+        BOOST_TEST(std::abs(i.lambda - 1) < 0.1);
     }
-    BOOST_TEST(std::abs(slope(h, y) - 1) < 0.1);
-    BOOST_TEST(std::abs(slope(h, lambda) - 1) < 0.1);
-    // Off by O(h) in the constraint, lambda jumps by O(1): hypothesis (2.9) is needed.
-    h.clear();
-    lambda.clear();
-    for (double step = 1e-3; step > 1e-4; step /= 2) {
-        setup s = exact;
-        s.y0[6] += 3 * step;
-        const vector end = solve(s, {.tolerance = 1e-12, .steps = 1, .end = step}).path.back().y;
-        h.push_back(step);
-        lambda.push_back((end - s.y0).tail(2).norm());
+    // g_y f = O(1), lambda_n off by a constant: Y stays O(h), Lambda does not come near lambda_n.
+    for (const auto& i : stage_orders(exact, [](vector&y, double) { y[10] += 1; })) {
+        BOOST_TEST(std::abs(i.y - 1) < 0.1);
+        BOOST_TEST(std::abs(i.lambda) < 0.05);
     }
-    BOOST_TEST(std::abs(slope(h, lambda)) < 0.1);
+    // g(y_n) = O(h): lambda jumps by O(1). Hypothesis (2.9) is needed.
+    for (const auto& i : stage_orders(exact, [](vector&y, double h) { y[6] += 3 * h; }))
+        BOOST_TEST(std::abs(i.lambda) < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(theorem_1_the_stages_are_unique) {
+    // lambda_n is not in (2.8), it is where Newton's iteration begins. From all around, as far off as h and as
+    // far as 1, the same stages are reached.
+    const setup exact = restarted(disc_dae(), 0.25);
+    const double step = 1e-3;
+    const auto expected = stages(exact, step);
+    for (const double off : {step, 1.0})
+        for (int corner = 0; corner < 4; ++corner) {
+            setup s = exact;
+            s.y0[10] += corner % 2 == 0 ? off : -off;
+            s.y0[11] += corner < 2 ? off : -off;
+            const auto seen = stages(s, step);
+            for (int i = 0; i < 3; ++i) {
+                BOOST_TEST((seen[i] - expected[i]).head(10).norm() < 1e-11);
+                BOOST_TEST((seen[i] - expected[i]).tail(2).norm() < 1e-8);  // Newton's tolerance over h
+            }
+        }
+}
+
+BOOST_AUTO_TEST_CASE(section_2_4_steps_without_the_scaled_norm) {
+    // All index flags 1: the norm in which the library's iteration and estimate are judged has no h.
+    const auto steps = [](double tolerance, int flag) {
+        setup s = disc_dae();
+        s.problem.flags[10] = s.problem.flags[11] = flag;
+        return static_cast<double>(solve(s, {.tolerance = tolerance}).report.steps);
+    };
+    BOOST_TEST(steps(1e-6, 1) > 5 * steps(1e-6, 2));
+    BOOST_CHECK_THROW(steps(1e-10, 1), std::runtime_error);
 }
