@@ -100,7 +100,7 @@ outcome assumptions() {
     o.figures = {{"fig_assumptions",
                   "Model assumptions along the motion",
                   "t [s]",
-                  "",
+                  "condition, -μ [1/kg], pivot",
                   false,
                   true,
                   {condition, mu, pivot}}};

@@ -9,7 +9,7 @@ namespace thesis {
 outcome assumptions();
 
 /// The experiments of the thesis' chapter 4, in its order.
-outcome solution();  ///< figures 4.2-4.6: solution, energy, constraint with and without index reduction
+outcome solution();  ///< figures 4.1-4.6: solution, energy, constraint with and without index reduction
 outcome orders_of_convergence();  ///< figures 4.7-4.12: equal steps, Radau IIA with 3, 1 and 2 stages
 outcome regularisation_error();   ///< figures 4.13-4.16: distance to the index-2 solution as eps -> 0
 outcome root_expansion();         ///< (3.50) to (3.61): the error is eps Y; Corollaries 3 and 4

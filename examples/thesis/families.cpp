@@ -31,6 +31,19 @@ orders promised(family f, int s) {
     }
 }
 
+const char* display(family f) {
+    switch (f) {
+        case family::gauss:
+            return "Gauss";
+        case family::radau_ia:
+            return "Radau IA";
+        case family::lobatto_iiic:
+            return "Lobatto IIIC";
+        default:
+            return "Radau IIA";
+    }
+}
+
 int classical_order(family f, int s) {
     return f == family::gauss ? 2 * s : f == family::lobatto_iiic ? 2 * s - 2 : 2 * s - 1;
 }
@@ -81,7 +94,7 @@ outcome other_methods() {
         "Equal steps over [0, 0.2]; orders between h = 1/120 and 1/240 s, in brackets what theory has;\n"
         "loss: classical order minus order of y, stages minus order of lambda.\n\n";
     for (const family f : {family::radau_iia, family::gauss, family::radau_ia, family::lobatto_iiic}) {
-        const std::string name(stagecraft::tableaux::name(f));
+        const std::string name = display(f);
         const auto exact = stagecraft::tableaux::exact_tableau(f, 3);
         o.text += name + ", hypotheses decided exactly for s = 3:\n" + theorems(*exact);
         const auto best = stagecraft::theory::predict_index2(*exact);
@@ -118,6 +131,8 @@ outcome other_methods() {
                     cy.x.push_back(0.2 / steps[k]), cy.y.push_back(e[k].y);
                     cl.x.push_back(0.2 / steps[k]), cl.y.push_back(e[k].lambda);
                 }
+                cy.title += ", order " + one_decimal(y);
+                cl.title += ", order " + one_decimal(lambda);
                 fy.curves.push_back(cy);
                 fl.curves.push_back(cl);
             }
@@ -133,6 +148,8 @@ outcome other_methods() {
                                   std::is_sorted(stages.y.rbegin(), stages.y.rend())});
         fs.curves.push_back(stages);
     }
+    fy.slopes = {9, 5};
+    fl.slopes = {5, 4};
     o.figures = {fy, fl, fs};
     return o;
 }

@@ -93,7 +93,7 @@ void report(outcome& o, const component& c, const std::string& label, const std:
     const bool within = c.printed >= std::min(c.lowest, order) && c.printed <= c.highest;
     const std::string reason =
         "a fit at t = 1, where local slopes run from " + decimal(c.lowest) + " to " + decimal(c.highest);
-    o.findings.push_back({c.number + " order of " + c.name + ", " + label, decimal(c.printed),
+    o.findings.push_back({c.number + " order of " + c.name + ", " + label, general(c.printed),
                           decimal(order) + " (t=1: " + decimal(end) + ")", decimal(c.theory),
                           std::abs(order - c.theory) < 0.1,
                           compared(c.printed, order, 0.05, reason, within)});

@@ -67,7 +67,7 @@ curve triangle(const figure& f, std::size_t which) {
         for (std::size_t i = 0; i < c.x.size(); ++i)
             if (c.x[i] <= x1 * width && c.x[i] >= x0 / width && c.y[i] > 0) floor = std::min(floor, c.y[i]);
     const double slope = f.slopes[which], head = floor / 4, foot = head / std::pow(width, slope);
-    return {"slope " + formatted("%g", slope), {x0, x1, x1, x0}, {foot, foot, head, foot}, false};
+    return {"slope " + general(slope), {x0, x1, x1, x0}, {foot, foot, head, foot}, false};
 }
 
 // Tables of all curves and the commands that draw them.
@@ -101,6 +101,7 @@ void write_figure(const std::string& directory, const figure& f, std::ostream& s
 std::string scientific(double x) { return formatted("%.2e", x); }
 std::string decimal(double x) { return formatted("%.2f", x); }
 std::string one_decimal(double x) { return formatted("%.1f", x); }
+std::string general(double x) { return formatted("%g", x); }
 
 std::string compared(bool agrees) { return agrees ? "agrees" : ""; }
 

@@ -50,10 +50,11 @@ struct outcome {
     std::vector<drawing> drawings = {};
 };
 
-/// "1.23e-04", "4.82" and "4.8".
+/// "1.23e-04", "4.82", "4.8", and as many digits as the number was written with.
 std::string scientific(double x);
 std::string decimal(double x);
 std::string one_decimal(double x);
+std::string general(double x);
 
 /// The closing table.
 std::string table(const std::vector<finding>& findings);

@@ -3,29 +3,85 @@
 #include <cmath>
 
 #include <problems/thesis/solve.hpp>
+#include "drawing.hpp"
 #include "experiments.hpp"
 
 namespace thesis {
 
+namespace {
+
+// Figure 4.2, all twelve variables: positions, velocities and forces apart, for their sizes differ.
+std::vector<figure> variables(const trajectory& run) {
+    const char* const names[] = {"x", "y", "α", "β", "γ", "x'", "y'", "α'", "β'", "γ'", "λ_1", "λ_2"};
+    std::vector<curve> curves;
+    for (int i = 0; i < 12; ++i) {
+        curve c{names[i], {}, {}, false};
+        for (const auto& p : run.path) c.x.push_back(p.t), c.y.push_back(p.y[i]);
+        curves.push_back(c);
+    }
+    const auto part = [&](const char* name, const char* what, const char* label, int from, int to) {
+        return figure{name,
+                      std::string("4.2 Solution of the index-2 system: ") + what,
+                      "t [s]",
+                      label,
+                      false,
+                      false,
+                      {curves.begin() + from, curves.begin() + to}};
+    };
+    return {part("fig_4_2", "place of the contact point", "x, y [m]", 0, 2),
+            part("fig_4_2_angles", "angles", "[rad]", 2, 5),
+            part("fig_4_2_velocities", "velocity of the contact point", "[m/s]", 5, 7),
+            part("fig_4_2_rates", "angular velocities", "[rad/s]", 7, 10),
+            part("fig_4_2_forces", "λ", "λ [N]", 10, 12)};
+}
+
+// Figure 4.5 over twenty seconds, where the drift shows.
+void long_run(outcome& o) {
+    const request how{.tolerance = 1e-12, .end = 20};
+    const auto violation = [](const trajectory& run, const char* title, double& at_end) {
+        curve c{title, {}, {}, false};
+        double worst = 0;
+        for (std::size_t k = 0; k < run.path.size(); ++k) {
+            worst = std::max(worst, disc_constraint(run.path[k].y).cwiseAbs().maxCoeff());
+            if (k % 50 != 0) continue;  // the largest since the last point that is drawn
+            c.x.push_back(run.path[k].t);
+            c.y.push_back(worst);
+            worst = 0;
+        }
+        at_end = *std::max_element(c.y.end() - 20, c.y.end());
+        return c;
+    };
+    double dae = 0, ode = 0;
+    const curve direct = violation(solve(disc_dae(), how), "index-2 system", dae),
+                reduced = violation(solve(disc_reduced(), how), "index-reduced", ode);
+    o.figures.push_back({"fig_4_5_long",
+                         "4.5 Constraint over 20 s, tol 10^{-12}",
+                         "t [s]",
+                         "max |G q'| [m/s]",
+                         false,
+                         true,
+                         {direct, reduced}});
+    o.text += "over 20 s: max|G q'| " + scientific(dae) + " m/s (index-2 system) and " + scientific(ode) +
+              " m/s (index-reduced) at the end\n";
+    o.findings.push_back(
+        {"4.5 over 20 s: index-reduced", "", scientific(ode), "drifts, > 1e-12", ode > 1e-12});
+    o.findings.push_back({"4.5 over 20 s: index-2 system", "", scientific(dae), "rounding", dae < 1e-12});
+}
+
+}  // namespace
+
 outcome solution() {
-    outcome o{"Solution, energy, constraint (figures 4.2 to 4.6)", {}, {}, {}};
+    outcome o{"Solution, energy, constraint (figures 4.1 to 4.6)", {}, {}, {}};
     const trajectory dae = solve(disc_dae(), {.tolerance = 1e-12}),
                      ode = solve(disc_reduced(), {.tolerance = 1e-12});
 
-    const char* const names[] = {"x [m]", "y [m]", "α", "β", "γ"};
-    figure state{"fig_4_2", "4.2 Solution of the index-2 system", "t [s]", "coordinates", false, false, {}};
-    for (int i = 0; i < 5; ++i) {
-        curve c{names[i], {}, {}, false};
-        for (const auto& p : dae.path) c.x.push_back(p.t), c.y.push_back(p.y[i]);
-        state.curves.push_back(c);
-    }
     curve total{"total", {}, {}, false}, kinetic{"kinetic", {}, {}, false},
         potential{"potential", {}, {}, false};
     const char* const components[] = {"first component", "second component"};
     const auto constraint_of = [&](const trajectory& run, double& worst) {
         std::vector<curve> curves;
         for (int i = 0; i < 2; ++i) {
-            curve c{components[i], {}, {}, true};
+            curve c{components[i], {}, {}, false};
             for (const auto& p : run.path) {
                 const double u = disc_constraint(p.y)[i];
                 worst = std::max(worst, std::abs(u));
@@ -53,13 +109,16 @@ outcome solution() {
         smallest = std::min(smallest, p.h);
         largest = std::max(largest, p.h);
     }
-    o.figures = {state,
-                 {"fig_4_3", "4.3 Energy", "t [s]", "energy [J]", false, false, {total, kinetic, potential}},
-                 {"fig_4_4", "4.4 Constraint of the index-2 system", "t [s]", "G q' [m/s]", false, false,
-                  constraint_of(dae, worst_violation)},
-                 {"fig_4_5", "4.5 Constraint after index reduction", "t [s]", "G q' [m/s]", false, false,
-                  constraint_of(ode, worst_drift)},
-                 {"fig_4_6", "4.6 Step sizes of the reference run", "t [s]", "h [s]", false, true, {steps}}};
+    o.figures = variables(dae);
+    const std::vector<figure> others{
+        {"fig_4_3", "4.3 Energy", "t [s]", "energy [J]", false, false, {total, kinetic, potential}},
+        {"fig_4_4", "4.4 Constraint of the index-2 system", "t [s]", "G q' [m/s]", false, false,
+         constraint_of(dae, worst_violation)},
+        {"fig_4_5", "4.5 Constraint after index reduction", "t [s]", "G q' [m/s]", false, false,
+         constraint_of(ode, worst_drift)},
+        {"fig_4_6", "4.6 Step sizes of the reference run", "t [s]", "h [s]", false, true, {steps}}};
+    o.figures.insert(o.figures.end(), others.begin(), others.end());
+    o.drawings = disc_drawings(solve(disc_dae(), {.tolerance = 1e-11, .steps = 1200}));
     const double end_drift = disc_constraint(ode.path.back().y).cwiseAbs().maxCoeff();
     o.text = "Radau IIA-3, tol 1e-12, " + std::to_string(dae.report.steps) + " steps\n" +
              "largest change of the energy       " + scientific(worst_energy) + " J\n" +
@@ -76,6 +135,7 @@ outcome solution() {
          end_drift > 10 * worst_violation, compared(end_drift > 10 * worst_violation)},
         {"4.6 step sizes", "1e-4 ... 1e-3", scientific(smallest) + " ... " + scientific(largest), "",
          smallest > 1e-5 && largest < 1e-2, compared(smallest > 0.5e-4 && largest < 5e-3)}};
+    long_run(o);
     return o;
 }
 
