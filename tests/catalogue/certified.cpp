@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "../catalogue.hpp"
+#include "certify_once.hpp"
+
 using namespace stagecraft;
 using namespace stagecraft::theory;
 namespace fs = std::filesystem;
@@ -31,7 +34,7 @@ const std::map<std::string, file_certificate>& catalogue() {
     static const std::map<std::string, file_certificate> all = [] {
         std::map<std::string, file_certificate> made;
         for (const fs::path& file : tableau_files_in(source / "tableaux/catalogue"))
-            made.emplace(file.stem().string(), certify(tableaux::read_tableau_file(file.string())));
+            made.emplace(file.stem().string(), certify_once::certify_file(file.string()));
         return made;
     }();
     return all;
@@ -74,8 +77,7 @@ BOOST_AUTO_TEST_CASE(no_explicit_method_is_a_stable_or_algebraically_stable) {
     // Lecture, Satz 2.22 and HW II.IV.12: refuted with a witness for each of them.
     int explicit_methods = 0;
     for (const auto& [name, c] : catalogue()) {
-        const auto file =
-            tableaux::read_tableau_file((source / "tableaux/catalogue" / (name + ".json")).string());
+        const auto file = read_once::catalogue().at(name);
         bool is_explicit = true;
         for (int i = 0; i < file.stages(); ++i)
             for (int j = i; j < file.stages(); ++j) is_explicit &= file.A[i][j].text == "0";
@@ -97,7 +99,7 @@ BOOST_AUTO_TEST_CASE(every_misprint_is_refuted_and_its_wrong_entry_named_with_th
         const std::string text = text_of(path);
         std::smatch note;
         BOOST_REQUIRE_MESSAGE(std::regex_search(text, note, form), path);
-        const auto c = certify(tableaux::read_tableau(text));
+        const auto c = certify_once::certify(text);
         BOOST_TEST(c.exit_code() == 1, path);
         const std::string entry = note[1], right = note[2];
         if (entry.starts_with("claims.")) {
@@ -149,8 +151,7 @@ BOOST_AUTO_TEST_CASE(rows_say_what_is_proved_refuted_or_open) {
         std::string::npos);
     BOOST_TEST(method_row(catalogue().at("kvaerno_3_2")).find("| 4 | 3(2) | 2 | (yes) | (yes) | no |") !=
                std::string::npos);
-    auto misprint =
-        certify(tableaux::read_tableau_file((source / "tests/data/misprints/fehlberg_3554.json").string()));
+    auto misprint = certify_once::certify_file((source / "tests/data/misprints/fehlberg_3554.json").string());
     BOOST_TEST(method_row(misprint).find("| 4(1) |") != std::string::npos);
     BOOST_CHECK_THROW(tableau_files_in(source / "README.md"), std::invalid_argument);
     misprint.name = "a|b";

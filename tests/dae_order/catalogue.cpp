@@ -3,10 +3,10 @@
 // order conditions of index 2 say: a promise above them would be a wrong theorem or a wrong hypothesis.
 #define BOOST_TEST_MODULE catalogue
 #include <boost/test/unit_test.hpp>
-#include <filesystem>
 #include <map>
-#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/dae/dae_order.hpp>
+
+#include "../catalogue.hpp"
 
 using namespace stagecraft;
 using namespace stagecraft::theory;
@@ -14,12 +14,7 @@ using namespace stagecraft::theory;
 BOOST_AUTO_TEST_CASE(no_theorem_promises_more_than_the_exact_conditions_of_index_2) {
     std::map<std::string, int> used;
     int none = 0;
-    for (const auto& e : std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-        if (e.path().extension() != ".json") continue;
-        const auto file = tableaux::read_tableau_file(e.path().string());
-        if (file.kind() > tableaux::number_kind::quadratic) continue;
-        const auto t = tableaux::to_quadratic(file);
-        const auto name = e.path().stem().string();
+    for (const auto& [name, t] : read_once::exact_methods()) {
         const auto traits = dae_traits_of(t);
         if (!traits.regular) {
             ++none;

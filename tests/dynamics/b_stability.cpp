@@ -3,14 +3,14 @@
 #define BOOST_TEST_MODULE b_stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <filesystem>
 #include <random>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/dynamics/autonomous_witness.hpp>
 #include <stagecraft/theory/dynamics/contraction.hpp>
 #include <stagecraft/theory/dynamics/expansion_witness.hpp>
 #include <stagecraft/theory/dynamics/rk_map.hpp>
+
+#include "../catalogue.hpp"
 
 using namespace stagecraft;
 using namespace stagecraft::theory;
@@ -20,21 +20,7 @@ using tableaux::quadratic;
 namespace {
 
 using method = tableau<quadratic>;
-
-const std::vector<std::pair<std::string, method>>& exact_methods() {
-    static const auto all = [] {
-        std::vector<std::pair<std::string, method>> found;
-        for (const auto& e :
-             std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-            if (e.path().extension() != ".json") continue;
-            const auto f = tableaux::read_tableau_file(e.path().string());
-            if (f.kind() <= tableaux::number_kind::quadratic)
-                found.emplace_back(e.path().stem().string(), tableaux::to_quadratic(f));
-        }
-        return found;
-    }();
-    return all;
-}
+using read_once::exact_methods;
 
 method named(const std::string& name) {
     for (const auto& [n, t] : exact_methods())

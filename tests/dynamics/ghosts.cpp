@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <filesystem>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/dynamics/ghosts.hpp>
 #include <stagecraft/theory/dynamics/ghosts_in_box.hpp>
 #include <stagecraft/theory/dynamics/one_sided_lipschitz.hpp>
 #include <stagecraft/theory/dynamics/rk_map.hpp>
 
+#include "../catalogue.hpp"
 #include "../message.hpp"
 
 using namespace stagecraft;
@@ -22,34 +21,17 @@ using tableaux::quadratic;
 
 namespace {
 
-tableaux::tableau_file file(const std::string& name) {
-    return tableaux::read_tableau_file(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue/" + name + ".json");
-}
-tableau<rational> method(const std::string& name) { return tableaux::to_rational(file(name)); }
+using read_once::exact_methods;
 
-const std::vector<std::pair<std::string, tableau<quadratic>>>& exact_methods() {
-    static const auto all = [] {
-        std::vector<std::pair<std::string, tableau<quadratic>>> found;
-        for (const auto& e :
-             std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-            if (e.path().extension() != ".json") continue;
-            const auto f = tableaux::read_tableau_file(e.path().string());
-            if (f.kind() <= tableaux::number_kind::quadratic)
-                found.emplace_back(e.path().stem().string(), tableaux::to_quadratic(f));
-        }
-        return found;
-    }();
-    return all;
+tableau<rational> method(const std::string& name) {
+    return tableaux::to_rational(read_once::catalogue().at(name));
 }
 
 /// The whole catalogue; of rounded entries the middle of what they can be.
 const std::vector<std::pair<std::string, tableau<rational>>>& all_methods() {
     static const auto all = [] {
         std::vector<std::pair<std::string, tableau<rational>>> found;
-        for (const auto& e :
-             std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-            if (e.path().extension() != ".json") continue;
-            const auto f = tableaux::read_tableau_file(e.path().string());
+        for (const auto& [name, f] : read_once::catalogue()) {
             tableau<rational> t;
             const auto s = static_cast<Eigen::Index>(f.b.size());
             t.A.resize(s, s);
@@ -63,7 +45,7 @@ const std::vector<std::pair<std::string, tableau<rational>>>& all_methods() {
                     t.c[i] += t.A(i, j);
                 }
             }
-            found.emplace_back(e.path().stem().string(), t);
+            found.emplace_back(name, t);
         }
         return found;
     }();
@@ -210,7 +192,7 @@ BOOST_AUTO_TEST_CASE(linear_problems_have_no_ghosts_for_gauss_1_and_2_and_for_no
     BOOST_TEST(with_property >= 3);
     // Rounded tables as well: a coefficient of P - Q other than that of z is far from 0.
     for (const auto& [name, t] : all_methods()) {
-        const auto order = file(name).claims.order;
+        const auto order = read_once::catalogue().at(name).claims.order;
         if (!order || *order <= 4) continue;
         ++above_4;
         const auto equation = fixed_point_equation(stability_function_of(t));

@@ -4,12 +4,12 @@
 #define BOOST_TEST_MODULE catalogue_theorems
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <filesystem>
-#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/transformations.hpp>
 #include <stagecraft/theory/dae/dae_order.hpp>
 #include <stagecraft/theory/stability/ssp.hpp>
 #include <stagecraft/theory/stability/symmetry.hpp>
+
+#include "../catalogue.hpp"
 
 using namespace stagecraft;
 using namespace stagecraft::theory;
@@ -18,23 +18,7 @@ namespace {
 
 using K = tableaux::quadratic;  // the rational ones among them
 using method = tableau<K>;
-
-/// Every exact catalogue tableau with its name, read once.
-const std::vector<std::pair<std::string, method>>& exact_methods() {
-    static const auto all = [] {
-        std::vector<std::pair<std::string, method>> found;
-        for (const auto& e :
-             std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue")) {
-            if (e.path().extension() != ".json") continue;
-            const auto file = tableaux::read_tableau_file(e.path().string());
-            if (file.kind() > tableaux::number_kind::quadratic) continue;
-            found.emplace_back(e.path().stem().string(), tableaux::to_quadratic(file));
-        }
-        std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        return found;
-    }();
-    return all;
-}
+using read_once::exact_methods;
 
 /// Calls f(name, tableau) for each of them; returns how many there are.
 template <class F>

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/tableaux/tableau_from_file.hpp>
-
 #include <Eigen/Core>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
-#include <filesystem>
-#include <map>
-#include <string>
+#include <stagecraft/tableaux/tableau_from_file.hpp>
+
+#include "../catalogue.hpp"
 
 // Every method of the catalogue, and a problem to run it on at 50 digits.
 
@@ -18,19 +16,7 @@ using fifty =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 using vector = Eigen::Matrix<fifty, 2, 1>;
 
-/// By the names of the files.
-inline const std::map<std::string, stagecraft::tableaux::tableau_file>& catalogue() {
-    static const auto all = [] {
-        std::map<std::string, stagecraft::tableaux::tableau_file> files;
-        for (const auto& entry :
-             std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue"))
-            if (entry.path().extension() == ".json")
-                files.emplace(entry.path().stem().string(),
-                              stagecraft::tableaux::read_tableau_file(entry.path().string()));
-        return files;
-    }();
-    return all;
-}
+using read_once::catalogue;
 
 // y = (1/(1+t), 1/(1+t)^2); polynomials only, so that 50 digits stay cheap.
 struct hyperbola {

@@ -79,9 +79,10 @@ int diff_files(const std::string& first, const std::string& second) {
 }
 
 void print_method_table(const std::vector<std::string>& paths) {
-    std::vector<std::filesystem::path> files;
-    for (const std::string& path : with_folders_opened(paths)) files.emplace_back(path);
-    std::cout << theory::method_table(files);
+    std::string table = theory::method_table_head();
+    for (const std::string& path : with_folders_opened(paths))
+        table += theory::method_row(theory::certify(tableaux::read_tableau_file(path)));
+    std::cout << table;
 }
 
 }  // namespace stagecraft::tool

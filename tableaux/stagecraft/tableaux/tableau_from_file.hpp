@@ -3,8 +3,8 @@
 
 #include <limits>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
+#include <stagecraft/tableaux/tableau_file.hpp>
 
 namespace stagecraft::tableaux {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/theory/judging/certify_file.hpp>
+#include <stagecraft/theory/judging/file_certificate.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -75,14 +75,6 @@ inline std::vector<std::filesystem::path> tableau_files_in(const std::filesystem
         if (item.path().extension() == ".json") all.push_back(item.path());
     std::sort(all.begin(), all.end());
     return all;
-}
-
-/// The table of the tableau files named, one row each, in the order given. Throws tableaux::unusable_input
-/// for a file that cannot be used.
-inline std::string method_table(const std::vector<std::filesystem::path>& files) {
-    std::string table = method_table_head();
-    for (const auto& file : files) table += method_row(certify(tableaux::read_tableau_file(file.string())));
-    return table;
 }
 
 }  // namespace stagecraft::theory
