@@ -6,20 +6,17 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/jumps/blind_spots.hpp>
 #include <stagecraft/tableau/step_doubling.hpp>
-#include <stagecraft/tableaux/rounded.hpp>
 
-#include "catalogue.hpp"
+#include "../catalogue.hpp"
 
 // Jumps of f that an embedded estimate does not see, for every pair of the catalogue.
 
 namespace sc = stagecraft;
-using catalogue_runs::catalogue;
+using read_once::catalogue, read_once::rounded;
 using V = Eigen::VectorXd;
 using method = sc::tableau<double>;
 
 namespace {
-
-method rounded(const std::string& name) { return sc::tableaux::rounded<double>(catalogue().at(name)); }
 
 struct found {
     sc::blind_spots<double> spots;
@@ -115,20 +112,16 @@ BOOST_AUTO_TEST_CASE(what_the_estimate_does_not_see_is_found_from_the_weights) {
     BOOST_TEST(both.need_right_slope);
 }
 
-BOOST_AUTO_TEST_CASE(every_jump_is_seen_and_what_is_smooth_is_not) {
+BOOST_AUTO_TEST_CASE(the_combinations_show_nothing_of_what_is_smooth) {
     int blind = 0;
     for (const auto& [name, file] : catalogue()) {
-        const auto m = sc::tableaux::rounded<double>(file);
+        const auto m = rounded(name);
         if (m.b_embedded.size() == 0) continue;
         const V d = m.b - m.b_embedded;
         if (sc::blind_to_quadrature(m, d)) continue;
         const auto [spots, is] = spots_of(m);
         blind += spots.count() > 0;
         BOOST_TEST_CONTEXT(name) {
-            for (int k = 1; k < 1000; ++k) {
-                const double theta = k / 1000.0 + 1e-7, error = std::abs(shown(m, theta, m.b) - (1 - theta));
-                BOOST_TEST(error <= 200.1 * std::abs(shown(m, theta, d)) + 3.001 * seen(m, theta, spots));
-            }
             // Smooth: the slopes of y' = f(t) with a polynomial of degree power - 2.
             for (int k = 0; k < spots.count(); ++k) {
                 double scale = 0;
@@ -150,7 +143,7 @@ BOOST_AUTO_TEST_CASE(every_jump_is_seen_and_what_is_smooth_is_not) {
 // way.
 BOOST_AUTO_TEST_CASE(every_pair_solves_across_jumps_to_the_tolerance) {
     for (const auto& [name, file] : catalogue()) {
-        const auto m = sc::tableaux::rounded<double>(file);
+        const auto m = rounded(name);
         if (m.b_embedded.size() == 0 || sc::blind_to_quadrature(m, V(m.b - m.b_embedded))) continue;
         const int order = sc::classical_order(m);
         if (order < 2) continue;
@@ -172,20 +165,24 @@ BOOST_AUTO_TEST_CASE(every_pair_solves_across_jumps_to_the_tolerance) {
     }
 }
 
-// Nothing lets expect anything in the first step, and a jump may be in it.
-BOOST_AUTO_TEST_CASE(a_jump_in_the_first_step_is_seen) {
-    for (const auto& name : {"sdirk_4_3", "bogacki_shampine_5_4", "norsett_thomsen_2_3", "billington_2_3",
-                             "verner_8_7_efficient"})
+// Every place of a jump in the first step, of which nothing is known yet. Tolerances are asked of the estimate, which may
+// show 1/200 of a jump.
+BOOST_AUTO_TEST_CASE(a_jump_in_the_first_step_is_seen_by_every_pair) {
+    for (const auto& [name, file] : catalogue()) {
+        const auto m = rounded(name);
+        if (m.b_embedded.size() == 0 || sc::blind_to_quadrature(m, V(m.b - m.b_embedded))) continue;
+        if (sc::classical_order(m) < 2) continue;
         for (const double first : {0.0, 0.1, 1.0})
-            for (const double part : {0.02, 0.1, 0.23, 0.41, 0.73, 0.93}) {
-                const double jump = part * (first == 0 ? 0.01 : first);
+            for (int k = 1; k < 20; ++k) {
+                const double jump = (k / 20.0 - 0.013) * (first == 0 ? 0.01 : first);
                 const auto kink = [jump](double t, const V&, V& f) { f[0] = t < jump ? 1 : -2; };
-                const auto r = sc::integrate(rounded(name), kink, V(V::Ones(1)), 0, 2,
+                const auto r = sc::integrate(m, kink, V(V::Ones(1)), 0, 2,
                                              {.rtol = 1e-6, .atol = 1e-6, .initial_step = first});
                 BOOST_TEST(r.ok());
-                BOOST_TEST(std::abs(r.y[0] - (1 + jump - 2 * (2 - jump))) < 2e-4,
+                BOOST_TEST(std::abs(r.y[0] - (1 + jump - 2 * (2 - jump))) < 200 * (1e-6 + 1e-6 * (1 + jump)),
                            name << " first " << first << " jump " << jump << ": " << r.y[0]);
             }
+    }
 }
 
 // Halving the step may move a jump from one blind spot into another.

@@ -4,10 +4,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/orthonormal_basis.hpp>
 #include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
@@ -40,43 +42,44 @@ namespace detail {
 template <class Scalar>
 struct weights_basis {
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    std::vector<column> vectors;
-    std::vector<int> order;  ///< of the tree that each belongs to
+    orthonormal_basis<Scalar> basis;
+    std::vector<int> order;  ///< of the tree that each vector belongs to
 
     template <int Stages>
-    weights_basis(const tableau<Scalar, Stages>& m, int most) {
-        using std::sqrt;
+    weights_basis(const tableau<Scalar, Stages>& m, int most) : basis(m.stages() + 2) {
         const int s = m.stages();
         visit_trees(m, most, [&](const auto& stages, const Scalar& density, int n) {
             column x(s + 2);
             x[0] = Scalar(n == 1 ? 1 : 0);
             x.segment(1, s) = stages;
             x[s + 1] = Scalar(n) / density;
-            const Scalar before = sqrt(x.dot(x));
-            project_out(x, n);
-            const Scalar size = sqrt(x.dot(x));
-            if (size > condition_tolerance<Scalar>() * before) {
-                vectors.push_back(x / size);
-                order.push_back(n);
-            }
-            return static_cast<int>(vectors.size()) < s + 2;
+            if (basis.add(x)) order.push_back(n);
+            return static_cast<int>(basis.count()) < s + 2;
         });
     }
 
-    /// x := its part orthogonal to the trees of at most q vertices, computed twice to remove rounding errors.
+    /// x := its part orthogonal to the trees of at most q vertices.
     void project_out(column& x, int q) const {
-        for (int repeat = 0; repeat < 2; ++repeat)
-            for (std::size_t k = 0; k < vectors.size() && order[k] <= q; ++k)
-                x -= vectors[k].dot(x) * vectors[k];
+        basis.project_out(
+            x, static_cast<std::size_t>(std::upper_bound(order.begin(), order.end(), q) - order.begin()));
     }
 };
 
 }  // namespace detail
 
-/// The blind spots of the pair with weights b and b - d, p its order, `is` its structure. Blind: the error is
-/// 200 times what the estimate shows. Of the combinations that see a spot that of the highest power is taken
-/// whose weights sum to at most 20 in size, as larger ones show more of what is smooth. Where the slopes
-/// at the ends are not known none can be `watched`: there a spot is blind at 10000 and has no combination.
+/// A pair is blind to jumps between two nodes if y1 errs by more than this times what the estimate shows. Up to it the
+/// step control asks a smaller tolerance of a jump instead (largest_ratio).
+inline constexpr int blind_ratio = 200;
+/// The same where nothing can be watched instead: a ratio above it comes from weights that cancel but for rounding.
+inline constexpr int blind_ratio_unwatched = 10000;
+/// A combination serves another blind spot as well if it shows at least 1/this of the error there.
+inline constexpr int shown_fraction = 3;
+/// The largest sum |w_i| of a combination: larger ones show more of what is smooth than of a jump.
+inline constexpr int largest_combination = 20;
+
+/// The blind spots of the pair with weights b and b - d, p its order, `is` its structure. Of the combinations that see a
+/// spot the one of highest power with weights up to `largest_combination` is taken. If the slopes at the ends are not
+/// known, nothing is `watched`: a spot then begins at blind_ratio_unwatched, and has no combination.
 template <class Scalar, int Stages, class Weights>
 blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tableau_structure& is,
                                      const Weights& d, int p, bool watched = true) {
@@ -104,13 +107,13 @@ blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tab
             }
         const Scalar error =
             std::max<Scalar>(abs(weight - (Scalar(1) - from)), abs(weight - (Scalar(1) - to)));
-        if (error <= (watched ? 200 : 10000) * abs(estimate)) {
+        if (error <= (watched ? blind_ratio : blind_ratio_unwatched) * abs(estimate)) {
             found.largest_ratio = std::max<Scalar>(found.largest_ratio, error / abs(estimate));
             continue;
         }
         bool seen = !watched;
         for (int k = 0; k < found.count(); ++k)
-            seen = seen || 3 * abs(found.weights.col(k).dot(behind)) >= error;
+            seen = seen || shown_fraction * abs(found.weights.col(k).dot(behind)) >= error;
         if (!seen && !trees) trees.emplace(m, most);
         for (int q = found.count() > 0 ? found.power - 1 : most; q > 0 && !seen; --q) {
             column w = behind;
@@ -118,7 +121,7 @@ blind_spots<Scalar> find_blind_spots(const tableau<Scalar, Stages>& m, const tab
             const Scalar sum = w.dot(behind);
             if (!(sum > detail::condition_tolerance<Scalar>())) continue;
             w *= error / sum;
-            if (q > 1 && !(w.cwiseAbs().sum() <= Scalar(20))) continue;
+            if (q > 1 && !(w.cwiseAbs().sum() <= Scalar(largest_combination))) continue;
             found.weights.conservativeResize(Eigen::NoChange, found.count() + 1);
             found.weights.col(found.count() - 1) = w;
             found.power = q + 1;

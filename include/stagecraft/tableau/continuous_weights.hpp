@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/orthonormal_basis.hpp>
 
 namespace stagecraft {
 
@@ -28,28 +29,20 @@ bool least_solution(const std::vector<continuous_condition<Scalar>>& conditions,
                     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& x) {
     using std::abs;
     using std::sqrt;
-    std::vector<continuous_condition<Scalar>> basis;
+    const auto s = x.rows(), places = x.cols();
+    orthonormal_basis<Scalar> rows(s);
     x.setZero();
-    for (auto next : conditions) {  // Gram-Schmidt, twice for the sake of rounding
-        const Scalar before = sqrt(next.row.dot(next.row));
-        const auto wanted = next.right;
-        for (int repeat = 0; repeat < 2; ++repeat)
-            for (const auto& known : basis) {
-                const Scalar p = known.row.dot(next.row);
-                next.row -= p * known.row;
-                next.right -= p * known.right;
-            }
-        const Scalar size = sqrt(next.row.dot(next.row));
-        if (size <= condition_tolerance<Scalar>() * before) {
-            for (int k = 0; k < x.cols(); ++k)
-                if (abs(next.right[k]) > condition_tolerance<Scalar>() * (abs(wanted[k]) + before))
-                    return false;
+    for (const auto& condition : conditions) {
+        typename orthonormal_basis<Scalar>::column next(s + places);
+        next << condition.row, condition.right.transpose();
+        if (rows.add(next)) {
+            x += next.head(s) * next.tail(places).transpose();
             continue;
         }
-        next.row /= size;
-        next.right /= size;
-        x += next.row * next.right;
-        basis.push_back(next);
+        const Scalar norm = sqrt(condition.row.dot(condition.row));
+        for (Eigen::Index k = 0; k < places; ++k)
+            if (abs(next[s + k]) > condition_tolerance<Scalar>() * (abs(condition.right[k]) + norm))
+                return false;
     }
     return true;
 }
