@@ -51,28 +51,33 @@ auto by_stages(const char* family, int stages, Make make, int least = First) {
 
 }  // namespace detail
 
-/// The methods of the six families with a number of stages that is known at run time, of the same coefficients
-/// as radau_iia<3>() and the like. Throw std::invalid_argument that names the sizes there are. Where the number is
-/// known at compile time the template is faster, as its steps are unrolled.
+/// The Radau IIA method of a number of stages that is known at run time, with the coefficients of radau_iia<S>(). Throws
+/// std::invalid_argument that names the sizes there are. Where the number is known at compile time the template
+/// is faster, as its steps are unrolled. The other five families likewise:
 inline transformed_tableau<double> radau_iia(int stages) {
     return detail::by_stages<coefficients::radau_iia, 1>("radau_iia", stages,
                                                          []<int S>() { return radau_iia<S>(); });
 }
+/// Radau IA, one stage or more.
 inline transformed_tableau<double> radau_ia(int stages) {
     return detail::by_stages<coefficients::radau_ia, 1>("radau_ia", stages,
                                                         []<int S>() { return radau_ia<S>(); });
 }
+/// Gauss, one stage or more.
 inline transformed_tableau<double> gauss(int stages) {
     return detail::by_stages<coefficients::gauss, 1>("gauss", stages, []<int S>() { return gauss<S>(); });
 }
+/// Lobatto IIIC, two stages or more.
 inline transformed_tableau<double> lobatto_iiic(int stages) {
     return detail::by_stages<coefficients::lobatto_iiic, 2>("lobatto_iiic", stages,
                                                             []<int S>() { return lobatto_iiic<S>(); });
 }
+/// Lobatto IIIA, two stages or more; A is singular and has no transformed form.
 inline tableau<double> lobatto_iiia(int stages) {
     return detail::by_stages<coefficients::lobatto_iiia, 2>("lobatto_iiia", stages,
                                                             []<int S>() { return lobatto_iiia<S>(); });
 }
+/// Lobatto IIIB, likewise.
 inline tableau<double> lobatto_iiib(int stages) {
     return detail::by_stages<coefficients::lobatto_iiib, 2>("lobatto_iiib", stages,
                                                             []<int S>() { return lobatto_iiib<S>(); });

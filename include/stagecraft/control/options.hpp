@@ -87,6 +87,7 @@ void validate_interval(const Vector& y0, const Scalar& t0, const Scalar& t1) {
         if (!finite(y0[i])) throw std::invalid_argument("integrate: y0 must be finite");
 }
 
+/// The absolute tolerance of component i: its own where there are such, otherwise atol.
 template <class Scalar>
 Scalar absolute_tolerance(const options<Scalar>& o, Eigen::Index i) {
     return o.atol_components.size() > 0 ? o.atol_components[i] : o.atol;

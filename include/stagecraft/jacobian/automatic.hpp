@@ -16,6 +16,7 @@ inline constexpr int dual_width = (N > 0 && N <= 16) ? N : 8;
 template <class Scalar, int N>
 using dual = dual_number<Scalar, dual_width<N>>;
 
+/// N of them: y or f while f is differentiated. N may be Eigen::Dynamic.
 template <class Scalar, int N>
 using dual_vector = Eigen::Matrix<dual<Scalar, N>, N, 1>;
 
@@ -27,12 +28,14 @@ concept differentiable_with_dual_time = requires(Problem& p, const dual<Scalar, 
                                                  const dual_vector<Scalar, N>& y, dual_vector<Scalar, N>& f) {
     p(t, y, f);
 };
+/// The same with t as a plain number.
 template <class Problem, class Scalar, int N>
 concept differentiable_with_plain_time = requires(Problem& p, const Scalar& t,
                                                   const dual_vector<Scalar, N>& y,
                                                   dual_vector<Scalar, N>& f) {
     p(t, y, f);
 };
+/// Either of them: no Jacobian has to be brought, and none is approximated by differences.
 template <class Problem, class Scalar, int N>
 concept automatically_differentiable =
     differentiable_with_dual_time<Problem, Scalar, N> || differentiable_with_plain_time<Problem, Scalar, N>;

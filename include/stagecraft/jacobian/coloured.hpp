@@ -15,6 +15,7 @@ template <class Scalar, class F>
 void for_each_in_column(banded_matrix<Scalar>& J, int j, F&& f) {
     for (int i = std::max(0, j - J.upper()); i <= std::min(J.size() - 1, j + J.lower()); ++i) f(i, J(i, j));
 }
+/// The same for a sparse matrix, of which the stored zeros count.
 template <class Sparse, class F>
 requires requires(Sparse& m) {
     typename Sparse::InnerIterator;

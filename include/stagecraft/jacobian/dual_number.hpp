@@ -145,6 +145,7 @@ dual_number<S, Width> chain(const dual_number<S, Width>& x, const S& value, cons
 
 }  // namespace detail
 
+/// Elementary functions, by the chain rule; the derivatives of sqrt and cbrt at 0 are not finite.
 template <class S, int W>
 dual_number<S, W> sqrt(const dual_number<S, W>& x) {
     using std::sqrt;
@@ -286,6 +287,7 @@ dual_number<S, W> pow(const dual_number<S, W>& x, const dual_number<S, W>& p) {
     return {value, x.derivatives() * by_x + p.derivatives() * by_p};
 }
 
+/// The operand with the larger value, the first where they are equal, with its derivatives; min accordingly.
 template <class S, int W>
 dual_number<S, W> max(const dual_number<S, W>& a, const dual_number<S, W>& b) {
     return a.value() < b.value() ? b : a;
@@ -311,6 +313,7 @@ dual_number<S, W> min(const T& a, const dual_number<S, W>& b) {
     return min(dual_number<S, W>(a), b);
 }
 
+/// Of the value alone: derivatives may be infinite where it is finite.
 template <class S, int W>
 bool isfinite(const dual_number<S, W>& x) {
     return x.value() - x.value() == S(0);

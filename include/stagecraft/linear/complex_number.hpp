@@ -39,6 +39,7 @@ Scalar size_of(const complex_number<Scalar>& x) {
     return abs(x.re) + abs(x.im);
 }
 
+/// 1/x.
 template <class Scalar>
 Scalar inverse_of(const Scalar& x) {
     return Scalar(1) / x;

@@ -17,6 +17,7 @@ struct logarithmic_norms {
     double infinity;   ///< max over rows of a_ii + sum of |a_ij|, j != i
 };
 
+/// All three of a real square matrix. The Euclidean one takes the eigenvalues of an n x n symmetric matrix, O(n^3).
 template <class Derived>
 logarithmic_norms logarithmic_norm(const Eigen::MatrixBase<Derived>& a) {
     using matrix = typename Derived::PlainObject;

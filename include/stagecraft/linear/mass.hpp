@@ -86,11 +86,13 @@ template <class Scalar>
 void add_mass_times(const identity_mass&, const Scalar& factor, const Scalar* x, Scalar* r, int n) {
     combine<true, 1>(n, 1, &factor, x, r);
 }
+/// The same with the entries that M has.
 template <class Scalar>
 void add_mass_times(const entry_mass<Scalar>& m, const Scalar& factor, const Scalar* x, Scalar* r, int) {
     for (const auto& e : m.entries()) r[e.row] += factor * e.value * x[e.column];
 }
 
+/// The same with an operator of the problem's own.
 template <class Operator, class Scalar>
 void add_mass_times(const mass_by_products<Operator>& m, const Scalar& factor, const Scalar* x, Scalar* r,
                     int) {

@@ -21,6 +21,7 @@ template <class Scalar,
           class ComplexSolver =
               Eigen::SparseLU<Eigen::SparseMatrix<std::complex<Scalar>>, Eigen::COLAMDOrdering<int>>>
 struct sparse_blocks {
+    /// For a real shift.
     class real {
       public:
         explicit real(int n) : x_(n) {}
@@ -29,6 +30,7 @@ struct sparse_blocks {
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& shift) {
             return refactor(*solver_, a_, mass, J, shift);
         }
+        /// x := (shift M - J)^-1 x, n contiguous numbers.
         void solve(Scalar* x) {
             if (x_.size() == 0) return;
             Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> map(x, x_.size());
@@ -42,6 +44,7 @@ struct sparse_blocks {
         Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
     };
 
+    /// For a complex shift re + i im; solve(x, y) takes real and imaginary parts.
     class complex {
         using number = std::complex<Scalar>;
 

@@ -19,18 +19,21 @@ namespace stagecraft {
 /// The way g goes through zero as the run proceeds, which is backwards in time when t1 < t0.
 enum class crossing { both, rising, falling };
 
+/// Which zeros of g count, and what follows.
 struct event_options {
     crossing direction = crossing::both;
     bool terminal = false;  ///< end the run at the first one, with status::event
 };
 
+/// The function of an event with its options; event() makes it.
 template <class Function>
 struct event_function {
     Function g;
     event_options options;
 };
 
-/// The event "g(t, y) reaches or crosses zero" for a continuous g, which returns a number.
+/// The event "g(t, y) reaches or crosses zero" for a continuous g, which returns a number; events() says
+/// how zeros are found, what that costs, and what a NaN does.
 template <class Function>
 event_function<Function> event(Function g, event_options o = {}) {
     return {std::move(g), o};

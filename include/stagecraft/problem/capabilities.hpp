@@ -90,6 +90,7 @@ concept has_mass = requires(Problem& p) {
     p.mass().cols();
 };
 
+/// An M that is known by its products alone; add_times(factor, x, r) adds factor M x to r.
 template <class Mass, class Scalar>
 concept mass_operator = requires(const Mass& m, const Scalar& factor, const Scalar* x, Scalar* r) {
     m.add_times(factor, x, r);

@@ -8,6 +8,7 @@ namespace stagecraft {
 /// How an attempt to solve the stage equations ended.
 enum class newton_end { converged, diverged, non_finite };
 
+/// What Newton's iteration for the stages of one step came to.
 template <class Scalar>
 struct newton_outcome {
     newton_end end = newton_end::diverged;

@@ -86,6 +86,7 @@ decltype(auto) visit_at(Tuple& tuple, int k, F&& f) {
 
 }  // namespace detail
 
+/// How many methods a run chooses from: those of a variable_order, otherwise 1.
 template <class Method>
 inline constexpr int method_count = static_cast<int>(
     std::tuple_size_v<std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>>);

@@ -191,6 +191,7 @@ constexpr rooted_tree join(std::span<const rooted_tree> subtrees) {
     for (const rooted_tree& t : subtrees) r = butcher_product(r, t);
     return r;
 }
+/// The same for subtrees written out: join({tau, tau}).
 constexpr rooted_tree join(std::initializer_list<rooted_tree> subtrees) {
     return join(std::span<const rooted_tree>(subtrees.begin(), subtrees.size()));
 }
