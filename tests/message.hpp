@@ -4,12 +4,12 @@
 #include <stdexcept>
 #include <string>
 
-/// What call() says of an argument that it refuses.
-template <class F>
+/// What the exception of call() says, by default of an argument that it refuses.
+template <class Exception = std::invalid_argument, class F>
 std::string message(F call) {
     try {
         call();
-    } catch (const std::invalid_argument& e) {
+    } catch (const Exception& e) {
         return e.what();
     }
     return "no exception";

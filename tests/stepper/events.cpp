@@ -11,6 +11,8 @@
 #include <stagecraft/observe/observers.hpp>
 #include <string>
 
+#include "../message.hpp"
+
 namespace sc = stagecraft;
 using sc::crossing;
 using V1 = Eigen::Matrix<double, 1, 1>;
@@ -46,11 +48,7 @@ auto run_clock(double t0, double t1, double step, Watch& watch) {
 }
 
 std::string message_of(const std::exception_ptr& thrown) {
-    try {
-        std::rethrow_exception(thrown);
-    } catch (const std::exception& e) {
-        return e.what();
-    }
+    return message<std::exception>([&] { std::rethrow_exception(thrown); });
 }
 
 }  // namespace

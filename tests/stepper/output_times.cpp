@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "../message.hpp"
+
 namespace sc = stagecraft;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
@@ -55,16 +57,6 @@ void check(double t0, double t1, const std::vector<double>& times) {
     BOOST_TEST((plain.y == r.y));
 }
 
-template <class F>
-std::string refusal(F&& f) {
-    try {
-        f();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "accepted";
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(values_are_there_at_every_time_asked_for_in_both_directions_of_time) {
@@ -78,22 +70,22 @@ BOOST_AUTO_TEST_CASE(values_are_there_at_every_time_asked_for_in_both_directions
 BOOST_AUTO_TEST_CASE(times_out_of_order_or_out_of_the_interval_are_refused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto table = [](std::vector<double> times, double t0, double t1) {
-        return refusal([&] {
+        return message([&] {
             sc::output_times<Vector2d> t(times);
             run(t0, t1, t);
         });
     };
-    BOOST_TEST(table({0, 1}, 0, 1) == "accepted");
-    BOOST_TEST(table({}, 0, 1) == "accepted");
+    BOOST_TEST(table({0, 1}, 0, 1) == "no exception");
+    BOOST_TEST(table({}, 0, 1) == "no exception");
     BOOST_TEST(table({0, 1, 0.5}, 0, 1) == "output_times: times must be in order");
     BOOST_TEST(table({0, nan}, 0, 1) == "output_times: times must be finite");
     BOOST_TEST(table({0.5, 1.5}, 0, 1) == "output_times: times must be between t0 and t1");
     BOOST_TEST(table({-0.5, 0.5}, 0, 1) == "output_times: times must be between t0 and t1");
     BOOST_TEST(table({1, 0}, 0, 1) == "output_times: times must be in the order of the run");
     BOOST_TEST(table({0, 1}, 1, 0) == "output_times: times must be in the order of the run");
-    BOOST_TEST(table({1, 0}, 1, 0) == "accepted");
+    BOOST_TEST(table({1, 0}, 1, 0) == "no exception");
     sc::output_times<Vector2d> with_slopes({1, 1}, true);
-    BOOST_TEST(refusal([&] { run(1, 1, with_slopes); }) ==
+    BOOST_TEST(message([&] { run(1, 1, with_slopes); }) ==
                "output_times: a run from t0 to t0 has no derivatives");
 }
 
