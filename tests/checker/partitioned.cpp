@@ -212,6 +212,14 @@ BOOST_AUTO_TEST_CASE(who_fails_is_named) {
     BOOST_TEST(coupled.failures.front().residual == "1/2");
     for (const auto& p : coupled.partners) BOOST_TEST((p.overall() == theory::standing::proved));
 
+    // Where no order is claimed there is no condition to solve for an entry, and something else is wrong.
+    const auto unstable = certify_method(R"({"form": "additive", "partners": [
+        {"A": [["0","0"],["1","0"]], "b": ["1/2","1/2"]},
+        {"A": [["0","0"],["1/2","1/2"]], "b": ["1/2","1/2"], "claims": {"L_stable": true}}],
+        "claims": {"order": 0}})");
+    BOOST_TEST(unstable.exit_code() == 1);
+    BOOST_TEST(unstable.suspects.empty());
+
     // A Nystrom method wrong in the position only.
     text = tableaux::text_of_file(folder + "/nystrom_5.json");
     text.replace(text.find("25/84"), 5, "25/48");

@@ -63,6 +63,8 @@ struct dae_traits {
     bool regular = false;      ///< A is regular
     bool stiff = false;        ///< stiffly accurate
     bool collocation = false;  ///< distinct nodes, B(s), C(s)
+    int zero_node = -1;        ///< the first stage with c_i = 0
+    bool ends_at_one = false;  ///< c_s = 1
     std::optional<K> r_infinity;
 };
 
@@ -90,6 +92,9 @@ dae_traits<K> dae_traits_of(const tableau<K>& t) {
         for (Eigen::Index j = 0; j < i; ++j) distinct = distinct && !(t.c[i] == t.c[j]);
     }
     m.collocation = distinct && m.stage_order >= m.stages;
+    for (Eigen::Index i = t.c.size(); i-- > 0;)
+        if (t.c[i] == K(0)) m.zero_node = static_cast<int>(i);
+    m.ends_at_one = t.c[t.c.size() - 1] == K(1);
     return m;
 }
 
@@ -135,18 +140,14 @@ hypothesis is_collocation(const dae_traits<K>& m) {
                                                              "), s = " + std::to_string(m.stages))};
 }
 template <class K>
-hypothesis no_node_at_zero(const tableau<K>& t) {
-    for (Eigen::Index i = 0; i < t.c.size(); ++i) {
-        if (t.c[i] == K(0)) {
-            return {"c_i != 0", verdict::refuted("c_" + std::to_string(i + 1) + " = 0")};
-        }
-    }
-    return {"c_i != 0", verdict::proved("no node vanishes")};
+hypothesis no_node_at_zero(const dae_traits<K>& m) {
+    const bool none = m.zero_node < 0;
+    return {"c_i != 0",
+            decided(none, none ? "no node vanishes" : "c_" + std::to_string(m.zero_node + 1) + " = 0")};
 }
 template <class K>
-hypothesis last_node_is_one(const tableau<K>& t) {
-    const K& c = t.c[t.c.size() - 1];
-    return {"c_s = 1", decided(c == K(1), "c_s = " + c.str())};
+hypothesis last_node_is_one(const dae_traits<K>& m) {
+    return {"c_s = 1", decided(m.ends_at_one, m.ends_at_one ? "c_s = 1" : "c_s is not 1")};
 }
 
 inline bool all_proved(const std::vector<hypothesis>& list) {
@@ -227,7 +228,7 @@ theorem index2_by_conditions(const tableau<K>& t, const dae_traits<K>& m, int mo
 
 /// What is published for index 2, but for the order conditions.
 template <class K>
-std::vector<theorem> index2_table(const tableau<K>& t, const dae_traits<K>& m) {
+std::vector<theorem> index2_table(const dae_traits<K>& m) {
     const auto& n = m.simplifying;
     const std::string B = "B(" + std::to_string(n.B) + ")", C = "C(" + std::to_string(n.C) + ")",
                       D = "D(" + std::to_string(n.D) + ")";
@@ -251,8 +252,8 @@ std::vector<theorem> index2_table(const tableau<K>& t, const dae_traits<K>& m) {
          {regular(m),
           is_collocation(m),
           stiff(m),
-          no_node_at_zero(t),
-          last_node_is_one(t),
+          no_node_at_zero(m),
+          last_node_is_one(m),
           {"p > 1", decided(n.B > 1, "p = " + std::to_string(n.B))}},
          [n, s = m.stages](order_prediction& p) {
              p.y = n.B;
@@ -282,8 +283,7 @@ std::vector<theorem> index2_table(const tableau<K>& t, const dae_traits<K>& m) {
 /// z has p for stiffly accurate methods, min(p, q+1) for -1 <= R(inf) < 1, min(p-1, q) for R(inf) = 1, and
 /// diverges for |R(inf)| > 1.
 template <class K>
-order_prediction predict_index1(const tableau<K>& t) {
-    const auto m = dae_traits_of(t);
+order_prediction predict_index1(const dae_traits<K>& m) {
     const detail::theorem row{
         "Hairer-Wanner II, Theorem VI.1.1",
         {detail::regular(m), detail::of_order_one(m), m.stiff ? detail::stiff(m) : detail::bounded(m)},
@@ -295,13 +295,17 @@ order_prediction predict_index1(const tableau<K>& t) {
         }};
     return row.applied_or_none();
 }
+template <class K>
+order_prediction predict_index1(const tableau<K>& t) {
+    return predict_index1(dae_traits_of(t));
+}
 
 /// Every theorem for y' = f(y, z), 0 = g(y) with g_y f_z regular (index 2), with the verdicts on its
 /// hypotheses. `condition_order`: how far exact order conditions are looked at (0: not at all).
 template <class K>
 std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition_order = 0) {
     const auto m = dae_traits_of(t);
-    auto table = detail::index2_table(t, m);
+    auto table = detail::index2_table(m);
     if (condition_order > 0) table.push_back(detail::index2_by_conditions(t, m, condition_order));
     std::vector<order_prediction> all;
     for (const auto& row : table) all.push_back(row.applied());
@@ -312,6 +316,14 @@ std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition
 template <class K>
 order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
     return detail::best_of(index2_theorems(t, condition_order));
+}
+
+/// The same without the order conditions, from what is known of a method.
+template <class K>
+order_prediction predict_index2(const dae_traits<K>& m) {
+    std::vector<order_prediction> all;
+    for (const auto& row : detail::index2_table(m)) all.push_back(row.applied());
+    return detail::best_of(all);
 }
 
 /// y' = f(y, z), z' = k(y, z, u), 0 = g(y) (Hessenberg form of index 3), stiffly accurate collocation with s
@@ -330,15 +342,14 @@ order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
 /// - Lobatto IIIC and Radau IA, no collocation: z has s - 1, u has s - 2.
 /// - Lobatto IIIB, A singular: no step can be made.
 template <class K>
-order_prediction predict_index3(const tableau<K>& t) {
-    const auto m = dae_traits_of(t);
+order_prediction predict_index3(const dae_traits<K>& m) {
     const detail::theorem row{"HLR89, section 6, stiffly accurate collocation",
                               {detail::regular(m),
                                detail::damped(m),
                                detail::is_collocation(m),
                                detail::stiff(m),
-                               detail::no_node_at_zero(t),
-                               detail::last_node_is_one(t),
+                               detail::no_node_at_zero(m),
+                               detail::last_node_is_one(m),
                                {"s >= 2", detail::decided(m.stages >= 2, "s = " + std::to_string(m.stages))}},
                               [&m](order_prediction& p) {
                                   p.y = p.z = m.stages;
@@ -347,6 +358,10 @@ order_prediction predict_index3(const tableau<K>& t) {
                                            " is observed, not promised";
                               }};
     return row.applied_or_none();
+}
+template <class K>
+order_prediction predict_index3(const tableau<K>& t) {
+    return predict_index3(dae_traits_of(t));
 }
 
 /// y' = f(y, lambda), eps lambda' = g(y, lambda) with mu(g_lambda) <= -1: thesis, Theorem 7

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <stagecraft/tableaux/partitioned_file.hpp>
@@ -127,7 +128,7 @@ struct coupled_trees_claimed {
         : order(table(f, f.claims.order)), embedded(table(f, f.claims.embedded_order)) {}
     static tree_table table(const tableaux::partitioned_file& f, std::optional<int> claimed) {
         return coupled_trees(f.coupling, f.uses_velocity, static_cast<int>(f.partners.size()),
-                             claimed.value_or(1));
+                             std::max(claimed.value_or(1), 1));
     }
     tree_table order, embedded;
 };

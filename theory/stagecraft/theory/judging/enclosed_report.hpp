@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <stagecraft/tableau/simplifying_assumptions.hpp>
 #include <stagecraft/tableaux/claims.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
+#include <stagecraft/theory/judging/order_finding.hpp>
 #include <stagecraft/theory/judging/properties.hpp>
 #include <stagecraft/theory/judging/rounded_properties.hpp>
 #include <stagecraft/theory/judging/stability_report.hpp>
@@ -81,11 +84,55 @@ inline claim sector_claim(const enclosed_stability_function& f) {
             verdict::consistent("|R| > 1 at some point beyond", "1e-6 degrees", reason)};
 }
 
+/// What the theorems on differential-algebraic problems need to know, as far as no enclosure contradicts it: where
+/// R(infinity) may be 0, 1 or -1, it is taken to be that.
+inline dae_traits<tableaux::rational> enclosed_dae_traits(const subject<ball>& s,
+                                                          const enclosed_stability_function& f) {
+    using tableaux::rational;
+    const auto& t = s.t;
+    const auto equal = [](const ball& x, const ball& y) { return !certainly_nonzero(ball(x - y)); };
+    dae_traits<rational> m;
+    m.stages = t.stages();
+    m.simplifying = simplifying_orders_of(t, equal);
+    m.order = std::min(find_order(s, t.b, 10).order, order_barrier(s));
+    m.stage_order = std::min(m.simplifying.B, m.simplifying.C);
+    m.regular = certainly_nonzero(f.denominator.back());
+    m.stiff = !rounded_stiffly_accurate(s).is_refuted();
+    bool distinct = true;
+    for (int i = 0; i < t.stages(); ++i)
+        for (int j = 0; j < i; ++j) distinct = distinct && !equal(t.c(i), t.c(j));
+    m.collocation = distinct && m.stage_order >= m.stages;
+    for (int i = t.stages(); i-- > 0;)
+        if (equal(t.c(i), ball(0))) m.zero_node = i;
+    m.ends_at_one = equal(t.c(t.stages() - 1), ball(1));
+    if (!m.regular) return m;
+    const ball limit = f.numerator.back() / f.denominator.back();
+    const auto special = [&](int x) { return equal(limit, ball(x)); };
+    // To twelve digits, and on the side of 1 where it is.
+    const rational unit(1, 1000000000000), middle = limit.middle();
+    const rational printed = rational(floor(middle / unit + rational(1, 2))) * unit;
+    m.r_infinity = special(0)          ? rational(0)
+                   : special(1)        ? rational(1)
+                   : special(-1)       ? rational(-1)
+                   : abs(printed) == 1 ? middle
+                                       : printed;
+    return m;
+}
+
+inline claim consistent_prediction(const std::string& problem, const order_prediction& p) {
+    claim c = prediction_claim(problem, p);
+    if (p.applies())
+        c.verdict = verdict::consistent("0", "that of the entries", p.theorem);
+    else
+        c.verdict = verdict::inconclusive("not computed", "none", reasons(p.hypotheses));
+    return c;
+}
+
 }  // namespace detail
 
 /// The stability report of a tableau known by enclosures: the properties that a file can claim, A(alpha), the
-/// intervals on both axes, the SSP radius of the middle. Orders for differential-algebraic problems need equalities
-/// and are left out.
+/// intervals on both axes, the SSP radius of the middle, the orders for differential-algebraic problems that a method
+/// in the enclosures may have.
 inline std::vector<report_section> enclosed_stability_report(const subject<ball>& s) {
     std::vector<report_section> out;
     const auto f = detail::stability_function_of(s.t);
@@ -105,6 +152,11 @@ inline std::vector<report_section> enclosed_stability_report(const subject<ball>
              verdict::consistent("0", "not bounded", "of the numbers as they are written")});
     }
     out.push_back(std::move(method));
+    const auto m = detail::enclosed_dae_traits(s, f);
+    out.push_back({"differential-algebraic problems, by enclosures",
+                   {detail::consistent_prediction("index 1", predict_index1(m)),
+                    detail::consistent_prediction("index 2", predict_index2(m)),
+                    detail::consistent_prediction("index 3", predict_index3(m))}});
     return out;
 }
 

@@ -136,7 +136,8 @@ class script {
     void open_data() { data_ << "$d" << ++blocks_ << " << EOD\n"; }
     script& part(const std::string& how) {
         data_ << "EOD\n";
-        parts_ += (parts_.empty() ? "" : ", ") + ("$d" + std::to_string(blocks_)) + " " + how;
+        parts_ += (parts_.empty() ? "" : ", ") + ("$d" + std::to_string(blocks_)) + " " + how +
+                  (how.find(" title ") == std::string::npos ? " notitle" : "");
         return *this;
     }
 

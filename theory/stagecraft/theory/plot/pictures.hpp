@@ -19,6 +19,13 @@ inline constexpr const char* zero = "pt 6 ps 0.9 lw 1.5 lc rgb '#2e7d32'";
 inline constexpr const char* pole = "pt 2 ps 0.9 lw 1.5 lc rgb '#b71c1c'";
 }  // namespace colours
 
+/// Zeros (o) and poles (x) of R, with a legend below.
+inline void zeros_and_poles(script& p, const rational_function& r) {
+    p.set("set key below");
+    p.points(r.roots(), colours::zero + std::string(" title 'zeros of R'"));
+    p.points(r.poles(), colours::pole + std::string(" title 'poles of R'"));
+}
+
 /// The stability region {|R| <= 1}: filled, its traced boundary, zeros (o) and poles (x) of R.
 inline script region_picture(const std::string& name, const rational_function& r, const window& view,
                              const std::string& subtitle = {}) {
@@ -27,8 +34,7 @@ inline script region_picture(const std::string& name, const rational_function& r
     p.patches(shades([&](complex z) { return std::abs(r(z)) <= 1 ? 0.0 : 1.0; }, view, 900, 450, 1),
               [](int) { return colours::inside; });
     p.lines(region_boundary(r, view), colours::boundary);
-    p.points(r.roots(), colours::zero);
-    p.points(r.poles(), colours::pole);
+    zeros_and_poles(p, r);
     return p;
 }
 
@@ -47,8 +53,7 @@ inline script order_star_picture(const std::string& name, const star& s, const w
                   view, 700, 700, 1),
               [](int) { return colours::inside; });
     p.lines(order_star_boundary(s, view), colours::boundary);
-    p.points(s.r.roots(), colours::zero);
-    p.points(s.r.poles(), colours::pole);
+    zeros_and_poles(p, s.r);
     return p;
 }
 
