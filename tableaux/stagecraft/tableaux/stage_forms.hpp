@@ -28,6 +28,7 @@ struct stored {
     std::vector<entry> f;
 
     static stored nothing(std::size_t s) { return {read_entry("0"), std::vector(s, read_entry("0"))}; }
+    static stored old_value(std::size_t s) { return {read_entry("1"), std::vector(s, read_entry("0"))}; }
     stored& add(const entry& factor, const stored& other) {
         u = sum_of(u, product_of(factor, other.u));
         for (std::size_t k = 0; k < f.size(); ++k) f[k] = sum_of(f[k], product_of(factor, other.f[k]));
@@ -52,9 +53,12 @@ inline void write_out(entry& e) {
     e.text = (digits < 0 ? "-" : "") + text;
 }
 
-/// Stages and the value at the end to A and b. Throws where one of them does not begin with u.
-inline tableau_file from_registers(const document& d, const std::vector<stored>& stages, const stored& last) {
+/// Stages and the value at the end to A and b; `given` are the coefficients as read. Throws where a stage does not
+/// begin with u.
+inline tableau_file from_registers(const document& d, const tableau_file& given,
+                                   const std::vector<stored>& stages, const stored& last) {
     tableau_file file;
+    file.short_decimals = given.short_decimals;
     for (std::size_t i = 0; i <= stages.size(); ++i) {
         const stored& at = i < stages.size() ? stages[i] : last;
         if (!at.u.enclosure.contains(1))
@@ -102,9 +106,7 @@ inline tableau_file from_shu_osher(const document& d, const reading& how) {
     if (given.b_theta.size() != s)
         reject(d, "/beta", "beta", "must have " + std::to_string(s) + " rows, as many as alpha");
     apply(how, given);
-    stored u = stored::nothing(s);
-    u.u = read_entry("1");
-    std::vector<stored> values{u};
+    std::vector<stored> values{stored::old_value(s)};
     for (std::size_t i = 0; i < s; ++i) {
         stored next = stored::nothing(s);
         for (std::size_t k = 0; k <= i; ++k) next.add(given.A[i][k], values[k]);
@@ -113,21 +115,25 @@ inline tableau_file from_shu_osher(const document& d, const reading& how) {
     }
     const stored last = values.back();
     values.pop_back();
-    auto file = from_registers(d, values, last);
-    file.short_decimals = given.short_decimals;
-    return file;
+    return from_registers(d, given, values, last);
+}
+
+/// The list of that name, whose length is the number of stages.
+inline std::vector<entry> one_for_each_stage(const document& d, const std::string& key) {
+    auto list = numbers(d, d.root[key], "/" + key, key, 0);
+    if (list.empty() || list.size() > most_stages)
+        reject(d, "/" + key, key, "must have 1 to " + std::to_string(most_stages) + " entries");
+    return list;
 }
 
 /// Two registers (Williamson 1980): v_i = A_i v_{i-1} + h f(u_{i-1}), u_i = u_{i-1} + B_i v_i.
 inline tableau_file from_williamson(const document& d, const reading& how) {
     tableau_file given;
-    given.b = numbers(d, d.root["B"], "/B", "B", 0);
+    given.b = one_for_each_stage(d, "B");
     const std::size_t s = given.b.size();
-    if (s == 0 || s > most_stages) reject(d, "/B", "B", "must have 1 to 64 entries");
     given.c = numbers(d, d.root["A"], "/A", "A", s);
     apply(how, given);
-    stored u = stored::nothing(s), v = u;
-    u.u = read_entry("1");
+    stored u = stored::old_value(s), v = stored::nothing(s);
     std::vector<stored> stages;
     for (std::size_t i = 0; i < s; ++i) {
         stages.push_back(u);
@@ -137,23 +143,19 @@ inline tableau_file from_williamson(const document& d, const reading& how) {
         v = std::move(next);
         u.add(given.b[i], v);
     }
-    auto file = from_registers(d, stages, u);
-    file.short_decimals = given.short_decimals;
-    return file;
+    return from_registers(d, given, stages, u);
 }
 
 /// Two registers (Ketcheson 2010, 2S): v = 0; for i = 1..s: v += delta_i u; u = gamma1_i u + gamma2_i v +
 /// beta_i h f(u).
 inline tableau_file from_ketcheson(const document& d, const reading& how) {
     tableau_file given;
-    given.b = numbers(d, d.root["beta"], "/beta", "beta", 0);
+    given.b = one_for_each_stage(d, "beta");
     const std::size_t s = given.b.size();
-    if (s == 0 || s > most_stages) reject(d, "/beta", "beta", "must have 1 to 64 entries");
     for (const char* key : {"gamma1", "gamma2", "delta"})
         given.A.push_back(numbers(d, d.root[key], std::string("/") + key, key, s));
     apply(how, given);
-    stored u = stored::nothing(s), v = u;
-    u.u = read_entry("1");
+    stored u = stored::old_value(s), v = stored::nothing(s);
     std::vector<stored> stages;
     for (std::size_t i = 0; i < s; ++i) {
         v.add(given.A[2][i], u);
@@ -163,9 +165,7 @@ inline tableau_file from_ketcheson(const document& d, const reading& how) {
         next.f[i] = sum_of(next.f[i], given.b[i]);
         u = std::move(next);
     }
-    auto file = from_registers(d, stages, u);
-    file.short_decimals = given.short_decimals;
-    return file;
+    return from_registers(d, given, stages, u);
 }
 
 /// Whether a "form" is one of a single tableau.
