@@ -65,6 +65,7 @@ struct dae_traits {
     bool collocation = false;  ///< distinct nodes, B(s), C(s)
     int zero_node = -1;        ///< the first stage with c_i = 0
     bool ends_at_one = false;  ///< c_s = 1
+    std::string last_node;     ///< c_s as text
     std::optional<K> r_infinity;
 };
 
@@ -95,6 +96,7 @@ dae_traits<K> dae_traits_of(const tableau<K>& t) {
     for (Eigen::Index i = t.c.size(); i-- > 0;)
         if (t.c[i] == K(0)) m.zero_node = static_cast<int>(i);
     m.ends_at_one = t.c[t.c.size() - 1] == K(1);
+    m.last_node = t.c[t.c.size() - 1].str();
     return m;
 }
 
@@ -147,7 +149,7 @@ hypothesis no_node_at_zero(const dae_traits<K>& m) {
 }
 template <class K>
 hypothesis last_node_is_one(const dae_traits<K>& m) {
-    return {"c_s = 1", decided(m.ends_at_one, m.ends_at_one ? "c_s = 1" : "c_s is not 1")};
+    return {"c_s = 1", decided(m.ends_at_one, "c_s = " + m.last_node)};
 }
 
 inline bool all_proved(const std::vector<hypothesis>& list) {

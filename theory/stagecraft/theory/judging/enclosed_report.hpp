@@ -105,6 +105,7 @@ inline dae_traits<tableaux::rational> enclosed_dae_traits(const subject<ball>& s
     for (int i = t.stages(); i-- > 0;)
         if (equal(t.c(i), ball(0))) m.zero_node = i;
     m.ends_at_one = equal(t.c(t.stages() - 1), ball(1));
+    m.last_node = m.ends_at_one ? "1" : shown(t.c(t.stages() - 1));
     if (!m.regular) return m;
     const ball limit = f.numerator.back() / f.denominator.back();
     const auto special = [&](int x) { return equal(limit, ball(x)); };
