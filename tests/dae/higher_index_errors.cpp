@@ -74,6 +74,20 @@ struct pendulum {
     static double multiplier(const vector& x) { return x[2] * x[2] + x[3] * x[3] - x[1]; }
 };
 
+/// y' = 40 y beside w' = z - w, with 0 = z - w (index 1) or 0 = w - sin t (index 2).
+struct growing {
+    using vector = Eigen::Vector3d;
+    int of_z;
+    void operator()(double t, const vector& x, vector& f) const {
+        f << 40 * x[0], x[2] - x[1], of_z == 1 ? x[2] - x[1] : x[1] - std::sin(t);
+    }
+    void jacobian(double, const vector&, Eigen::Matrix3d& J) const {
+        J << 40, 0, 0, 0, -1, 1, 0, of_z == 1 ? -1 : 1, of_z == 1 ? 1 : 0;
+    }
+    Eigen::Matrix3d mass() const { return Eigen::Vector3d(1, 1, 0).asDiagonal(); }
+    std::array<int, 3> index() const { return {1, 1, of_z}; }
+};
+
 sc::options<double> options(double tolerance, double first = 0) {
     sc::options<double> o;
     o.rtol = o.atol = tolerance;
@@ -163,5 +177,21 @@ BOOST_AUTO_TEST_CASE(an_approximate_jacobian_costs_iterations_only) {
             check(sc::radau_iia<3>(), tolerance, k);
             check(sc::radau_iia<5>(), tolerance, k);
             check(sc::radau_iia<7>(), tolerance, k);
+        }
+}
+
+// A step beyond the pole of R(z) would let it vanish, and no estimate shows what is below the tolerance.
+BOOST_AUTO_TEST_CASE(growth_beside_constraints_is_not_stepped_over) {
+    for (const int index : {1, 2})
+        for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
+            const double from = tolerance / 100, t1 = std::log(1000 / from) / 40;
+            const Eigen::Vector3d start(from, 0, index == 1 ? 0 : 1);
+            const auto check = [&](const auto& method) {
+                const auto r = sc::integrate(method, growing{index}, start, 0, t1, options(tolerance));
+                BOOST_TEST(r.ok());
+                BOOST_TEST(std::abs(r.y[0] - 1000) < 300, "index " << index << ": " << r.y[0]);
+            };
+            check(sc::radau_iia<3>());
+            check(sc::radau_iia<5>());
         }
 }

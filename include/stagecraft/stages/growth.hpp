@@ -16,8 +16,10 @@ namespace stagecraft {
 /// the solution grows by e^gamma and more in this step, and no error estimate shows it while the mode is
 /// smaller than the tolerance. But then a real eigenvalue of the pencil (J, M) lies beyond gamma/h, and each
 /// such eigenvalue changes the sign of det(gamma/h M - J) relative to det M. The factorisation of a real
-/// block gives the sign; without a real block (even s) a factorisation is made for it. Not detected: two such
-/// eigenvalues at once, complex ones, and anything with a singular M, with banded or sparse matrices, with a
+/// block gives the sign; without a real block (even s) a factorisation is made for it. With a singular M (and a
+/// real block) the determinant at a shift beyond all such eigenvalues takes the place of det M: its sign is that
+/// of det(g_z) with index 1, of det(g_y f_z) with index 2, and does not change while these are regular. Not
+/// detected: two such eigenvalues at once, complex ones, and anything with banded or sparse matrices, with a
 /// linear solver of the problem's own, or where parts of the state are on other processes.
 template <class Scalar>
 class growth_watch {
@@ -29,15 +31,24 @@ class growth_watch {
             const Scalar shift = stages.growth_shift();
             if (shift == Scalar(0)) return false;
             if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
+            if (mass_sign_ == 0) return sees_with_singular_mass(system, stages, shift);
             const int expected = system.size() % 2 == 1 && shift < Scalar(0) ? -mass_sign_ : mass_sign_;
-            return stages.determinant_sign() != expected && expected != 0 &&
-                   sign_of(system, shift, true) == -expected;
+            return stages.determinant_sign() != expected && sign_of(system, shift, true) == -expected;
         } else {
             return false;
         }
     }
 
   private:
+    /// The sign beyond all eigenvalues is found once, and again where it disagrees: constraints may be switched.
+    template <class System, class Stages>
+    bool sees_with_singular_mass(const System& system, Stages& stages, const Scalar& shift) {
+        const int now = stages.determinant_sign();
+        if (now == 0 || now == far_sign_ || shift < Scalar(0)) return false;
+        far_sign_ = sign_of(system, shift * far, true);
+        return far_sign_ != 0 && now == -far_sign_ && sign_of(system, shift, true) == now;
+    }
+
     /// The sign of det(shift M - J), or of det(shift M) without J; 0 if a pivot is as small as what rounding
     /// makes of the column it stands in.
     template <class System>
@@ -69,7 +80,8 @@ class growth_watch {
         explicit workplace(int n) : lu(n), largest(static_cast<std::size_t>(n)) {}
     };
     static constexpr int unknown = 2;
-    int mass_sign_ = unknown;
+    static constexpr int far = 1000;  // times the shift: of growth beyond that nothing is left to see
+    int mass_sign_ = unknown, far_sign_ = unknown;
     std::unique_ptr<workplace> work_;  // made when it is needed first, which most runs do not
 };
 
