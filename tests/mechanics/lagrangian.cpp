@@ -299,6 +299,26 @@ struct ball {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(an_affine_constraint_is_given_with_its_last_column) {
+    const ball written;
+    const auto T = [](const auto&, const auto& v) {
+        return 0.5 * (v.template head<2>().squaredNorm() + 0.4 * v.template tail<3>().squaredNorm());
+    };
+    const auto V = [](const auto& q) { return 0 * q[0]; };
+    const auto derived = lagrangian<5, 2>(T, V, [written](const auto& q) {
+        const auto at = q.eval();
+        Eigen::Matrix<std::decay_t<decltype(at[0])>, 2, 6> Gb;
+        Gb << written.G(at), written.b(at);
+        return Gb;
+    });
+    Eigen::Matrix<double, 5, 1> q, v;
+    q << 1, 0.5, 0.2, 0.1, 0.3;
+    v << 0.3, 2, 4, 0.1, -1;
+    BOOST_TEST((derived.M(q) - written.M(q)).norm() < 1e-14);
+    BOOST_TEST((velocity_constraint(derived, q, v) - velocity_constraint(written, q, v)).norm() < 1e-14);
+    BOOST_TEST((consistent_multiplier(derived, q, v) - consistent_multiplier(written, q, v)).norm() < 1e-13);
+}
+
 BOOST_AUTO_TEST_CASE(a_ball_on_a_turntable_circles_with_two_sevenths_of_its_speed) {
     Eigen::Matrix<double, 5, 1> q, v;
     q << 1, 0, 0, 0, 0;

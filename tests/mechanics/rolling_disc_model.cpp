@@ -54,7 +54,8 @@ struct plain_disc {
 // Counts how often M is asked for.
 struct counting : plain_disc {
     int* count = nullptr;
-    Eigen::Matrix<double, 5, 5> M(const vector5& q) const {
+    template <class S>
+    auto M(const Eigen::Matrix<S, 5, 1>& q) const {
         ++*count;
         return body.M(q);
     }

@@ -24,6 +24,12 @@ struct returned_by<F, Vector, true> {
     using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&, const double&>>;
 };
 
+/// True if T is a callable, but no template: its address can be taken.
+template <class T>
+concept takes_one_scalar = requires {
+    &T::operator();
+};
+
 }  // namespace detail
 
 /// A mechanical model from its energies: the equations of Lagrange,
@@ -41,16 +47,21 @@ class lagrangian_model {
     template <class S>
     using multipliers = Eigen::Matrix<S, Constraints, 1>;
 
-    /// True if the constraint depends on t as well; true if it is one of position: a number or a column.
+    /// True if the constraint depends on t as well; how many columns it returns: 1 if it is one of position.
     static constexpr bool moves =
         std::is_invocable_v<const Constraint&, const vector<double>&, const double&>;
-    static constexpr bool of_position = [] {
+    static constexpr int columns = [] {
         using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
         if constexpr (std::is_arithmetic_v<returned>)
-            return true;
+            return 1;
         else
-            return returned::ColsAtCompileTime == 1;
+            return int(returned::ColsAtCompileTime);
     }();
+    static constexpr bool of_position = columns == 1, affine = columns == Coordinates + 1;
+    static_assert(
+        of_position || affine || columns == Coordinates,
+        "lagrangian: the constraint must return a number or a column of position constraints, the matrix G "
+        "of n columns, or (G, b) of n + 1 columns");
 
   public:
     static constexpr int coordinates = Coordinates, constraints = Constraints;
@@ -114,7 +125,7 @@ class lagrangian_model {
             for (int k = 0; k < Constraints; ++k) G.row(k) = g[k].derivatives().transpose();
             return G;
         } else {
-            return constraint(q, t);
+            return constraint(q, t).template leftCols<Coordinates>();
         }
     }
 
@@ -123,16 +134,20 @@ class lagrangian_model {
     multipliers<S> g(const vector<S>& q, const S& t) const requires(of_position) {
         return constraint(q, t);
     }
-    /// Their derivative by t.
+    /// Their derivative by t; the last column of an affine constraint.
     template <class S>
-    multipliers<S> b(const vector<S>& q, const S& t) const requires(of_position&& moves) {
-        using rate = dual_number<S, 1>;
-        rate time = detail::constant<rate>(t);
-        time.derivatives()[0] = S(1);
-        const auto g = constraint(detail::constants<rate>(q), time);
-        multipliers<S> b;
-        for (int k = 0; k < Constraints; ++k) b[k] = g[k].derivatives()[0];
-        return b;
+    multipliers<S> b(const vector<S>& q, const S& t) const requires(affine || (of_position && moves)) {
+        if constexpr (affine) {
+            return constraint(q, t).col(Coordinates);
+        } else {
+            using rate = dual_number<S, 1>;
+            rate time = detail::constant<rate>(t);
+            time.derivatives()[0] = S(1);
+            const auto g = constraint(detail::constants<rate>(q), time);
+            multipliers<S> b;
+            for (int k = 0; k < Constraints; ++k) b[k] = g[k].derivatives()[0];
+            return b;
+        }
     }
 
     template <class S>
@@ -148,8 +163,7 @@ class lagrangian_model {
         return e;
     }
     template <class S>
-    Eigen::Matrix<S, Constraints, of_position ? 1 : Coordinates> constraint(
-        const vector<S>& q, [[maybe_unused]] const S& t) const {
+    Eigen::Matrix<S, Constraints, columns> constraint(const vector<S>& q, [[maybe_unused]] const S& t) const {
         const auto value = [&] {
             if constexpr (moves)
                 return constraint_(q, t);
@@ -171,12 +185,17 @@ class lagrangian_model {
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
 /// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm();
 /// }`). The constraint returns either a number or column of m position constraints, 0 = g, whose gradient is
-/// taken automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v.
+/// taken automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v,
+/// or the m x (n + 1) matrix (G, b) of affine ones, 0 = G v + b.
 /// Q(q, v, t), if given, returns the generalised forces besides the potential: damping, drives, friction. No
 /// derivative is written by hand, so that none can be wrong.
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
           class Forces = no_forces>
 auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
+    static_assert(!detail::takes_one_scalar<Kinetic> && !detail::takes_one_scalar<Potential> &&
+                      !detail::takes_one_scalar<Constraint> && !detail::takes_one_scalar<Forces>,
+                  "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are "
+                  "differentiated automatically: [](const auto& q, const auto& v) { ... }");
     return lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>(
         std::move(T), std::move(V), std::move(constraint), std::move(Q));
 }

@@ -131,9 +131,18 @@ struct singular_position_member {
 
 }  // namespace detail
 
-/// Refuses a Model with an optional member that is there by its name but cannot be used.
+/// Refuses a Model whose functions take one scalar only (the address of a template cannot be taken), or with an
+/// optional member that is there by its name but cannot be used.
 template <class Model>
 struct checked_model {
+    static_assert(
+        !requires { &Model::M; } && !requires { &Model::F; } && !requires { &Model::G; } &&
+            !requires { requires std::is_member_function_pointer_v<decltype(&Model::g)>; } &&
+            !requires { requires std::is_member_function_pointer_v<decltype(&Model::b)>; },
+        "M, F, G, g and b of a mechanical model must accept any scalar, as they are differentiated "
+        "automatically: template <class S> Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, "
+        "const Eigen::Matrix<S, n, 1>& v) const");
+
     template <class Name>
     static constexpr bool absent = !detail::has_member_named<Model, Name>;
 

@@ -34,7 +34,8 @@ struct model_assumptions {
 
 /// Assumptions 1 to 3, at q.
 template <mechanical_model Model>
-model_assumptions check_assumptions(const Model& model, const coordinate_vector<double, Model>& q) {
+model_assumptions check_assumptions(const Model& model, const coordinate_vector<double, Model>& q,
+                                    double t = 0) {
     constexpr int n = Model::coordinates, m = Model::constraints;
     const Eigen::Matrix<double, n, n> M = model.M(q);
     const small_ldlt<double, n> factors(M);
@@ -43,8 +44,8 @@ model_assumptions check_assumptions(const Model& model, const coordinate_vector<
         least = std::min(least, factors.pivot(i));
         most = std::max(most, factors.pivot(i));
     }
-    const Eigen::MatrixXd G = Eigen::Matrix<double, m, n>(model.G(q)),
-                          S = constraint_inertia<double>(model, q);
+    const Eigen::MatrixXd G = constraint_gradient<double>(model, q, t),
+                          S = constraint_inertia<double>(model, q, t);
     const Eigen::VectorXd of_G = G.jacobiSvd().singularValues(), of_S = S.jacobiSvd().singularValues();
     return {(M - M.transpose()).cwiseAbs().maxCoeff() / M.cwiseAbs().maxCoeff(), least / most,
             of_G[m - 1] / of_G[0], of_S[0] / of_S[m - 1], singular_position(model, q)};
@@ -67,7 +68,7 @@ model_assumptions check_assumptions(const Model& model, const coordinate_vector<
     const double step = 1e-5 / (1 + motion.norm());  // error of the difference: step^2 and rounding / step
     system(t, state(y + step * motion), ahead);
     system(t, state(y - step * motion), behind);
-    model_assumptions result = check_assumptions(model, q);
+    model_assumptions result = check_assumptions(model, q, t);
     result.derivative_defect =
         ((ahead - behind) / (2 * step) - J * motion).norm() / (J.norm() * (1 + motion.norm()));
     result.derivative_bound = J.cwiseAbs().maxCoeff();

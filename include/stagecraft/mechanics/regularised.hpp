@@ -94,9 +94,11 @@ class regularised_form {
 ///
 ///     q' = v,  v' = M^-1 (F - G^T lambda),  (eps/c) zeta' = w,  0 = (eps^kappa/d) (lambda - zeta) - w,
 ///
-/// where w = G v + b,
-/// zeta and lambda flagged index 2. No entry grows as eps -> 0, where the index-2 system with lambda =
-/// zeta is the limit, and the number of steps does not depend on eps. The default form. Made by
+/// where w = G v + b, zeta and lambda flagged index 2. No entry grows as eps -> 0, where the index-2 system with
+/// lambda = zeta is the limit, and the number of steps tends to that of the limit. In between it varies: with
+/// kappa = 1/2 and tolerance 1e-10 the rolling disc takes 0.9 to 1.2 times the attempts of the limit for eps =
+/// 1e-3 ... 1e-14, Chaplygin's sleigh 1.1 to 1.45 times, most where sqrt(eps) is about the size of a step.
+/// The default form. Made by
 /// `regularised`.
 template <mechanical_model Model, class Scalar = double>
 class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {

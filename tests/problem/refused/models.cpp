@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+// says: M, F, G, g and b of a mechanical model must accept any scalar
 // says: model.solve_mass must be callable
 // says: model.G_rate must be callable
 // says: model.potential must be callable
@@ -22,6 +23,10 @@ struct particle {
 };
 
 #ifdef RIGHT
+struct pulled : particle {
+    template <class S>
+    vector<S> F(const vector<S>&, const vector<S>&) const;
+};
 struct solving : particle {
     template <class S>
     vector<S> solve_mass(const vector<S>&, const vector<S>&) const;
@@ -40,6 +45,9 @@ struct singular : particle {
     S singularity(const vector<S>&) const;
 };
 #else
+struct pulled : particle {
+    vector<double> F(const vector<double>&, const vector<double>&) const;
+};
 struct solving : particle {
     template <class S>
     vector<S> solve_mass(const vector<S>&, const vector<S>&);
@@ -57,6 +65,7 @@ struct singular : particle {
 };
 #endif
 
+template struct stagecraft::checked_model<pulled>;
 template struct stagecraft::checked_model<solving>;
 template struct stagecraft::checked_model<turning>;
 template struct stagecraft::checked_model<falling>;
