@@ -36,6 +36,7 @@ class sequential_stages {
     sequential_stages(const tableau<Scalar, Stages>& m, int n, bool unused)
         : n_(n), r_(n), z_(n), d_(n), yi_(n), fi_(n), last_(n) {
         if (unused) return;
+        block_.reserve(static_cast<std::size_t>(m.stages()));
         for (int i = 0; i < m.stages(); ++i) {
             const Scalar a = m.A(i, i);
             int k = -1;
@@ -53,6 +54,8 @@ class sequential_stages {
             for (int i = 0; i < Stages; ++i)
                 for (int j = 0; j < Stages; ++j) rows_[i * Stages + j] = m.A(i, j);
         } else if (!implicit()) {
+            terms_.reserve(static_cast<std::size_t>(m.stages()) * static_cast<std::size_t>(m.stages()) / 2);
+            row_ends_.reserve(static_cast<std::size_t>(m.stages()));
             for (int i = 0; i < m.stages(); ++i) {
                 for (int j = 0; j < i; ++j)
                     if (!(m.A(i, j) == Scalar(0))) terms_.push_back({m.A(i, j), j});

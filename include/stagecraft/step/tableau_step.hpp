@@ -43,21 +43,18 @@ class tableau_step : public step_defaults<Space> {
     using method_type = tableau<Scalar, Stages>;
 
     tableau_step(const method_type& method, int n)
-        : v_(checked(method), n),
-          is_(structure_of(method, v_.carry)),
+        : known_(remembered(method, [&] { return look_at(checked(method)); })),
+          v_(method, n),
+          is_(known_.structure),
           sequential_(method, n, !is_.lower),
           coupled_(method, n, is_),
           output_(method.stages()),
-          difference_(method.stages()),
           left_slope_(n),
           right_slope_(n),
           next_value_(n),
           scratch_(n) {
-        const int s = method.stages();
         v_.left_stage = is_.left_stage;
-        if (method.b_embedded.size() > 0)
-            for (int j = 0; j < s; ++j) difference_[j] = method.b[j] - method.b_embedded[j];
-        known_ = remembered(v_.method, [&] { return look_at(method); });
+        v_.carry = known_.carry;
         left_slope_.setZero();
     }
 
@@ -103,14 +100,14 @@ class tableau_step : public step_defaults<Space> {
         if (fixed) return;
         if (ends_between_nodes()) end_slope_ = output_.right_slope(v_.method);
         if (demands.jumps)
-            blind_ = remembered(v_.method,
-                                [&] { return find_blind_spots(v_.method, is_, difference_, known_.order); });
+            blind_ = remembered(
+                v_.method, [&] { return find_blind_spots(v_.method, is_, known_.difference, known_.order); });
         slope_from_f_ = !v_.by_value && (is_.left_stage || (blind_.count() > 0 && v_.mass.prepare(system)));
         const bool slopes_known =
             slope_from_f_ || ends_between_nodes() || (is_.stiffly_accurate && !v_.by_value);
         if (blind_.count() > 0 && !slopes_known)
             blind_ = remembered(v_.method, [&] {
-                return find_blind_spots(v_.method, is_, difference_, known_.order, false);
+                return find_blind_spots(v_.method, is_, known_.difference, known_.order, false);
             });
     }
 
@@ -246,9 +243,9 @@ class tableau_step : public step_defaults<Space> {
     /// error := the estimate. Returns the number of solves.
     template <class System>
     int estimate(const System& system, const Scalar& h, const vector&, const output&, vector& error) {
-        v_.combine([&](int j) { return difference_[j]; }, count(), h, error);
+        v_.combine([&](int j) { return known_.difference[j]; }, count(), h, error);
         if (!known_.filtered) return 0;
-        const Scalar factor = v_.by_value ? Scalar(h * difference_.dot(v_.carry)) : Scalar(0);
+        const Scalar factor = v_.by_value ? Scalar(h * known_.difference.dot(v_.carry)) : Scalar(0);
         if (is_.lower) {
             sequential_.filter(system, error, v_.left, factor);
         } else {
@@ -336,37 +333,43 @@ class tableau_step : public step_defaults<Space> {
     }
 
   private:
+    using per_stage = Eigen::Matrix<Scalar, Stages, 1>;
     /// What follows from the coefficients alone.
     struct coefficient_facts {
-        int order = 0, power = 0;  // of y1; of the estimate, 0 if there is none
+        tableau_structure structure;
+        per_stage carry, difference;  // structure_of(); b - b_embedded where there are such
+        int order = 0, power = 0;     // of y1; of the estimate, 0 if there is none
         bool filtered = false, blind_to_quadrature = false;
     };
-    coefficient_facts look_at(const method_type& method) const {
+    static coefficient_facts look_at(const method_type& method) {
         coefficient_facts known;
+        known.structure = structure_of(method, known.carry);
         known.order = classical_order(method);
+        known.difference.setZero(method.stages());
         if (method.b_embedded.size() == 0) return known;
+        known.difference = method.b - method.b_embedded;
         const int most = known.order < largest_tree_order ? known.order : largest_tree_order;
         known.power = order_by_trees(method, method.b_embedded, most) + 1;
-        known.filtered = needs_filter(method, is_, difference_);
-        known.blind_to_quadrature = stagecraft::blind_to_quadrature(method, difference_);
+        known.filtered = needs_filter(method, known.structure, known.difference);
+        known.blind_to_quadrature = stagecraft::blind_to_quadrature(method, known.difference);
         return known;
     }
 
     bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
 
+    coefficient_facts known_;
     stage_slopes<vector, Stages, blocks> v_;
     tableau_structure is_;
     sequential_stages<vector, Stages, blocks> sequential_;
     coupled_stages<vector, Stages, blocks> coupled_;
     stage_output<Stages, Space> output_;
     blind_spots<Scalar> blind_;
-    Eigen::Matrix<Scalar, Stages, 1> difference_, end_slope_;  // b - b_embedded; k -> u'(1)
+    per_stage end_slope_;              // k -> u'(1)
     vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
     vector next_value_;                // M k_1 of the next step where that is kept
     vector scratch_;
     Scalar h_{0};
     bool left_known_ = false, slope_from_f_ = false, ends_with_value_ = false;
-    coefficient_facts known_;
 };
 
 }  // namespace stagecraft

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,9 @@ auto remembered(const tableau<Scalar, Stages>& m, const Find& find) {
         result found;
     };
     static thread_local std::vector<entry> known;
-    const auto equal = [](const auto& a, const auto& b) { return a.size() == b.size() && a == b; };
+    const auto equal = [](const auto& a, const auto& b) {
+        return std::equal(a.data(), a.data() + a.size(), b.data(), b.data() + b.size());
+    };
     for (const entry& e : known)
         if (e.method.stages() == m.stages() && equal(e.method.A, m.A) && equal(e.method.b, m.b) &&
             equal(e.method.c, m.c) && equal(e.method.b_embedded, m.b_embedded) &&
