@@ -150,3 +150,34 @@ BOOST_AUTO_TEST_CASE(proportional_integral_control_rejects_less_where_stability_
                                    << predictive.steps << " and " << smooth.steps);
     BOOST_TEST(smooth.rejected_error < predictive.rejected_error / 2);
 }
+
+// What Newton's iteration told, contracting by theta with a Jacobian that is new.
+struct told {
+    struct system {
+        static constexpr bool finite_difference = false;
+        static void evaluate_jacobian(double, const V1&, const V1&, const V1&) {}
+        static int size() { return 1; }
+    };
+    sc::linearisation<system, V1> linear{1};
+    told(int iterations, double theta, double cost) {
+        system s;
+        V1 y(1.0);
+        linear.evaluate(s, 0.0, y, y, 0.1, static_cast<const sc::dense_output<V1, 3>*>(nullptr), {}, y);
+        linear.solved({sc::newton_end::converged, iterations, theta}, cost, false);
+    }
+};
+
+BOOST_AUTO_TEST_CASE(factors_and_step_are_held_where_a_factorisation_costs_many_iterations) {
+    // Unknown cost: RADAU5's constants, 1/1000 and 6/5.
+    BOOST_TEST(!told(4, 0.01, 0).linear.serves_well());
+    BOOST_TEST(told(4, 0.01, 0).linear.hold() == 1);
+    BOOST_TEST(told(4, 0.0005, 0).linear.serves_well());
+    BOOST_TEST(told(4, 0.0005, 0).linear.hold() == 1.2);
+    // If theta doubles a new Jacobian saves 1 - log(0.02) / log(0.01) = 0.15 of four iterations, ten times 0.6.
+    BOOST_TEST(told(4, 0.01, 6.1).linear.serves_well());
+    BOOST_TEST(!told(4, 0.01, 5.9).linear.serves_well());
+    BOOST_TEST(!told(4, 0.3, 1e6).linear.serves_well());
+    // Half of a factorisation of four iterations against four: 1 + 1/2.
+    BOOST_TEST(told(4, 0.0005, 4).linear.hold() == 1.5);
+    BOOST_TEST(told(4, 0.0005, 1e6).linear.hold() == 2);
+}

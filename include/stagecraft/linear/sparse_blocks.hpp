@@ -28,7 +28,7 @@ struct sparse_blocks {
         /// Factors shift M - J; false if it is singular or not finite.
         template <class Mass>
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& shift) {
-            return refactor(*solver_, a_, mass, J, shift);
+            return refactor(*solver_, a_, mass, J, shift) && count(*solver_, entries_);
         }
         /// x := (shift M - J)^-1 x, n contiguous numbers.
         void solve(Scalar* x) {
@@ -38,10 +38,13 @@ struct sparse_blocks {
             map = solver_->solve(x_);
         }
 
+        block_work<Scalar> work() const { return work_of_factors(entries_, x_.size()); }
+
       private:
         std::unique_ptr<RealSolver> solver_ = std::make_unique<RealSolver>();  // the solvers cannot be moved
         shifted_sparse<Scalar> a_;
         Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x_;
+        Scalar entries_{0};  // of the factors, if the solver counts them
     };
 
     /// For a complex shift re + i im; solve(x, y) takes real and imaginary parts.
@@ -54,7 +57,7 @@ struct sparse_blocks {
         template <class Mass>
         bool factor_shifted(const Mass& mass, const Eigen::SparseMatrix<Scalar>& J, const Scalar& re,
                             const Scalar& im) {
-            return refactor(*solver_, a_, mass, J, number(re, im));
+            return refactor(*solver_, a_, mass, J, number(re, im)) && count(*solver_, entries_);
         }
         void solve(Scalar* x, Scalar* y) {
             const Eigen::Index n = z_.size();
@@ -64,13 +67,29 @@ struct sparse_blocks {
             for (Eigen::Index i = 0; i < n; ++i) x[i] = w_[i].real(), y[i] = w_[i].imag();
         }
 
+        block_work<Scalar> work() const { return work_of_factors(entries_, z_.size()); }
+
       private:
         std::unique_ptr<ComplexSolver> solver_ = std::make_unique<ComplexSolver>();
         shifted_sparse<number> a_;
         Eigen::Matrix<number, Eigen::Dynamic, 1> z_, w_;
+        Scalar entries_{0};
     };
 
   private:
+    template <class Solver>
+    static bool count(const Solver& solver, Scalar& entries) {
+        if constexpr (requires { solver.entries_of_factors(); })
+            entries = Scalar(solver.entries_of_factors());
+        else if constexpr (requires { solver.nnzL() + solver.nnzU(); })
+            entries = Scalar(static_cast<double>(solver.nnzL()) + static_cast<double>(solver.nnzU()));
+        return true;
+    }
+    /// By the entries of the factors (zeros if they are not known): a solve passes over each, and in an
+    /// elimination each meets about as many of them as there are in a column.
+    static block_work<Scalar> work_of_factors(const Scalar& entries, Eigen::Index n) {
+        return {n > 0 ? Scalar(entries * entries / Scalar(static_cast<double>(n))) : Scalar(0), 4 * entries};
+    }
     template <class Solver, class T, class Mass>
     static bool refactor(Solver& solver, shifted_sparse<T>& a, const Mass& mass,
                          const Eigen::SparseMatrix<Scalar>& J, const T& shift) {

@@ -62,6 +62,10 @@ class separate_blocks {
         }
     }
 
+    /// What one of the blocks costs, as it knows since it was factored; zeros before.
+    auto work() const requires requires(const typename Blocks::complex& block) { block.work(); }
+    { return complex_.empty() ? real_.front().work() : complex_.front().work(); }
+
     static constexpr bool knows_determinant = requires(typename Blocks::real & block) {
         block.negative_determinant();
     };

@@ -116,6 +116,17 @@ class transformed_stages {
                 20 + s * (15 + 3 * n) + s * s * n * 3 / 10 + blocks.iteration};
     }
 
+    /// What factoring costs, in iterations, where the blocks know it since they were factored; else 0.
+    template <class System>
+    Scalar factorisation_cost(const System& system) const {
+        if constexpr (requires { blocks_.work(); }) {
+            const block_work<Scalar> one = blocks_.work();
+            return one.step / (Scalar(15) + 3 * Scalar(system.total_size()) + one.iteration);
+        } else {
+            return Scalar(0);
+        }
+    }
+
     /// Solves for Z (in: first guess) with the current factors, which may be those of a step of nearly h.
     template <class System, class StageMatrix>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,

@@ -127,11 +127,11 @@ class acceptance {
     }
 
     /// The next step after an accepted one of error err < 1, and the method that makes it. `newton` is what
-    /// the iteration told, theta its last known contraction; `kept` is true if the factors of the step would
-    /// serve another one of its size.
+    /// the iteration told, theta its last known contraction; a step that could grow by `hold` at most stays as
+    /// long as it is, for the factors there are.
     template <class Step, class Sums>
     scalar after_accepted(Step& method, const trial_step<Vector, typename Step::output>& trial, scalar err,
-                          const newton_outcome<scalar>& newton, const scalar& theta, bool kept,
+                          const newton_outcome<scalar>& newton, const scalar& theta, scalar hold,
                           const refusals& refused, const Sums& sums) {
         last_h_ = trial.plan.h;
         last_error_ = err;
@@ -150,12 +150,12 @@ class acceptance {
                 const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations});
                 if (change > scalar(0)) {
                     factor = change;
+                    if (hold > scalar(6) / 5) hold = scalar(6) / 5;  // the factors were another method's
                     controller_.forget();
                 }
             }
         }
-        // Keep the factors while the gain from a new step size is small.
-        if (kept && factor >= scalar(1) && factor <= scalar(6) / 5) factor = scalar(1);
+        if (factor >= scalar(1) && factor <= hold) factor = scalar(1);
         const scalar next = trial.plan.h * factor;
         const bool bold = jumps_.bold(next, trial.plan.t_next) && method.sees_constant_slope(trial.now);
         return jumps_.bounded(next, trial.plan.t_next, bold);

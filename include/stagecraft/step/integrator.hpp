@@ -231,8 +231,8 @@ class integrator {
             !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
             return refuse_error(method, plan, error);
         h_ = plan_.bounded(acceptance_.after_accepted(method, trial, error, newton, linear_.theta(),
-                                                      method.implicit() && linear_.serves_well(), refused_,
-                                                      system_.sums()));
+                                                      method.implicit() ? linear_.hold() : scalar(1),
+                                                      refused_, system_.sums()));
         return accept(method, plan, now);
     }
 
@@ -267,7 +267,8 @@ class integrator {
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
             if (solve_by_continuation(method, system_, t_, y_, h, weights_, limits, now, report_, newton))
                 linear_.factored_for(h, acceptance_.method());
-        if (newton.end == newton_end::converged) linear_.solved(newton.theta, report_.steps == 0);
+        if (newton.end == newton_end::converged)
+            linear_.solved(newton, factorisation_cost(method, system_), report_.steps == 0);
         return newton;
     }
 

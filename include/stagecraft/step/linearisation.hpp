@@ -11,14 +11,23 @@
 
 namespace stagecraft {
 
+/// What a factorisation costs, in iterations; 0 where that is little, or not known.
+template <class Step, class System>
+auto factorisation_cost(Step& method, const System& system) {
+    if constexpr (requires { method.stages().factorisation_cost(system); })
+        return method.stages().factorisation_cost(system);
+    else
+        return typename System::scalar(0);
+}
+
 /// What the linear systems of an attempt are like: factored, singular (or not finite), or such that the step
 /// would pass over a growing mode (stages/growth.hpp).
 enum class linear_state { factored, singular, growing };
 
 /// The linearisation of the stage equations that Newton's iteration uses: the Jacobian, which the system
 /// holds, and how old it is; for which step size and method its matrices are factored; how well it serves
-/// (theta, the contraction seen last). A Jacobian is kept while theta <= 1/1000 (Hairer-Wanner II.IV.8), and
-/// for ever where it is constant.
+/// (theta, the contraction seen last). A Jacobian is kept while theta <= 1/1000 (Hairer-Wanner II.IV.8), longer
+/// where a factorisation is known to cost many iterations, and for ever where it is constant.
 template <class System, class Vector>
 class linearisation {
   public:
@@ -32,8 +41,11 @@ class linearisation {
     /// True if the next evaluation needs f at the left end of the step.
     bool needs_left_value() const { return System::finite_difference && wanted(); }
     const scalar& theta() const { return theta_; }
-    /// Newton's iteration contracts so well that another Jacobian, or other factors, gain nothing.
-    bool serves_well() const { return theta_ <= scalar(1) / 1000; }
+    /// Newton's iteration contracts so well that another Jacobian gains nothing, or less than it costs.
+    bool serves_well() const { return hold_ > scalar(1); }
+    /// The factor by which the next step could grow and does not, so that the factors serve it; 1 where they do
+    /// not serve well.
+    const scalar& hold() const { return hold_; }
     /// The problem says so, and the first step did not show otherwise.
     bool constant(System& system) const { return !contradicted_ && system.constant_jacobian(); }
 
@@ -91,13 +103,16 @@ class linearisation {
 
     /// Newton's iteration has converged; `first` in the run. With a constant Jacobian its second increment is
     /// what rounding, or differences, leave of the first. Where it is not, the claim is not believed: one
-    /// iteration a step would leave errors that nothing sees.
-    void solved(const scalar& theta, bool first) {
+    /// iteration a step would leave errors that nothing sees. `cost`: of a factorisation, in iterations.
+    void solved(const newton_outcome<scalar>& newton, const scalar& cost, bool first) {
         using std::sqrt;
         const scalar exact = System::finite_difference ? scalar(1) / 1000000
                                                        : scalar(sqrt(std::numeric_limits<scalar>::epsilon()));
-        if (first) contradicted_ = contradicted_ || theta > exact;
-        if (theta > scalar(0)) theta_ = theta;
+        if (first) contradicted_ = contradicted_ || newton.theta > exact;
+        if (newton.theta > scalar(0)) theta_ = newton.theta;
+        if (fresh()) fresh_theta_ = theta_;
+        const bool serves = theta_ <= scalar(1) / 1000 || is_worth_keeping(newton.iterations, cost);
+        hold_ = serves ? longest_hold(newton.iterations, cost) : scalar(1);
     }
     /// It has not: true if a new Jacobian may help, which is wanted then.
     bool renew(System& system) {
@@ -132,15 +147,34 @@ class linearisation {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(factored_h_, theta_, factored_method_, jacobian_, ahead_, contradicted_);
+        bag(factored_h_, theta_, fresh_theta_, hold_, factored_method_, jacobian_, ahead_, contradicted_);
     }
 
   private:
     enum class age { wanted, kept, fresh };
 
+    /// As the Jacobian gets older theta grows, and with it the number of iterations: of those that the next step
+    /// needs a new Jacobian saves all but log(2 theta) / log(theta when new), if theta doubles. It is due when they
+    /// make a tenth of its factorisation. (By the work alone it could wait longer; but what the iterations leave
+    /// grows as well, and errors were seen to be five times as large.) Nothing is kept beyond 1/4.
+    bool is_worth_keeping(int iterations, const scalar& cost) const {
+        using std::log;
+        if (!(cost > scalar(0)) || theta_ > scalar(1) / 4) return false;
+        const scalar least = scalar(1) / 1000, when_new = fresh_theta_ < least ? least : fresh_theta_;
+        return 10 * scalar(iterations) * (scalar(1) - log(2 * theta_) / log(when_new)) <= cost;
+    }
+    /// A step that is held although it could grow by f makes f times the iterations for the same length, and
+    /// saves a factorisation: f iterations <= iterations + cost. Half of that is left to all else that a step
+    /// costs.
+    static scalar longest_hold(int iterations, const scalar& cost) {
+        const scalar least = scalar(6) / 5, by_work = scalar(1) + cost / scalar(2 * iterations);
+        return by_work < least ? least : by_work < scalar(2) ? by_work : scalar(2);
+    }
+
     Vector negligible_;  // sizes below which differences need not tell components apart
     growth_watch<scalar> growth_;
-    scalar factored_h_{0}, theta_{0};
+    scalar factored_h_{0}, theta_{0}, fresh_theta_{0};  // theta, and theta when the Jacobian was new
+    scalar hold_ = scalar(6) / 5;
     int factored_method_ = 0;
     age jacobian_ = age::wanted;
     bool ahead_ = false, contradicted_ = false;
