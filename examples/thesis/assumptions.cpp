@@ -48,6 +48,44 @@ void indices(outcome& o) {
     }
 }
 
+// Definition 1.2 on the disc: how y and lambda answer to a defect 1e-6 sin(w t) in f or in g, as powers of w. One
+// derivative of the defect of g reaches lambda, and that makes the perturbation index 2.
+void defects(outcome& o) {
+    struct equation {
+        const char* name;
+        int first, rows;
+        double theory_y, theory_lambda;
+    };
+    const setup calm = disc_dae();
+    const std::vector<double> w{80, 160, 320};
+    for (const equation& e : {equation{"f", 5, 5, -1, 0}, equation{"g", 10, 2, 0, 1}}) {
+        std::vector<double> y, lambda;
+        for (const double omega : w) {
+            setup shaken = calm;
+            shaken.problem.f = [&, omega](double t, const vector& x, vector& f) {
+                calm.problem(t, x, f);
+                f.segment(e.first, e.rows).array() += 1e-6 * std::sin(omega * t);
+            };
+            const request how{.stages = 5, .tolerance = 1e-12, .steps = 1000, .end = 0.1};
+            const trajectory a = solve(shaken, how), b = solve(calm, how);
+            y.push_back(0);
+            lambda.push_back(0);
+            for (std::size_t k = 1; k < a.path.size(); ++k) {
+                const vector d = a.path[k].y - b.path[k].y;
+                y.back() = std::max(y.back(), d.head(10).norm());
+                lambda.back() = std::max(lambda.back(), d.tail(2).norm());
+            }
+        }
+        const auto line = [&](const char* what, double seen, double theory) {
+            o.findings.push_back({std::string("Definition 1.2, defect sin(w t) of ") + e.name + ": " + what,
+                                  "", "w^" + decimal(seen), "w^" + general(theory),
+                                  std::abs(seen - theory) < 0.1});
+        };
+        line("y", slope(w, y), e.theory_y);
+        line("lambda", slope(w, lambda), e.theory_lambda);
+    }
+}
+
 }  // namespace
 
 outcome assumptions() {
@@ -105,6 +143,7 @@ outcome assumptions() {
                   true,
                   {condition, mu, pivot}}};
     indices(o);
+    defects(o);
     return o;
 }
 

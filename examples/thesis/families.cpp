@@ -63,6 +63,28 @@ std::string theorems(const stagecraft::tableau<stagecraft::tableaux::quadratic>&
     return text;
 }
 
+// Section 4.1.2: Radau IIA-3 does not satisfy C(4). The thesis prints the sum with c_1^3 for c_j^3, and its value
+// with c_j^3.
+void example_for_c_4(outcome& o) {
+    const auto t = *stagecraft::tableaux::exact_tableau(family::radau_iia, 3);
+    double sum = 0, with_c_1 = 0;
+    const double c1 = t.c(0).to<double>();
+    for (int j = 0; j < 3; ++j) {
+        const double a = t.A(0, j).to<double>();
+        sum += a * std::pow(t.c(j).to<double>(), 3);
+        with_c_1 += a * std::pow(c1, 3);
+    }
+    const double right = std::pow(c1, 4) / 4;
+    o.findings.push_back({"C(4): sum a_1j c_j^3", "0.0069", scientific(sum), "> " + scientific(right),
+                          sum > right, compared(0.0069, sum, 5e-5)});
+    o.findings.push_back(
+        {"C(4): c_1^4/4", "0.00014", scientific(right), "", right < sum, compared(0.00014, right, 5e-6)});
+    o.findings.push_back(
+        {"C(4): sum a_1j c_1^3, as printed", "0.0069", scientific(with_c_1), "c_1^4",
+         std::abs(with_c_1 / (4 * right) - 1) < 1e-12,
+         compared(0.0069, with_c_1, 5e-5, "c_1^3 stands for c_j^3", std::abs(sum - 0.0069) < 5e-5)});
+}
+
 }  // namespace
 
 outcome other_methods() {
@@ -150,6 +172,7 @@ outcome other_methods() {
     }
     fy.slopes = {9, 5};
     fl.slopes = {5, 4};
+    example_for_c_4(o);
     o.figures = {fy, fl, fs};
     return o;
 }

@@ -73,7 +73,7 @@ layer measure(double eps, double kappa, double window, long steps) {
     while (k > 0 && r.disturbed.y[k - 1] <= 2 * r.level) --k;
     r.length = k < r.disturbed.x.size() ? r.disturbed.x[k] : window;
     r.disturbed.points = steps <= 100;
-    if (kappa < 1) r.disturbed.title += ", which resolve the layer";
+    if (kappa < 1) r.disturbed.title += ": resolved";
     return r;
 }
 
