@@ -67,7 +67,8 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
                 run.between_steps([&] {
                     correct(observer, run, start);
                     const bool go_on = observe(observer, run.t(), run.y(), run.output().step(), run.output());
-                    save(observer, [&] { return checkpoint_of(run); });
+                    // Generic, so that it is compiled only where an observer asks for it.
+                    save(observer, [&](auto... none) { return checkpoint_of(run, none...); });
                     return go_on;
                 });
         }
