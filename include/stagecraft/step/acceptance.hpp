@@ -157,7 +157,12 @@ class acceptance {
         }
         if (factor >= scalar(1) && factor <= hold) factor = scalar(1);
         const scalar next = trial.plan.h * factor;
-        const bool bold = jumps_.bold(next, trial.plan.t_next) && method.sees_constant_slope(trial.now);
+        bool bold = jumps_.bold(next, trial.plan.t_next);
+        if (bold) {  // the component may be another process's
+            scalar seen(method.sees_constant_slope(trial.now) ? 1 : 0);
+            sums(&seen, 1);
+            bold = seen > scalar(0);
+        }
         return jumps_.bounded(next, trial.plan.t_next, bold);
     }
 
