@@ -51,6 +51,7 @@ requires(built_in<Scalar>) [[gnu::flatten]] inline Scalar
 template <class Vector, class Sums = complete_sums>
 bool all_finite(const Vector& x, int n, const Sums& sums = {}) {
     using scalar = typename Vector::Scalar;
+    if constexpr (int(Vector::SizeAtCompileTime) > 0) n = int(Vector::SizeAtCompileTime);
     scalar sum = detail::sum_of<scalar>(
         n, [](const auto& v) { return v - v; }, x.data());
     sums(&sum, 1);

@@ -100,7 +100,7 @@ class sequential_stages {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
-        if constexpr (built_in<Scalar>)
+        if constexpr (built_in<Scalar> && (unrolls || N < 0 || N > 4))
             if (!implicit() && !v.by_value) {
                 if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
                 return slowest;
@@ -224,7 +224,7 @@ class sequential_stages {
         last_ = yi;
         return finite;
     }
-    /// Stage by stage, each from the entries of A that are not zero.
+    /// Stage by stage, each from the entries of A that are not zero; for states of more than a few components.
     template <class System>
     bool evaluate_by_terms(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
         for (int i = v.left_stage ? 1 : 0; i < v.method.stages(); ++i) {
@@ -242,27 +242,17 @@ class sequential_stages {
     void sum_terms(int i, const vector& y, const Scalar& h, const Scalar* k) {
         const term *from = terms_.data() + (i > 0 ? row_ends_[i - 1] : 0), *const to =
                                                                                terms_.data() + row_ends_[i];
-        if constexpr (N >= 0 && N <= 8) {
-            std::array<Scalar, N> sum;
-            unrolled<N>(N, [&](auto c) { sum[c] = y[c]; });
-            for (; from < to; ++from) {
-                const Scalar a = h * from->entry, *const kj = k + from->column * N;
-                unrolled<N>(N, [&](auto c) { sum[c] += a * kj[c]; });
+        constexpr int room = 16;  // terms that are summed in one pass
+        std::array<Scalar, room> entries;
+        std::array<const Scalar*, room> columns;
+        yi_ = y;
+        while (from < to) {
+            int count = 0;
+            for (; from < to && count < room; ++from, ++count) {
+                entries[count] = from->entry;
+                columns[count] = k + static_cast<std::ptrdiff_t>(from->column) * n_;
             }
-            unrolled<N>(N, [&](auto c) { yi_[c] = sum[c]; });
-        } else {
-            constexpr int room = 16;  // terms that are summed in one pass
-            std::array<Scalar, room> entries;
-            std::array<const Scalar*, room> columns;
-            yi_ = y;
-            while (from < to) {
-                int count = 0;
-                for (; from < to && count < room; ++from, ++count) {
-                    entries[count] = from->entry;
-                    columns[count] = k + static_cast<std::ptrdiff_t>(from->column) * n_;
-                }
-                combine_scattered<true>(n_, count, h, entries.data(), columns.data(), yi_.data());
-            }
+            combine_scattered<true>(n_, count, h, entries.data(), columns.data(), yi_.data());
         }
     }
     template <class System>

@@ -39,7 +39,7 @@ struct stage_slopes {
             if (last == Stages && !by_value) {
                 std::array<Scalar, Stages> c;
                 for (int j = 0; j < Stages; ++j) c[j] = coefficient(j);
-                if constexpr (N >= 0 && N <= 4 && built_in<Scalar>) {
+                if constexpr (N >= 0 && N <= 4 && Stages <= 7 && built_in<Scalar>) {
                     const std::array<Scalar, N> zero{};
                     combine_onto<N>(
                         N, zero.data(), h, c.data(), [this](int j) { return k.data() + j * N; }, r.data(),
