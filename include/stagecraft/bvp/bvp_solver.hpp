@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -15,6 +16,7 @@
 #include <stagecraft/bvp/damped_newton.hpp>
 #include <stagecraft/bvp/error_estimate.hpp>
 #include <stagecraft/bvp/mesh.hpp>
+#include <stagecraft/bvp/mesh_choice.hpp>
 #include <stagecraft/bvp/options.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/problem/two_point.hpp>
@@ -38,12 +40,12 @@ class bvp_solver {
     bvp_solver(const tableau<Scalar, S>& method, Problem& problem, int n, const Parameters& p,
                const bvp_options<Scalar>& o)
         : o_(o),
-          order_(collocation_order(method)),
+          rule_(lifting_rule_of(method)),
           floor_(o.atol > Scalar(0) ? Scalar(o.atol / o.rtol) : Scalar(1)),
           system_(problem.f, problem.r, n, static_cast<int>(p.size()), counts_),
           mass_(make_mass<Scalar>(problem.f, n)),
           equations_(method, system_, mass_),
-          estimate_(equations_, order_),
+          estimate_(equations_, rule_),
           newton_(equations_, result_.report, floor_) {
         x_.p = p;
     }
@@ -120,14 +122,21 @@ class bvp_solver {
                 if (!recover(guess)) return;
                 continue;
             }
-            if (!estimate()) return;
+            if (!estimate()) {  // a coarse solution may lead to where f cannot be evaluated
+                if (++failures_ > 3 || !o_.adapt) return end_at(estimate_.place());
+                restart(guess);
+                continue;
+            }
             before_ = x_;
             if (error_ <= o_.rtol && settled()) return accept();
             if (!o_.adapt) return accept();
             idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
             if (idle > 1 && hopeless(error_)) return;
             least = std::min(least, error_);
-            const auto next = error_ <= o_.rtol ? halved(x_.t) : refined(idle);
+            mesh_choice<equations_type> choice(equations_, estimate_, x_, o_);
+            const auto next = error_ <= o_.rtol ? halved(x_.t)
+                              : rough()         ? choice.spread()
+                                                : choice.refined(error_, floor_, idle > 0);
             if (static_cast<int>(next.size()) - 1 > o_.max_intervals) {
                 if (!hopeless(10 * error_))
                     end(bvp_status::too_many_intervals, "the tolerance asks for more than max_intervals");
@@ -143,6 +152,7 @@ class bvp_solver {
 
     bool newton(const Scalar& expected) {
         ++result_.report.meshes;
+        conditioning_.forget();
         const Scalar tight = o_.rtol / 50,
                      loose = std::min(Scalar(Scalar(1) / 10000), Scalar(expected / 100));
         outcome_ = newton_.run(x_, tight > loose || !o_.adapt ? tight : loose, o_.newton_iterations);
@@ -154,13 +164,13 @@ class bvp_solver {
     bool estimate() {
         for (int pass = 0;; ++pass) {
             ++result_.report.error_solves;
-            if (!estimate_.run(x_, floor_)) {
-                end_at(estimate_.place());
+            if (!estimate_.run(x_, floor_, o_.rtol / 10000)) {
                 return false;
             }
             measure();
             const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
             if (remainder_ <= wanted || pass > 1) break;
+            conditioning_.forget();
             outcome_ = newton_.run(x_, wanted / 4, o_.newton_iterations);
             if (outcome_.end != damped_newton_end::converged) break;
             remainder_ = outcome_.remainder;
@@ -188,45 +198,23 @@ class bvp_solver {
         e.parameters = p.cwiseAbs();
         for (Eigen::Index k = 0; k < p.size(); ++k)
             error_ = std::max(error_, Scalar(abs(p[k]) / (floor_ + abs(x_.p[k]))));
-        e.defect = estimate_.defect();
     }
-    /// The next mesh: every interval the same share of the (p + 1)-st roots of the local errors, as many as
-    /// the p-th power of the global error asks for.
-    std::vector<Scalar> refined(int idle) {
-        using std::pow;
-        const int L = x_.intervals(), n = system_.size();
-        std::vector<Scalar> part(static_cast<std::size_t>(L));
-        Scalar sum(0), total(0);
-        for (int i = 0; i < L; ++i) {
-            Scalar local(0);
-            for (int c = 0; c < n; ++c) {
-                using std::abs;
-                const Scalar size = std::max(abs(x_.y(c, i)), abs(x_.y(c, i + 1)));
-                local = std::max(local,
-                                 Scalar((abs(estimate_.local()(c, i)) + abs(estimate_.inner()(c, i)) / 20) /
-                                        (o_.rtol * (floor_ + size))));
-            }
-            if (!(local < Scalar(1e30))) local = Scalar(1e30);
-            total += local;
-            part[i] = pow(Scalar(local + Scalar(1e-12)), Scalar(1) / Scalar(order_ + 1));
-        }
-        smooth(x_.t, part, Scalar(5));
-        for (const Scalar& p : part) sum += p;
-        const Scalar gain = error_ / (o_.rtol * (total > Scalar(1e-20) ? total : Scalar(1e-20)));
-        const Scalar wanted = sum * pow(Scalar(gain * sum / Scalar(0.25)), Scalar(1) / Scalar(order_));
-        const int least = std::max(3, L / 2), most = 4 * L;
-        int intervals = wanted < Scalar(most) ? static_cast<int>(static_cast<double>(wanted)) + 1 : most;
-        intervals = std::clamp(intervals, least, most);
-        if (idle > 0) intervals = std::max(intervals, 2 * L);
-        return equidistributed(x_.t, part, intervals, o_.fixed_points);
+    void move_to(const std::vector<Scalar>& t) {
+        x_ = estimate_.on(t, x_);
+        from_guess_ = false;
     }
-
-    void move_to(const std::vector<Scalar>& t) { x_ = estimate_.on(t, x_); }
+    template <class Guess>
+    void restart(const Guess& guess) {
+        guess_mesh_ = halved(guess_mesh_);
+        x_.t = guess_mesh_;
+        fill(guess);
+        from_guess_ = true;
+    }
 
     /// After Newton has failed: a finer mesh, from the guess or from the last solution.
     template <class Guess>
     bool recover(const Guess& guess) {
-        if (outcome_.end == damped_newton_end::non_finite) {
+        if (outcome_.end == damped_newton_end::non_finite && from_guess_) {
             if (equations_.conditions_at_fault())
                 end(bvp_status::non_finite,
                     "the conditions r gave NaN or infinity, or left a number unwritten");
@@ -239,15 +227,14 @@ class bvp_solver {
             end(bvp_status::newton_failed, "Newton's iteration found no decrease");
             return false;
         }
-        if (before_.t.empty() || rough()) {
-            guess_mesh_ = halved(guess_mesh_);
-            x_.t = guess_mesh_;
-            fill(guess);
+        if (before_.t.empty() || rough() || outcome_.end == damped_newton_end::non_finite) {
+            restart(guess);
         } else {
             const auto finer = halved(x_.t);
             x_ = before_;
             equations_.resize(x_);
-            if (!equations_.linearise(x_) || !estimate_.run(x_, floor_)) return false;
+            conditioning_.forget();
+            if (!equations_.linearise(x_) || !estimate_.run(x_, floor_, o_.rtol / 10000)) return false;
             move_to(finer);
         }
         return true;
@@ -264,10 +251,8 @@ class bvp_solver {
                !o_.adapt || ++checks_ > 6;
     }
     Scalar relative_kappa() {
-        conditioning_of<equations_type> c(equations_, x_);
-        c.fundamental();
-        result_.report.conditioning_solves += system_.size() + system_.parameters();
-        return c.relative(floor_);
+        conditioning_.fundamental();
+        return conditioning_.relative(floor_);
     }
 
     /// Is an error that stays what rounding leaves, and no mesh will make it less?
@@ -284,13 +269,15 @@ class bvp_solver {
     /// M singular to rounding: says whether solutions exist.
     bool is_singular() {
         const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-        conditioning_of<equations_type> c(equations_, x_);
-        c.fundamental();
-        rounding_ = c.rounding(floor_);
+        conditioning_.fundamental();
+        rounding_ = conditioning_.rounding(floor_);
         kappa_ = Scalar(0);
         std::vector<Scalar> values, largest;
         for (int i = 0; i <= x_.intervals(); ++i) {
-            const Scalar norm = spectral_norm(c.phi(i), &values);
+            const auto phi = conditioning_.phi(i);
+            const Scalar bound = phi.cwiseAbs().maxCoeff() * Scalar(phi.cols());
+            if (bound * eps < std::min(o_.rtol, Scalar(Scalar(1) / 1000))) continue;
+            const Scalar norm = spectral_norm(phi, &values);
             if (!(norm <= kappa_)) kappa_ = norm, largest = values;
         }
         if (kappa_ * eps < Scalar(1) / 1000) return false;
@@ -325,7 +312,7 @@ class bvp_solver {
 
     void accept() {
         if (is_singular()) return;
-        if (kappa_ * std::numeric_limits<Scalar>::epsilon() > o_.rtol)
+        if (rounding_ > o_.rtol && kappa_ * std::numeric_limits<Scalar>::epsilon() > o_.rtol)
             return end(bvp_status::ill_conditioned,
                        "rounding errors times the condition number exceed the tolerance");
         if (error_ <= o_.rtol || !o_.adapt)
@@ -359,9 +346,12 @@ class bvp_solver {
         result_.mesh = x_.t;
         result_.error.global = error_;
         if (!usable()) return;
-        if (estimated() || estimate_.run(x_, floor_)) estimate_.write(x_, result_.y);
-        conditioning_of<equations_type> c(equations_, x_);
-        if (o_.conditioning) result_.conditioning = c.run(r);
+        if (estimated() || estimate_.run(x_, floor_, o_.rtol / 10000)) {
+            result_.error.defect = estimate_.defect(x_);
+            estimate_.write(x_, result_.y);
+        }
+        if (o_.conditioning) result_.conditioning = conditioning_.run();
+        r.conditioning_solves = conditioning_.solves();
     }
     /// Can f be evaluated along x, and are there factors?
     bool usable() const {
@@ -374,7 +364,7 @@ class bvp_solver {
     }
 
     bvp_options<Scalar> o_;
-    int order_;
+    std::shared_ptr<const lifting_rule<Scalar, S>> rule_;
     Scalar floor_;
     report<Scalar> counts_;
     result_type result_;
@@ -384,9 +374,11 @@ class bvp_solver {
     error_estimate<equations_type> estimate_;
     damped_newton<equations_type> newton_;
     iterate x_, before_;
+    conditioning_of<equations_type> conditioning_{equations_, x_};
     std::vector<Scalar> guess_mesh_;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
     Scalar error_{0}, remainder_{0}, kappa_{0}, rounding_{0}, last_kappa_{-1}, guess_size_{1};
+    bool from_guess_ = true;
     int failures_ = 0, checks_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <stagecraft/bvp/collocation_blocks.hpp>
+#include <stagecraft/bvp/lifting_rule.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/two_point_matrix.hpp>
 #include <stagecraft/problem/make_mass.hpp>
@@ -34,6 +35,8 @@ class collocation_equations {
     using parameters = Eigen::Matrix<Scalar, P, 1>;
     using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using rule = detail::lifting_rule<Scalar, S>;
+    static constexpr int positions = Positions;
 
     collocation_equations(const tableau<Scalar, S>& method, System& system, const Mass& mass)
         : method_(method),

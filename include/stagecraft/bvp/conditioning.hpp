@@ -26,7 +26,7 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
     const scalar largest = a.size() == 0 ? scalar(0) : a.cwiseAbs().maxCoeff();
     if (values) values->assign(static_cast<std::size_t>(n), scalar(0));
     if (!(largest > scalar(0)) || !(largest - largest == scalar(0))) return largest;
-    Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> u = a / largest;
+    Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
     for (int sweep = 0; sweep < 40; ++sweep) {  // one-sided: columns made orthogonal
         bool rotated = false;
         for (int p = 0; p < n; ++p)
@@ -83,11 +83,16 @@ class conditioning_of {
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     using wide = typename Equations::wide;
     using column = typename Equations::column;
-    using matrix = typename Equations::matrix;
+    static constexpr int N = wide::RowsAtCompileTime,
+                         NP = Equations::parameters::RowsAtCompileTime >= 0 && N > 0
+                                  ? N + Equations::parameters::RowsAtCompileTime
+                                  : Eigen::Dynamic;
+    using square = Eigen::Matrix<scalar, N, N>;
+    using matrix = Eigen::Matrix<scalar, N, NP>;
 
     conditioning_of(Equations& equations, const iterate& x) : equations_(equations), x_(x) {}
 
-    bvp_conditioning<scalar> run(bvp_report& counts) {
+    bvp_conditioning<scalar> run() {
         fundamental();
         bvp_conditioning<scalar> c;
         const int L = x_.intervals();
@@ -101,7 +106,6 @@ class conditioning_of {
         c.gamma1 = integral / (x_.t.back() - x_.t.front());
         c.sigma = c.gamma1 > scalar(0) ? scalar(c.kappa1 / c.gamma1) : scalar(0);
         search(c, norms);
-        counts.conditioning_solves += solves_;
         return c;
     }
 
@@ -144,12 +148,16 @@ class conditioning_of {
         return worst;
     }
 
+    /// The factors are those of another matrix from now on.
+    void forget() { phi_.clear(); }
+
+    /// Solves for X(t) M^-1, unless that is known.
     void fundamental() {
+        if (!phi_.empty()) return;
         const int n = equations_.n(), m = n + equations_.np(), L = x_.intervals();
         const wide zero = wide::Zero(n, L);
         wide y(n, L + 1);
         typename Equations::parameters p(equations_.np());
-        phi_.clear();
         for (int k = 0; k < m; ++k) {
             column unit = column::Zero(m);
             unit[k] = scalar(1);
@@ -188,27 +196,30 @@ class conditioning_of {
             equations_.factors().solve_transposed(v, none, g, beta);
             ++solves_;
             for (int j = 0; j < L; ++j)
-                all.block(k, j * n, 1, n) = g.col(j).transpose() * equations_.right_block(j);
+                all.block(k, j * n, 1, n) = g.col(j).transpose().lazyProduct(equations_.right_block(j));
         }
         return all;
     }
+
+    int solves() const { return solves_; }
 
   private:
     /// The norm of G(t_i, s) at s = t_{j+1}; where that is t_i, the larger of the limits from both sides, which
     /// differ by the identity.
     template <class Block>
     scalar norm_at(int i, int j, const Block& block) const {
-        const scalar after = detail::spectral_norm(block.eval());
+        const scalar after = detail::spectral_norm(square(block));
         if (i != j + 1) return after;
         const scalar before =
-            detail::spectral_norm((block - matrix::Identity(block.rows(), block.cols())).eval());
+            detail::spectral_norm(square(block - square::Identity(block.rows(), block.cols())));
         return after > before ? after : before;
     }
 
     void search(bvp_conditioning<scalar>& c, const std::vector<scalar>& norms) {
         const int n = equations_.n(), L = x_.intervals();
         for (int i = 0; i <= L; ++i) {  // s = a
-            const scalar norm = detail::spectral_norm(matrix(phi(i) * equations_.conditions().leftCols(n)));
+            const scalar norm =
+                detail::spectral_norm(square(phi(i).lazyProduct(equations_.conditions().leftCols(n))));
             if (norm > c.kappa2) c.kappa2 = norm;
         }
         int row = static_cast<int>(std::max_element(norms.begin(), norms.end()) - norms.begin());

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/bvp/solve.hpp>
@@ -176,7 +177,8 @@ void judge_orbit(Result& r, const typename Result::scalar& tolerance) {
 
 /// A periodic orbit of the autonomous y' = f(y), its period (unknown, in the border of the linear systems) and
 /// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. The
-/// error of a multiplier is its change when every interval is halved; one of them is 1.
+/// error of a multiplier is its change when every interval is halved the last time (at most four
+/// times, until they settle to seven digits); one of them is 1.
 template <class Scalar, int S, class Rhs, class Vector>
 orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
                                     const orbit_options<std::type_identity_t<Scalar>>& o = {}) {
@@ -223,13 +225,18 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
     r.error = solved.error, r.mesh = solved.mesh, r.report = solved.report;
     if (!r.ok()) return r;
     detail::judge_orbit(r, o.rtol);
-    const auto coarse = detail::multipliers_of(solver);
-    const bool halved = solver.halve();
-    const auto fine = halved ? detail::multipliers_of(solver) : coarse;
+    // Multipliers far below 1 are found to their last digits only on meshes much finer than the orbit asks for.
+    auto fine = detail::multipliers_of(solver), coarse = fine;
+    bool settled = false;
+    for (int pass = 0; pass < 4 && !settled; ++pass) {
+        solver.halve();
+        coarse = std::exchange(fine, detail::multipliers_of(solver));
+        settled = true;
+        for (int k = 0; k < n; ++k) settled &= std::abs(fine[k] - coarse[k]) <= 1e-7 * std::abs(fine[k]);
+    }
     for (int k = 0; k < n; ++k) {
         const Scalar rounding = 100 * std::numeric_limits<Scalar>::epsilon() * std::abs(fine[k]);
-        r.multipliers.push_back(
-            {fine[k], (halved ? std::abs(fine[k] - coarse[k]) : std::abs(fine[k])) + rounding});
+        r.multipliers.push_back({fine[k], std::abs(fine[k] - coarse[k]) + rounding});
     }
     return r;
 }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <memory>
+
+#include <stagecraft/bvp/options.hpp>
+#include <stagecraft/tableau.hpp>
+#include <stagecraft/tableau/legendre_rule.hpp>
+#include <stagecraft/tableau/order_conditions.hpp>
+
+namespace stagecraft::detail {
+
+/// Throws unless the method is collocation with distinct nodes: C(s) and B(s). Its order at mesh points.
+template <class Scalar, int S>
+int collocation_order(const tableau<Scalar, S>& m) {
+    const int s = m.stages();
+    demand_bvp(s > 0 && m.A.rows() == s && m.A.cols() == s && m.c.size() == s,
+               "method must be a tableau with s x s numbers in A and s in b and c");
+    bool distinct = true;
+    for (int i = 0; i < s; ++i)
+        for (int j = 0; j < i; ++j) distinct = distinct && !(m.c[i] == m.c[j]);
+    demand_bvp(distinct && stage_conditions(m, s) >= s && quadrature_conditions(m, s) >= s,
+               "method must be a collocation tableau with distinct nodes: C(s) and B(s)");
+    return quadrature_conditions(m, 2 * s);
+}
+
+/// The numbers by which error_estimate.hpp lifts a collocation method: m Gauss nodes, integrals and values there, and two
+/// points between them where what is left over is looked at. They depend on the method alone.
+template <class Scalar, int S>
+struct lifting_rule {
+    using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    using row = Eigen::Matrix<Scalar, 1, Eigen::Dynamic>;
+    struct point {
+        Scalar theta;
+        row value, integral, lagrange;
+    };
+
+    tableau<Scalar, S> method;
+    int order;                    ///< at mesh points
+    legendre_rule<Scalar> gauss;  ///< m nodes
+    matrix integrals, twice;      ///< m x m, to the nodes; twice: their square, for y'' = g
+    matrix lagrange;              ///< m x s, from the method's nodes to the Gauss nodes
+    matrix to_coefficients;       ///< values at the Gauss nodes to Legendre coefficients
+    point check[2];
+
+    explicit lifting_rule(const tableau<Scalar, S>& t)
+        : method(t),
+          order(collocation_order(t)),
+          gauss(nodes_for(order, t.stages(), t.facts.r_infinity)),
+          integrals(gauss.size(), gauss.size()),
+          lagrange(gauss.size(), t.stages()),
+          to_coefficients(gauss.to_coefficients) {
+        for (int k = 0; k < gauss.size(); ++k) {
+            integrals.row(k) = gauss.integral(gauss.c[k]);
+            lagrange.row(k) = lagrange_at(gauss.c[k]);
+        }
+        twice = integrals * integrals;
+        for (int k = 0; k < 2; ++k) {
+            const Scalar theta =
+                k == 0 ? check_point(Scalar(0), Scalar(3) / 10) : check_point(Scalar(3) / 10, Scalar(1));
+            check[k] = {theta, gauss.value(theta), gauss.integral(theta), lagrange_at(theta)};
+        }
+    }
+
+    int nodes() const { return gauss.size(); }
+
+  private:
+    /// At least max(p, s + 1); as Gauss methods have R(inf) = 1 or -1 for even or odd numbers of nodes, m has the sign
+    /// of the method's own, so that both carry stiff components on in the same way.
+    static int nodes_for(int order, int s, double r_infinity) {
+        const int m = std::max(order, s + 1);
+        if (r_infinity == -1) return m % 2 == 1 ? m : m + 1;
+        if (r_infinity == 1) return m % 2 == 0 ? m : m + 1;
+        return m;
+    }
+    /// Halfway between two nodes, where the polynomial with zeros at the collocation points is large: there the
+    /// interpolated Jacobians are at their worst.
+    Scalar check_point(const Scalar& from, const Scalar& to) const {
+        using std::abs;
+        Scalar best = (from + to) / 2, largest(0);
+        for (int k = 0; k + 1 < nodes(); ++k) {
+            const Scalar middle = (gauss.c[k] + gauss.c[k + 1]) / 2;
+            Scalar product(1);
+            for (int j = 0; j < method.stages(); ++j) product *= abs(middle - method.c[j]);
+            if (middle >= from && middle <= to && product > largest) largest = product, best = middle;
+        }
+        return best;
+    }
+    row lagrange_at(const Scalar& theta) const {
+        const auto& c = method.c;
+        row l(method.stages());
+        for (int j = 0; j < method.stages(); ++j) {
+            l[j] = Scalar(1);
+            for (int k = 0; k < method.stages(); ++k)
+                if (k != j) l[j] *= (theta - c[k]) / (c[j] - c[k]);
+        }
+        return l;
+    }
+};
+
+/// The rule of a method; that of the method asked for last is remembered, as finding it costs as much as the solution of
+/// an easy problem.
+template <class Scalar, int S>
+std::shared_ptr<const lifting_rule<Scalar, S>> lifting_rule_of(const tableau<Scalar, S>& method) {
+    thread_local std::shared_ptr<const lifting_rule<Scalar, S>> last;
+    const auto same = [&](const tableau<Scalar, S>& other) {
+        return other.stages() == method.stages() && other.c == method.c && other.b == method.b &&
+               other.A == method.A && other.facts.r_infinity == method.facts.r_infinity;
+    };
+    if (!last || !same(last->method)) last = std::make_shared<const lifting_rule<Scalar, S>>(method);
+    return last;
+}
+
+/// out = the sum of q[l] times column l of W, columns of `size` numbers that lie `stride` apart.
+template <int Size, class Scalar>
+void combine(const Scalar* q, int count, const Scalar* W, int stride, Scalar* out, int size) {
+    if constexpr (0 < Size && Size <= 16) {
+        using column = Eigen::Matrix<Scalar, Size, 1>;
+        column sum = column::Zero();
+        for (int l = 0; l < count; ++l) sum += q[l] * Eigen::Map<const column>(W + l * stride);
+        for (int c = 0; c < Size; ++c) out[c] = sum[c];
+    } else {
+        for (int c = 0; c < size; ++c) out[c] = Scalar(0);
+        for (int l = 0; l < count; ++l)
+            for (int c = 0; c < size; ++c) out[c] += q[l] * W[l * stride + c];
+    }
+}
+
+}  // namespace stagecraft::detail
