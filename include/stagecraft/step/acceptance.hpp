@@ -92,6 +92,7 @@ class acceptance {
             return whole;
         };
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
+        if (system.largest_index() > 1) method.compare_with_start(system, trial.now, rest_, error_);
         scalar err = estimate_size();
         if (err >= scalar(1) && (first || refused.all > 0)) {
             const scalar once = err;
@@ -198,8 +199,10 @@ class acceptance {
     /// at the left end, less that of z_n, s K h^s of the step before (the nodal polynomial of Radau IIA has
     /// slopes in this proportion at 1 and 0). What this step leaves in z_{n+1} is the share
     ///     s g / (s + g),  g = (h_n / h_{n-1})^s,
-    /// of it: z_n hands nothing on, and without this an error once made would ask for ever smaller steps.
-    /// Other methods are left alone.
+    /// of it: z_n hands nothing on, and without this an error once made would ask for ever smaller steps. What
+    /// an estimate shows beyond that, the error of interpolating z, comes from this step alone: it counts
+    /// with the share of equal steps, s / (s + 1), whatever g is. (With g the steps of mechanical systems went up
+    /// and down, and every second one was refused.) Other methods are left alone.
     template <class Step, class System, class Trial>
     void weigh(const Step& method, const System& system, const Trial& trial, const scalar& ratio,
                bool again) {
@@ -217,6 +220,7 @@ class acceptance {
             if (last_method_ != this->method() && !again && grown < scalar(1)) grown = scalar(1);
             share_ = s * grown / (s + grown);
         }
+        rest_ = s / (s + scalar(1)) / share_;
         system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
@@ -249,6 +253,7 @@ class acceptance {
     jump_guard<scalar> jumps_;
     Vector error_, weights_;
     scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
+    scalar rest_{1};    // weight beside it of what no step hands on
     scalar last_h_{0};  // of the step accepted last, and the number of its method
     int last_method_ = 0;
     scalar last_error_{0};

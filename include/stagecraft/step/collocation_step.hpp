@@ -150,7 +150,6 @@ class collocation_step : public step_defaults<Space> {
         }
         defect(system, h, left_, f0, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
-        compare_with_start(system, now, error);
         return 1;
     }
 
@@ -192,6 +191,27 @@ class collocation_step : public step_defaults<Space> {
     }
 
     bool estimates_from_start() const { return stiffly_accurate_; }
+    /// Looks at components of index 2 and 3 of a stiffly accurate method as well by what the polynomial through
+    /// the stages alone has at the left end, less the state there. What the filter makes of the defect is G f
+    /// there: zero for another solution of the constraints; with index 3 it divides what the iteration leaves
+    /// of them by h^2 and does not count. With index 2 the filtered defect shows what steps hand on, and the
+    /// rest of the comparison is the error of interpolating the component itself: nothing of it is handed
+    /// on, so it counts with weight `rest`.
+    template <class System>
+    void compare_with_start(const System& system, const output& now, const Scalar& rest,
+                            vector& error) const {
+        if (!stiffly_accurate_) return;
+        using std::abs;
+        system.for_each_raised([&](int i) {
+            const Scalar direct = stages_with(start_, now, i), filtered = error[i];
+            if (system.largest_index() > 2) {
+                error[i] = direct;
+            } else {
+                const Scalar size = abs(filtered) + rest * abs(direct - filtered);
+                error[i] = filtered < Scalar(0) ? Scalar(-size) : size;
+            }
+        });
+    }
     /// For the repeated first step, whose z_0 need not be consistent: in components of index 2 and 3, where
     /// the estimate compares the stages with z_0, the leading Legendre coefficient of the polynomial through
     /// the stages alone takes its place, one order lower, where it is smaller. (Of one stage: nothing.)
@@ -301,20 +321,6 @@ class collocation_step : public step_defaults<Space> {
         for (int j = 1; j < w.size(); ++j) sum += w[j] * now.increments()(i, j);
         return sum;
     }
-    /// In components of index 2 and 3 of a stiffly accurate method, error := value at the left end of the
-    /// polynomial through the stages alone, less that of the state there, where that is larger. What the
-    /// filter makes of the defect is G f there: zero for another solution of the constraints; with index 3 it
-    /// divides what the iteration leaves of them by h^2 and does not count.
-    template <class System>
-    void compare_with_start(const System& system, const output& now, vector& error) const {
-        if (!stiffly_accurate_) return;
-        using std::abs;
-        system.for_each_raised([&](int i) {
-            const Scalar direct = stages_with(start_, now, i);
-            if (system.largest_index() > 2 || abs(direct) > abs(error[i])) error[i] = direct;
-        });
-    }
-
     template <class System>
     void defect(const System& system, const Scalar& h, const weights& slope, const vector& f,
                 const output& now, vector& error) {

@@ -122,6 +122,9 @@ class step_defaults {
     /// True if y1 is the last stage and the estimate compares the stages with the state at the start, also
     /// in components that hand nothing on from step to step.
     static constexpr bool estimates_from_start() { return false; }
+    /// Then: what the comparison with that state adds to the estimate, `rest` times where no step hands it on.
+    template <class System>
+    static void compare_with_start(const System&, const output&, const scalar& /*rest*/, vector& /*error*/) {}
     /// In the repeated first step: what the estimate owes to components of index 2 and 3 at the start, which
     /// need not be consistent, is replaced.
     template <class System>
