@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE forward
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/coefficients/gauss.hpp>
@@ -17,16 +18,22 @@ namespace {
 // One type, so that the steppers are compiled once: M y' = f with
 // kind 0: a chain of decays, y_1 = a/(b-a) (e^{-at} - e^{-bt});
 // kind 1: index 1, y' = -a z, 0 = z - b y, so that y = e^{-abt};
-// kind 2: van der Pol's equation.
+// kind 2: van der Pol's equation;
+// kind 3: Prothero and Robinson's, y' = -100 (y - a cos t) + b;
+// kind 4: index 2, y' = b z^3, 0 = y - e^{at}.
 struct example {
     int kind;
     template <class T, class Y, class P, class F>
-    void operator()(const T&, const Y& y, const P& p, F& f) const {
+    void operator()(const T& t, const Y& y, const P& p, F& f) const {
+        using std::cos, std::exp;
         if (kind == 0) f << -p[0] * y[0], p[0] * y[0] - p[1] * y[1];
         if (kind == 1) f << -p[0] * y[1], y[1] - p[1] * y[0];
         if (kind == 2) f << y[1], p[0] * ((1 - y[0] * y[0]) * y[1] - p[1] * y[0]);
+        if (kind == 3) f << -100 * (y[0] - p[0] * cos(t)) + p[1], y[0] - y[1];
+        if (kind == 4) f << p[1] * y[1] * y[1] * y[1], y[0] - exp(p[0] * t);
     }
-    Matrix2d mass() const { return Vector2d(1, kind == 1 ? 0 : 1).asDiagonal(); }
+    Matrix2d mass() const { return Vector2d(1, kind == 1 || kind == 4 ? 0 : 1).asDiagonal(); }
+    std::array<int, 2> index() const { return {1, kind == 4 ? 2 : 1}; }
 };
 
 double distance(const Matrix2d& a, const Matrix2d& b) { return (a - b).cwiseAbs().maxCoeff(); }
@@ -103,4 +110,20 @@ BOOST_AUTO_TEST_CASE(the_adjoint_gradient_is_that_of_the_sensitivities_to_roundi
     BOOST_TEST(std::abs(r.dp[1] - y * y + 2 * 0.9 * 2 * y * y * 1.75) < 1e-9);
     BOOST_TEST(std::abs(r.dy0[0] - 2 * y * y * 1.75) < 1e-9);
     BOOST_TEST(std::abs(r.dy0[1]) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_adjoint_may_decay_to_the_smallest_numbers) {
+    const auto g = [](const auto& y) { return y[0]; };
+    const auto compare = [&](int kind, const Vector2d& y0, const Vector2d& p, double t1, double tol) {
+        const sc::options<double> o{.rtol = tol, .atol = tol};
+        const auto forward = sc::sensitivities(sc::radau_iia<3>(), example{kind}, y0, p, 0, t1, o);
+        const auto back = sc::adjoint_gradient(sc::radau_iia<3>(), example{kind}, y0, p, 0, t1, g, o);
+        BOOST_TEST((forward.ok() && back.ok()));
+        BOOST_TEST((back.dp.transpose() - forward.S.row(0)).norm() < 1e-12 * forward.S.row(0).norm());
+        BOOST_TEST(back.dy0.norm() < 1e-290);
+    };
+    const double a = 2, start = a * 1e4 / (1e4 + 1);
+    compare(3, Vector2d(start, start), Vector2d(a, 0), 100, 1e-6);
+    compare(3, Vector2d(start, start), Vector2d(a, 0), 10, 1e-9);
+    compare(4, Vector2d(1, std::cbrt(0.5)), Vector2d(0.5, 1), 1, 1e-11);
 }

@@ -43,8 +43,8 @@ class linear_stage_system {
 inline constexpr int most_linear_iterations = 200;
 
 /// Solves for Z the stage equations of a step h from `x` whose right-hand sides are linear (add), with the factors
-/// that `stages` has, to rounding relative to x and Z in the weighted norm. False if the iteration does
-/// not converge.
+/// that `stages` has, to rounding relative to x and Z in the weighted norm, absolute where that nearly
+/// underflows. False if the iteration does not converge.
 template <class Stages, class Mass, class Add, class Vector, class StageMatrix>
 bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const Vector& x,
                          const typename Vector::Scalar& h, Vector weights, StageMatrix& Z) {
@@ -64,7 +64,9 @@ bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const
         if (!(one <= size)) size = one;
     }
     if (size == scalar(0)) return true;
-    weights /= size;
+    // What has decayed to the smallest numbers has no relative accuracy left, and 1/size would overflow.
+    const scalar smallest = std::numeric_limits<scalar>::min() / (eps * eps);
+    weights /= size < smallest ? smallest : size;
     limits = {2 * eps, 4 * eps, 10000 * eps, most_linear_iterations, false, 3};
     return stages.solve(system, scalar(0), x, h, weights, limits, Z, solves).end == newton_end::converged;
 }
