@@ -15,9 +15,9 @@ using V1 = Eigen::Matrix<double, 1, 1>;
 namespace {
 
 struct prothero_robinson {
-    double lambda;
+    double lambda, share = 1;  // of sin t
     void operator()(double t, const V1& y, V1& f) const {
-        f[0] = lambda * (y[0] - std::cos(t)) - std::sin(t);
+        f[0] = lambda * (y[0] - std::cos(t)) - share * std::sin(t);
     }
     void jacobian(double, const V1&, Eigen::Matrix<double, 1, 1>& J) const { J(0, 0) = lambda; }
 };
@@ -98,6 +98,23 @@ BOOST_AUTO_TEST_CASE(stiffly_accurate_methods_meet_the_tolerance_for_every_lambd
                 }
             }
     }
+}
+
+// Without sin t the solution (lambda^2 cos t - lambda sin t)/(lambda^2 + 1) starts with a slope of almost zero.
+BOOST_AUTO_TEST_CASE(a_first_step_across_many_periods_of_a_smooth_solution_is_not_accepted) {
+    for (const int s : {2, 3, 5})
+        for (const double tol : {1e-3, 1e-6, 1e-9})
+            for (const double lambda : {-1e2, -1e4, -1e8}) {
+                const double square = lambda * lambda, t1 = 100;
+                const V1 start(square / (square + 1));
+                const auto r =
+                    sc::integrate(sc::tableaux::transformed<double>(radau_iia, s),
+                                  prothero_robinson{lambda, 0}, start, 0, t1, {.rtol = tol, .atol = tol});
+                BOOST_TEST(sc::name(r.status) == "success");
+                BOOST_TEST(std::abs(r.y[0] - (square * std::cos(t1) - lambda * std::sin(t1)) / (square + 1)) <
+                           10 * tol);
+                BOOST_TEST(r.report.steps > 2);
+            }
 }
 
 // Without stiff accuracy every error of the stage order is seen at the end of the step, and small steps are

@@ -120,10 +120,8 @@ class acceptance {
             raise(err, estimate_size());
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
-        if (continuous_) {
-            const scalar between = method.output_error(trial.now, trial.weights, system.sums());
-            if (err < between) err = between;
-        }
+        if (continuous_) raise(err, method.output_error(trial.now, trial.weights, system.sums()));
+        if (first && err < scalar(1)) raise(err, unresolved(method, system, trial, reading.ratio));
         return err;
     }
 
@@ -222,6 +220,20 @@ class acceptance {
         }
         rest_ = s / (s + scalar(1)) / share_;
         system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
+    }
+    /// In the first step: the error between its ends, by the standard of the estimate. A solution that starts on
+    /// the smooth one of a stiff equation has stages on it wherever they lie, so that across many of its
+    /// oscillations the estimate is as small as 1/|J| too; the stage polynomial is not smooth then. Later steps
+    /// start from one that was. With a singular M the start need not be on the constraints: nothing is asked.
+    template <class Step, class System>
+    static scalar unresolved(Step& method, const System& system,
+                             const trial_step<Vector, typename Step::output>& trial, const scalar& ratio) {
+        if constexpr (System::mass_type::identity) {
+            if (method.knows_output_error())
+                return method.output_error(trial.now, trial.weights, system.sums()) *
+                       (ratio < scalar(1) ? ratio : scalar(1));
+        }
+        return scalar(0);
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of

@@ -94,7 +94,7 @@ class collocation_step : public step_defaults<Space> {
     /// Serves every run.
     template <class System>
     void prepare(const System&, const run_demands& demands) {
-        if (demands.between) top_ = highest_legendre_coefficients<Scalar>(nodes_.c, nodes_.size);
+        if (!demands.fixed) top_ = highest_legendre_coefficients<Scalar>(nodes_.c, nodes_.size);
     }
 
     /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
@@ -258,7 +258,7 @@ class collocation_step : public step_defaults<Space> {
     }
 
     /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
-    /// weighted norm; 0 < decay <= 1. Where the run demands it (between).
+    /// weighted norm; 0 < decay <= 1. Of free steps.
     template <class Sums>
     Scalar decay(const output& now, const vector& norm_weights, const Sums& sums) {
         using std::sqrt;
@@ -336,7 +336,7 @@ class collocation_step : public step_defaults<Space> {
     weights start_;                // z -> value at 0 of the polynomial through the stages alone
     weights leading_;              // z -> a_{s-1} of the polynomial through the stages alone
     weights left_, right_, ends_;  // z -> h u'(0), h u'(1), change at 1 without the node 0
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2} where the run demands it
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
     vector scratch_, second_, rest_;
     bool stiffly_accurate_ = false, jump_ = false;
     int order_ = 0;

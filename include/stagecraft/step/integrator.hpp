@@ -179,7 +179,7 @@ class integrator {
             using step_type = std::decay_t<decltype(m)>;
             static_assert(one_step_method<step_type, system_type>);
             const bool fixed = plan_.fixed();
-            m.prepare(system_, {fixed, keeps_output_, options_.jumps, variable || options_.continuous});
+            m.prepare(system_, {fixed, keeps_output_, options_.jumps});
             if (!fixed) demand_free_steps(m, system_.largest_index(), options_.continuous);
             acceptance_.prepare(k, m, system_);
         });

@@ -25,10 +25,9 @@ struct step_space {
 
 /// What a run asks of its method beforehand.
 struct run_demands {
-    bool fixed = false;    ///< equal steps: errors are not estimated
-    bool output = true;    ///< somebody will look at the continuous solution
-    bool jumps = true;     ///< jumps of f are looked for that the error estimate does not see
-    bool between = false;  ///< the error of the continuous solution is to be estimated, or its decay
+    bool fixed = false;  ///< equal steps: errors are not estimated
+    bool output = true;  ///< somebody will look at the continuous solution
+    bool jumps = true;   ///< jumps of f are looked for that the error estimate does not see
 };
 
 /// A method as the integrator sees it: an object that makes one step at a time and keeps nothing from step to
