@@ -81,8 +81,10 @@ class asymptotic_expansion {
         system.f = [this](double, const Eigen::VectorXd& u, Eigen::VectorXd& out) {
             const slow_vector y0 = u.head<n>(), y1 = u.segment<n>(n + m);
             const fast_vector z0 = u.segment<m>(n), z1 = u.tail<m>();
-            out << problem_.f(y0, z0), problem_.g(y0, z0), f_along(y0, z0, y1, z1),
-                g_along(y0, z0, y1, z1) - slope_of_z(y0, z0);
+            out.head<n>() = problem_.f(y0, z0);
+            out.segment<m>(n) = problem_.g(y0, z0);
+            out.segment<n>(n + m) = f_along(y0, z0, y1, z1);
+            out.tail<m>() = g_along(y0, z0, y1, z1) - slope_of_z(y0, z0);
         };
         const Eigen::VectorXd u = detail::run("asymptotic_expansion", system, start, {t}, tolerance_);
         check_hypothesis(u.head<n>(), u.segment<m>(n));
@@ -177,8 +179,9 @@ class asymptotic_expansion {
             const fast_vector b = z1_ + s * slope_z_;
             // g(y_0 + eps (y_1 + eta_0), z_0 + zeta_0 + eps (z_1 + zeta_1)) - g(y_0 + eps y_1, z_0 + eps z_1)
             // at order eps
-            out << problem_.g(y_, z) - problem_.g(y_, z_), problem_.f(y_, z) - problem_.f(y_, z_),
-                g_along(y_, z, a + eta, b + zeta1) - g_along(y_, z_, a, b);
+            out.head<m>() = problem_.g(y_, z) - problem_.g(y_, z_);
+            out.segment<n>(m) = problem_.f(y_, z) - problem_.f(y_, z_);
+            out.tail<m>() = g_along(y_, z, a + eta, b + zeta1) - g_along(y_, z_, a, b);
         };
         return detail::run("asymptotic_expansion", system, start, {xi}, tolerance_);
     }

@@ -54,9 +54,8 @@ class index_2_dae {
                                                  const coordinate_vector<Scalar, Model>& v,
                                                  const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        Eigen::Matrix<Scalar, size, 1> y;
-        y << q, v, consistent_multiplier(model_, q, v, t);
-        return y;
+        const multiplier_vector<Scalar, Model> lambda = consistent_multiplier(model_, q, v, t);
+        return (Eigen::Matrix<Scalar, size, 1>() << q, v, lambda).finished();
     }
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,

@@ -42,7 +42,8 @@ class index_3_dae {
     state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
                         const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        return (state() << q, v, consistent_multiplier(model_, q, v, t)).finished();
+        const multiplier_vector<Scalar, Model> lambda = consistent_multiplier(model_, q, v, t);
+        return (state() << q, v, lambda).finished();
     }
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
@@ -100,9 +101,8 @@ class stabilised_dae {
     state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
                         const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        state y = state::Constant(Scalar(0));
-        y.template head<2 * n + m>() << q, v, consistent_multiplier(model_, q, v, t);
-        return y;
+        const multiplier_vector<Scalar, Model> lambda = consistent_multiplier(model_, q, v, t);
+        return (state() << q, v, lambda, multiplier_vector<Scalar, Model>::Constant(Scalar(0))).finished();
     }
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {

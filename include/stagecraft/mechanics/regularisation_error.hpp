@@ -35,8 +35,8 @@ class linearised_about_motion {
         const position q = y.head<n>(), v = y.segment<n>(n), Yq = y.segment<n>(2 * n),
                        Yv = y.segment<n>(3 * n);
         const auto d = derivatives(q, v, t);
-        f << v, d.a, Yv, d.a_q * Yq + d.a_v * Yv + d.a_lambda * y.tail<m>(),
-            d.Gv_q * Yq + d.G * Yv - creep(q, v, d.a, t);
+        const force driven = creep(q, v, d.a, t);
+        f << v, d.a, Yv, d.a_q * Yq + d.a_v * Yv + d.a_lambda * y.tail<m>(), d.Gv_q * Yq + d.G * Yv - driven;
     }
     force multiplier(const position& q, const position& v, double t) const {
         return motion_.multiplier(q, v, t);
@@ -44,8 +44,9 @@ class linearised_about_motion {
     Eigen::VectorXd start(const position& q, const position& v) const {
         const auto d = derivatives(q, v, 0);
         const small_ldlt<double, m> inertia(multiplier_matrix<double, Model>(-d.phi_lambda));
+        const force driven = creep(q, v, d.a, 0);
         Eigen::VectorXd y(size);
-        y << q, v, position::Zero(), -d.a_lambda * inertia.solve(creep(q, v, d.a, 0)), force::Zero();
+        y << q, v, position::Zero(), -d.a_lambda * inertia.solve(driven), force::Zero();
         return y;
     }
 
