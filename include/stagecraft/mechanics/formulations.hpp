@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <stagecraft/mechanics/derivatives.hpp>
@@ -169,24 +170,37 @@ class index_reduced_ode {
     Scalar r_, s_;
 };
 
-/// The index-reduced differential equation of a model in (q, v); see `index_reduced_ode`. Throws
-/// std::invalid_argument if r is negative.
+namespace detail {
+
+/// The scalar in which to compute with parameters of these types: double where all are integers.
+template <class... Numbers>
+using real_scalar = std::conditional_t<std::is_integral_v<std::common_type_t<Numbers...>>, double,
+                                       std::common_type_t<Numbers...>>;
+
+}  // namespace detail
+
+/// The index-reduced differential equation of a model in (q, v); see `index_reduced_ode`. An integer r stands
+/// for that double. Throws std::invalid_argument if r is negative.
 template <class Scalar = double, mechanical_model Model>
-index_reduced_ode<Model, Scalar> index_reduced(Model model, Scalar r = Scalar(0)) {
-    if (!(r >= Scalar(0))) throw std::invalid_argument("index_reduced: r must not be negative");
-    return index_reduced_ode<Model, Scalar>(std::move(model), std::move(r));
+index_reduced_ode<Model, detail::real_scalar<Scalar>> index_reduced(Model model, Scalar r = Scalar(0)) {
+    using real = detail::real_scalar<Scalar>;
+    real rate = static_cast<real>(std::move(r));
+    if (!(rate >= real(0))) throw std::invalid_argument("index_reduced: r must not be negative");
+    return {std::move(model), std::move(rate)};
 }
 
 /// Baumgarte's stabilisation of a model with position constraints, an ordinary differential equation in (q,
 /// v): the constraint is replaced by g'' + 2 alpha g' + beta^2 g = 0 (J. Baumgarte 1972, Comput. Methods
 /// Appl. Mech. Eng. 1; alpha = beta damps critically). Large values damp the drift fast and make the equation
-/// stiff. For constraints of velocity see `index_reduced` with r. Throws std::invalid_argument if alpha or
-/// beta is negative.
-template <class Scalar = double, holonomic_model Model>
-index_reduced_ode<Model, Scalar> baumgarte(Model model, Scalar alpha, Scalar beta) {
-    if (!(alpha >= Scalar(0)) || !(beta >= Scalar(0)))
+/// stiff. For constraints of velocity see `index_reduced` with r. Integers stand for those doubles. Throws
+/// std::invalid_argument if alpha or beta is negative.
+template <class Scalar = double, holonomic_model Model, class Beta>
+index_reduced_ode<Model, detail::real_scalar<Scalar, Beta>> baumgarte(Model model, Scalar alpha, Beta beta) {
+    using real = detail::real_scalar<Scalar, Beta>;
+    const real a = static_cast<real>(alpha), b = static_cast<real>(beta);
+    if (!(a >= real(0)) || !(b >= real(0)))
         throw std::invalid_argument("baumgarte: alpha and beta must not be negative");
-    return index_reduced_ode<Model, Scalar>(std::move(model), Scalar(2) * alpha, beta * beta);
+    return {std::move(model), real(real(2) * a), real(b * b)};
 }
 
 }  // namespace stagecraft
