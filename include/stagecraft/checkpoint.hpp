@@ -15,8 +15,8 @@ namespace stagecraft {
 
 /// All that the rest of a run depends on, after an accepted step: integrate(method, problem, point, t1, options) goes on
 /// from there and makes the same steps, bit by bit, that the run would have made if it is given the same method,
-/// problem, t1 and options. A plain value that owns what it needs; one is taken by the observer `checkpoints`
-/// (observe/checkpoints.hpp), by step_range::save() or by an observer's own member save (observe/observer.hpp).
+/// problem, t1 and options. A plain value that owns what it needs; one is taken by the observer `save_every`
+/// (observe/save_every.hpp), by step_range::save() or by an observer's own member save (observe/observer.hpp).
 ///
 /// t and y are where the run was. `numbers` and `counts` are what it remembers (step size, order, controllers, jumps seen, the
 /// last step's polynomial, the Jacobian and for which step it is factored, the report), in an order that may change
@@ -55,15 +55,19 @@ class luggage {
     void operator()(Parts&... parts) {
         (one(parts), ...);
     }
-    /// std::invalid_argument where `value` is not what it was when the checkpoint was taken.
+    /// std::invalid_argument where `value` is not what it was when the checkpoint was taken, or where all that
+    /// came before it had another size. The latter shows by a mark, a negative number unlike any count.
     void same(long value, const char* what) {
-        long then = value;
+        const long mark = -1 - static_cast<long>(std::char_traits<char>::length(what));
+        long found = mark, then = value;
+        one(found);
+        if (found != mark) refuse("method or problem");
         one(then);
         if (then != value) refuse(what);
     }
     /// Everything has been taken out.
     void finish() const {
-        if (number_ != point_.numbers.size() || count_ != point_.counts.size()) refuse("problem");
+        if (number_ != point_.numbers.size() || count_ != point_.counts.size()) refuse("method or problem");
     }
     [[noreturn]] static void refuse(const char* what) {
         throw std::invalid_argument(std::string("integrate: checkpoint is of another ") + what);
@@ -80,7 +84,7 @@ class luggage {
             if constexpr (!unpacks) {
                 point_.counts.push_back(static_cast<long>(x));
             } else {
-                if (count_ == point_.counts.size()) refuse("problem");
+                if (count_ == point_.counts.size()) refuse("method or problem");
                 x = static_cast<Part>(point_.counts[count_++]);
             }
         } else if constexpr (requires { x.valuePtr(); }) {
@@ -99,7 +103,7 @@ class luggage {
         if constexpr (!unpacks) {
             point_.numbers.insert(point_.numbers.end(), x, x + k);
         } else {
-            if (point_.numbers.size() - number_ < k) refuse("problem");
+            if (point_.numbers.size() - number_ < k) refuse("method or problem");
             for (std::size_t i = 0; i < k; ++i) x[i] = point_.numbers[number_++];
         }
     }

@@ -58,11 +58,16 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
     };
     BOOST_TEST(go_on(sc::radau_iia<3>(), point, 2, free) == "no exception");
     BOOST_TEST(contains(go_on(methods::dormand_prince(), point, 1, free), "another method"));
+    const auto also_three_stages = methods::tr_bdf2();
+    BOOST_TEST(contains(go_on(also_three_stages, point, 1, free), "another method"));
+    auto several = point;  // as of a method of several, the first of them with three stages
+    several.counts.insert(several.counts.begin(), point.counts.begin(), point.counts.begin() + 2);
+    BOOST_TEST(contains(go_on(sc::radau_iia<3>(), several, 1, free), "another method"));
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), point, 1, equal), "fixed_step"));
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), of_equal, 2, equal), "another t1"));
     auto longer = point;
     longer.numbers.push_back(1);
-    BOOST_TEST(contains(go_on(sc::radau_iia<3>(), longer, 1, free), "another problem"));
+    BOOST_TEST(contains(go_on(sc::radau_iia<3>(), longer, 1, free), "another method or problem"));
     for (const char* text : {"", "stagecraft checkpoint 0\n", "stagecraft checkpoint 1\nt 1\n3ff\n"}) {
         std::istringstream file(text);
         sc::checkpoint<Vector2d> read;
