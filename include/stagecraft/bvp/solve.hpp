@@ -27,23 +27,37 @@ requires requires(const Parameters& p) { p.size(); }
 auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
                std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
                const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
-    detail::validate(o, a, b);
     using vector = decltype(detail::guess_value(guess, a));
     using parameters = typename Parameters::PlainObject;
-    const int n = static_cast<int>(detail::guess_value(guess, a).size());
-    detail::demand_bvp(n > 0, "guess must have at least one component");
-    if constexpr (has_index<Rhs>)
-        for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(problem.f.index().size()); ++i)
-            detail::demand_bvp(problem.f.index()[i] <= 1, "problem.index() must not exceed 1");
-    constexpr int positions = [] {
-        if constexpr (has_second_order_components<Rhs>)
-            return int(Rhs::second_order_components);
-        else
-            return 0;
-    }();
-    detail::bvp_solver<Scalar, S, two_point_problem<Rhs, Conditions>, vector, parameters, positions> solver(
-        method, problem, n, p, o);
-    return solver.run(guess, a, b);
+    using check = detail::checked_two_point<Rhs, Conditions, vector, parameters>;
+    constexpr bool rhs = check::rhs, conditions = !rhs || check::conditions;
+    static_assert(rhs,
+                  "solve_bvp: the first argument of two_point must be callable as f(t, y, out), with a guess "
+                  "for parameters as f(t, y, p, out), and write n numbers; y and out are of the type of "
+                  "guess; the conditions come second");
+    static_assert(conditions,
+                  "solve_bvp: the second argument of two_point must be callable as r(left, right, out), with "
+                  "a guess for parameters as r(left, right, p, out), and write n + n_p numbers; left and "
+                  "right are of the type of guess, out too without parameters");
+    if constexpr (rhs && conditions) {
+        detail::validate(o, a, b);
+        const int n = static_cast<int>(detail::guess_value(guess, a).size());
+        detail::demand_bvp(n > 0, "guess must have at least one component");
+        if constexpr (has_index<Rhs>)
+            for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(problem.f.index().size()); ++i)
+                detail::demand_bvp(problem.f.index()[i] <= 1, "problem.index() must not exceed 1");
+        constexpr int positions = [] {
+            if constexpr (has_second_order_components<Rhs>)
+                return int(Rhs::second_order_components);
+            else
+                return 0;
+        }();
+        detail::bvp_solver<Scalar, S, two_point_problem<Rhs, Conditions>, vector, parameters, positions>
+            solver(method, problem, n, p, o);
+        return solver.run(guess, a, b);
+    } else {
+        return bvp_result<vector, parameters>{};
+    }
 }
 
 /// The same without parameters.

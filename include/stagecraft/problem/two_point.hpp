@@ -34,6 +34,21 @@ namespace detail {
 template <int A, int B>
 inline constexpr int added = A >= 0 && B >= 0 ? A + B : Eigen::Dynamic;
 
+/// Whether f and r can be called as two_point() says with states of the type Vector and these Parameters.
+template <class Rhs, class Conditions, class Vector, class Parameters>
+struct checked_two_point {
+    static constexpr int N = Vector::RowsAtCompileTime, P = Parameters::RowsAtCompileTime;
+    using scalar = typename Vector::Scalar;
+    using values = Eigen::Matrix<scalar, added<N, P>, 1>;
+    static constexpr bool alone = P == 0;
+    static constexpr bool rhs =
+        alone ? std::is_invocable_v<Rhs&, const scalar&, const Vector&, Vector&>
+              : std::is_invocable_v<Rhs&, const scalar&, const Vector&, const Parameters&, Vector&>;
+    static constexpr bool conditions =
+        alone ? std::is_invocable_v<Conditions&, const Vector&, const Vector&, values&>
+              : std::is_invocable_v<Conditions&, const Vector&, const Vector&, const Parameters&, values&>;
+};
+
 /// f as a function of z = (y, p), with n_p trailing zeros so that it is square.
 template <class Rhs, int N, int P>
 struct joint_rhs {
