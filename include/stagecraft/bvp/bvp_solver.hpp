@@ -118,6 +118,7 @@ class bvp_solver {
         Scalar least = std::numeric_limits<Scalar>::infinity();
         int idle = 0;
         for (;;) {
+            if (from_guess_) least = std::numeric_limits<Scalar>::infinity(), idle = 0;  // anew
             if (!newton(least)) {
                 if (!recover(guess)) return;
                 continue;
@@ -134,8 +135,9 @@ class bvp_solver {
             if (idle > 1 && hopeless(error_)) return;
             least = std::min(least, error_);
             mesh_choice<equations_type> choice(equations_, estimate_, x_, o_);
+            const bool spread = rough() && idle < 2;  // where spreading has stopped to help, errors decide
             const auto next = error_ <= o_.rtol ? halved(x_.t)
-                              : rough()         ? choice.spread()
+                              : spread          ? choice.spread()
                                                 : choice.refined(error_, floor_, idle > 0);
             if (static_cast<int>(next.size()) - 1 > o_.max_intervals) {
                 if (!hopeless(10 * error_))

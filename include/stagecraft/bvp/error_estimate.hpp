@@ -74,29 +74,33 @@ class error_estimate {
         const scalar l = abs(error_.y(c, i)), r = abs(error_.y(c, i + 1));
         return (l > r ? l : r) + abs(inner_(c, i));
     }
-    /// The largest of |error| / (floor + |y|) there: the line between the global errors beside y at the ends
-    /// and nodes, y being taken as straight from one to the next.
+    /// The largest of |error| / (floor + |y|) there: the line between the global errors, and the local error, which is
+    /// zero at both ends (so that it costs nothing where y is zero at a mesh point), beside y at the ends and nodes,
+    /// y being taken as straight from one to the next.
     scalar relative(const iterate& x, int i, int c) const {
         using std::abs;
         const auto& method = equations_.method();
         const int s = equations_.s();
+        const scalar inside = abs(inner_(c, i)),
+                     steep = scalar(2 * nodes() * nodes());  // that of the integral of P_m
         const auto over = [&](const scalar& theta, const scalar& size) {
-            return scalar(abs((1 - theta) * error_.y(c, i) + theta * error_.y(c, i + 1)) / (floor_ + size));
+            const scalar line = abs((1 - theta) * error_.y(c, i) + theta * error_.y(c, i + 1));
+            const scalar local = inside * std::min(scalar(1), scalar(steep * theta * (1 - theta)));
+            return scalar((line + local) / (floor_ + size));
         };
-        scalar at(0), y = x.y(c, i), least = abs(y), worst = over(at, least);
+        scalar at(0), y = x.y(c, i), worst = over(at, abs(y));
         for (int j = 0; j <= s; ++j) {
             const scalar theta = j < s ? method.c[j] : scalar(1);
             scalar value = x.y(c, j < s ? i : i + 1), here;
             if (j < s)
                 for (int k = 0; k < s; ++k) value += method.A(j, k) * x.Z(c, i * s + k);
-            const bool crossed = (y < scalar(0)) != (value < scalar(0));
-            least = crossed ? scalar(0) : std::min(least, scalar(abs(value)));
             here = over(theta, abs(value));
-            if (crossed) here = std::max(here, over(at + (theta - at) * (y / (y - value)), scalar(0)));
+            if ((y < scalar(0)) != (value < scalar(0)))
+                here = std::max(here, over(at + (theta - at) * (y / (y - value)), scalar(0)));
             if (!(here <= worst)) worst = here;
             at = theta, y = value;
         }
-        return worst + abs(inner_(c, i)) / (floor_ + least);
+        return worst;
     }
 
     /// The largest |y' - f(t, y)| / (floor + |f|) of the returned solution, at the two points of every interval.
