@@ -62,6 +62,15 @@ class lagrangian_model {
         of_position || affine || columns == Coordinates,
         "lagrangian: the constraint must return a number or a column of position constraints, the matrix G "
         "of n columns, or (G, b) of n + 1 columns");
+    static constexpr int rows = [] {
+        using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
+        if constexpr (std::is_arithmetic_v<returned>)
+            return 1;
+        else
+            return int(returned::RowsAtCompileTime);
+    }();
+    static_assert(rows < 0 || Constraints < 0 || rows == Constraints,
+                  "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
 
   public:
     static constexpr int coordinates = Coordinates, constraints = Constraints;
