@@ -223,6 +223,10 @@ BOOST_AUTO_TEST_CASE(row_sums_count_as_claimed_where_nodes_are_given) {
     const auto wrong = rk4("1/2", R"({"order":4})", R"("c":["0","1/2","1/3","1"],)");
     BOOST_TEST(wrong.exit_code() == 1);
     BOOST_TEST(wrong.find("order")->value.value() == 1);  // y' = t^2 sees it
+    BOOST_TEST(!wrong.find("order")->numerical);          // exact entries are not rounded
+    const auto nodes_alone = judged(R"({"A":[["0","0"],["1/3","0"]],"b":["0","1"],"c":["0","1/2"],
+        "claims":{"order":2}})");
+    BOOST_TEST(fails(nodes_alone, "dot(b, c) == 1/2 with A*1 for c", "-1/6"));
     BOOST_TEST(wrong.suspects.size() == 1u);
     BOOST_TEST(suspected(wrong, "c[3]", "1/2"));
     // Lobatto IIIB with two stages: C(1) does not hold, and the file says so.

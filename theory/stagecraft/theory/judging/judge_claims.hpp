@@ -66,8 +66,8 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
             why += facts.barrier;
         else
             why += ": " + first->condition + " leaves " + first->in_words;
-        if (found.numerical > facts.value) {
-            const auto left = found.up_to(found.numerical).residual;
+        const auto left = found.up_to(found.numerical).residual;
+        if (found.numerical > facts.value && left > 0) {
             f.numerical = numerical_order{found.numerical, brief(left), matching_digits(left)};
             why += "; " + in_words(*f.numerical);
         }
@@ -152,6 +152,7 @@ finding judge_order(const subject<K>& s, const Weights& weights, const std::stri
     for (const auto& [tree, residual] : found.failing) {
         std::string condition = condition_text(tree);
         if (which != "b") condition.replace(condition.find("dot(b,"), 6, "dot(" + which + ",");
+        if (row_sums_fail) condition += " with A*1 for c";  // which the file's c might satisfy
         failures.push_back({std::move(condition), bracket(tree), shown(residual), in_words(residual)});
     }
     return order_verdict(name, claimed, found, facts, exact_scalar<K>,
