@@ -123,7 +123,8 @@ class bvp_solver {
                 if (!recover(guess)) return;
                 continue;
             }
-            if (!estimate()) {  // a coarse solution may lead to where f cannot be evaluated
+            if (!estimate() || ((error_ <= o_.rtol || !o_.adapt) && refresh() &&
+                                !estimate())) {  // a coarse solution may lead to where f cannot be evaluated
                 if (++failures_ > 3 || !o_.adapt) return end_at(estimate_.place());
                 restart(guess);
                 continue;
@@ -162,13 +163,22 @@ class bvp_solver {
         return outcome_.end == damped_newton_end::converged;
     }
 
+    /// Verdicts are those of the problem linearised at the solution: new factors where those at hand are of an iterate
+    /// too far from it for the condition number found.
+    bool refresh() {
+        if (!(newton_.moved() * std::max(Scalar(1), relative_kappa()) > Scalar(1) / 1000) ||
+            !equations_.jacobians_differ(x_) || !equations_.linearise(x_))
+            return false;
+        ++result_.report.factorisations;
+        conditioning_.forget();
+        return true;
+    }
+
     /// The errors of x, and its remainder below them.
     bool estimate() {
         for (int pass = 0;; ++pass) {
             ++result_.report.error_solves;
-            if (!estimate_.run(x_, floor_, o_.rtol / 10000)) {
-                return false;
-            }
+            if (!estimate_.run(x_, floor_, o_.rtol / 10000)) return false;
             measure();
             const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
             if (remainder_ <= wanted || pass > 1) break;
@@ -346,7 +356,9 @@ class bvp_solver {
         r.f_jacobian = counts_.f_jacobian;
         result_.p = x_.p;
         result_.mesh = x_.t;
-        result_.error.global = error_;
+        const bool known =
+            outcome_.end == damped_newton_end::converged && result_.status != bvp_status::non_finite;
+        result_.error.global = known ? error_ : std::numeric_limits<Scalar>::infinity();
         if (!usable()) return;
         if (estimated() || estimate_.run(x_, floor_, o_.rtol / 10000)) {
             result_.error.defect = estimate_.defect(x_);
@@ -379,7 +391,8 @@ class bvp_solver {
     conditioning_of<equations_type> conditioning_{equations_, x_};
     std::vector<Scalar> guess_mesh_;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
-    Scalar error_{0}, remainder_{0}, kappa_{0}, rounding_{0}, last_kappa_{-1}, guess_size_{1};
+    Scalar error_{std::numeric_limits<Scalar>::infinity()}, remainder_{0}, kappa_{0}, rounding_{0},
+        last_kappa_{-1}, guess_size_{1};
     bool from_guess_ = true;
     int failures_ = 0, checks_ = 0;
 };

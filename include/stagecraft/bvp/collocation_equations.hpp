@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <stagecraft/bvp/collocation_blocks.hpp>
@@ -89,6 +91,27 @@ class collocation_equations {
         return true;
     }
 
+    /// Are the Jacobians at x others than those of the factors? Looked at in one node of every interval; false for
+    /// linear problems, whose factors hold everywhere.
+    bool jacobians_differ(const iterate& x) {
+        using std::sqrt;
+        const Scalar same =
+            sqrt(sqrt(std::numeric_limits<Scalar>::epsilon()));  // differences of f leave less
+        const auto differ = [&](const auto& now, const auto& before) {
+            return !((now - before).cwiseAbs().maxCoeff() <= same * before.cwiseAbs().maxCoeff());
+        };
+        for (int i = 0; i < x.intervals(); ++i) {
+            const int j = i % s(), width = n() + np();
+            set_stage(x, i, j);
+            const Scalar t = x.t[i] + method_.c[j] * x.h(i);
+            system_.f(t, stage_, x.p);
+            if (differ(system_.jacobian(t).topRows(n()), J_.middleCols((i * s() + j) * width, width)))
+                return true;
+        }
+        system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
+        return differ(system_.conditions_jacobian().topRows(n() + np()), conditions_);
+    }
+
     /// The correction that removes the residuals last evaluated, with the factors last computed.
     void solve(const iterate& x, iterate& d) { solve(x, rho_, gamma_, beta_, d); }
 
@@ -124,6 +147,10 @@ class collocation_equations {
     int replaced_pivots() const { return replaced_; }
 
   private:
+    void set_stage(const iterate& x, int i, int j) {
+        stage_ = x.y.col(i);
+        for (int k = 0; k < s(); ++k) stage_ += method_.A(j, k) * x.Z.col(i * s() + k);
+    }
     bool evaluate(const iterate& x, bool derivatives) {
         const int width = n() + np();
         for (int i = 0; i < x.intervals(); ++i) {
@@ -131,8 +158,7 @@ class collocation_equations {
             const auto Z = x.Z.middleCols(i * s(), s());
             for (int j = 0; j < s(); ++j) {
                 const Scalar t = x.t[i] + method_.c[j] * h;
-                stage_ = x.y.col(i);
-                for (int k = 0; k < s(); ++k) stage_ += method_.A(j, k) * Z.col(k);
+                set_stage(x, i, j);
                 const auto& f = system_.f(t, stage_, x.p);
                 if (!all_finite(f, n())) return fail_at(t);
                 auto rho = rho_.col(i * s() + j);

@@ -40,6 +40,7 @@ class damped_newton {
             ++counts_.newton_steps;
             if (!equations_.linearise(x)) return {damped_newton_end::non_finite, scalar(0)};
             ++counts_.factorisations;
+            moved_ = scalar(0);
             solve(x, d_);
             weigh(x);
             const scalar size = norm(d_);
@@ -52,6 +53,7 @@ class damped_newton {
                 return {left <= sqrt(rounding) ? damped_newton_end::converged : damped_newton_end::failed,
                         left};
             }
+            moved_ = lambda * accuracy(x, d_);
             x = trial_;
             if (lambda == scalar(1) && 4 * bar <= size) {
                 const outcome now = keep_factors(x, size, bar, target > rounding ? target : rounding);
@@ -61,11 +63,15 @@ class damped_newton {
         return {damped_newton_end::failed, accuracy(x, d_)};
     }
 
+    /// How far x has gone from where the factors were computed, relative as options.rtol is.
+    const scalar& moved() const { return moved_; }
+
   private:
     /// x := x + bar with the factors of an earlier iterate while the corrections contract.
     outcome keep_factors(iterate& x, scalar before, scalar bar, const scalar& target) {
         for (int k = 0; k < 8; ++k) {
             const scalar rate = before > scalar(0) ? bar / before : scalar(0), left = accuracy(x, bar_);
+            moved_ += left;
             add(x, scalar(1), bar_, x);
             if (rate * left <= target || bar == scalar(0)) return {damped_newton_end::converged, rate * left};
             if (!equations_.residual(x)) return {damped_newton_end::non_finite, left};
@@ -153,7 +159,7 @@ class damped_newton {
 
     Equations& equations_;
     bvp_report& counts_;
-    scalar floor_;
+    scalar floor_, moved_{0};
     iterate d_, bar_, trial_, difference_;
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> weights_, scale_p_;
 };

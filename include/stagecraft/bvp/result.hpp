@@ -54,7 +54,9 @@ struct bvp_report {
 template <class Vector>
 struct bvp_error {
     using scalar = typename Vector::Scalar;
-    scalar global{0};   ///< the largest of |error_i(t)| / (atol/rtol + |y_i(t)|), and the same for p
+    /// The largest of |error_i(t)| / (atol/rtol + |y_i(t)|), and the same for p; infinity where it is not known,
+    /// Newton's iteration having ended without a solution.
+    scalar global{0};
     Vector components;  ///< the largest absolute error of each component over [a, b]
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> parameters;  ///< absolute errors of p
     scalar defect{0};  ///< the largest |y' - f(t, y)| / (atol/rtol + |f|) of the returned y(t)
