@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Stiff test problems for tests and for the comparison of solvers, each as a plain struct: size, interval, initial value,
-// right-hand side, Jacobian.
+// Stiff test problems for tests and for the comparison of solvers, each as a plain struct: right-hand side, size,
+// interval, initial value, Jacobian.
 // `atol_scale` is the customary ratio atol/rtol; reference solutions are in data/<name>.json.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 #include <cmath>
 #include <numbers>
+#include <problems/equations.hpp>
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <vector>
 
@@ -17,55 +18,36 @@ template <class S, int N>
 using vec = Eigen::Matrix<S, N, 1>;
 
 /// Van der Pol, eps = 1e-6 (Hairer-Wanner II, IV.10).
-struct van_der_pol {
+struct van_der_pol : equations::van_der_pol {
     static constexpr const char* name = "vdpol";
     static constexpr int size = 2;
     static constexpr double t0 = 0, t1 = 2, atol_scale = 1;
     static vec<double, 2> initial() { return {2, -0.66}; }
-    static constexpr double eps = 1e-6;
 
-    template <class S>
-    void operator()(const S&, const vec<S, 2>& y, vec<S, 2>& f) const {
-        f[0] = y[1];
-        f[1] = ((1.0 - y[0] * y[0]) * y[1] - y[0]) / eps;
-    }
     void jacobian(double, const vec<double, 2>& y, Eigen::Matrix2d& J) const {
-        J << 0, 1, (-2 * y[0] * y[1] - 1) / eps, (1 - y[0] * y[0]) / eps;
+        J << 0, 1, (-2 * y[0] * y[1] - 1) / epsilon, (1 - y[0] * y[0]) / epsilon;
     }
 };
 
 /// Robertson's reaction, to t = 1e11 (Hairer-Wanner II, IV.10).
-struct robertson {
+struct robertson : equations::robertson {
     static constexpr const char* name = "rober";
     static constexpr int size = 3;
     static constexpr double t0 = 0, t1 = 1e11, atol_scale = 1e-6;
     static vec<double, 3> initial() { return {1, 0, 0}; }
 
-    template <class S>
-    void operator()(const S&, const vec<S, 3>& y, vec<S, 3>& f) const {
-        const S slow = 0.04 * y[0] - 1e4 * y[1] * y[2], fast = 3e7 * y[1] * y[1];
-        f[0] = -slow;
-        f[1] = slow - fast;
-        f[2] = fast;
-    }
     void jacobian(double, const vec<double, 3>& y, Eigen::Matrix3d& J) const {
         J << -0.04, 1e4 * y[2], 1e4 * y[1], 0.04, -1e4 * y[2] - 6e7 * y[1], -1e4 * y[1], 0, 6e7 * y[1], 0;
     }
 };
 
 /// The Oregonator (Hairer-Wanner II, IV.10).
-struct oregonator {
+struct oregonator : equations::oregonator {
     static constexpr const char* name = "orego";
     static constexpr int size = 3;
     static constexpr double t0 = 0, t1 = 360, atol_scale = 1e-6;
     static vec<double, 3> initial() { return {1, 2, 3}; }
 
-    template <class S>
-    void operator()(const S&, const vec<S, 3>& y, vec<S, 3>& f) const {
-        f[0] = 77.27 * (y[1] + y[0] * (1.0 - 8.375e-6 * y[0] - y[1]));
-        f[1] = (y[2] - (1.0 + y[0]) * y[1]) / 77.27;
-        f[2] = 0.161 * (y[0] - y[2]);
-    }
     void jacobian(double, const vec<double, 3>& y, Eigen::Matrix3d& J) const {
         J << 77.27 * (1 - 2 * 8.375e-6 * y[0] - y[1]), 77.27 * (1 - y[0]), 0,  //
             -y[1] / 77.27, -(1 + y[0]) / 77.27, 1 / 77.27,                     //
@@ -74,24 +56,12 @@ struct oregonator {
 };
 
 /// HIRES, high irradiance response of photomorphogenesis (Hairer-Wanner II, IV.10).
-struct hires {
+struct hires : equations::hires {
     static constexpr const char* name = "hires";
     static constexpr int size = 8;
     static constexpr double t0 = 0, t1 = 321.8122, atol_scale = 1e-4;
     static vec<double, 8> initial() { return {1, 0, 0, 0, 0, 0, 0, 0.0057}; }
 
-    template <class S>
-    void operator()(const S&, const vec<S, 8>& y, vec<S, 8>& f) const {
-        const S bound = 280.0 * y[5] * y[7];
-        f[0] = -1.71 * y[0] + 0.43 * y[1] + 8.32 * y[2] + 0.0007;
-        f[1] = 1.71 * y[0] - 8.75 * y[1];
-        f[2] = -10.03 * y[2] + 0.43 * y[3] + 0.035 * y[4];
-        f[3] = 8.32 * y[1] + 1.71 * y[2] - 1.12 * y[3];
-        f[4] = -1.745 * y[4] + 0.43 * (y[5] + y[6]);
-        f[5] = -bound + 0.69 * y[3] + 1.71 * y[4] - 0.43 * y[5] + 0.69 * y[6];
-        f[6] = bound - 1.81 * y[6];
-        f[7] = -f[6];
-    }
     void jacobian(double, const vec<double, 8>& y, Eigen::Matrix<double, 8, 8>& J) const {
         J.setZero();
         J(0, 0) = -1.71, J(0, 1) = 0.43, J(0, 2) = 8.32;
@@ -106,28 +76,13 @@ struct hires {
 };
 
 /// Transistor amplifier, an index-1 DAE M y' = f(t, y) (Hairer-Wanner II, VI.1 and VI.4).
-struct transistor_amplifier {
+struct transistor_amplifier : equations::transistor_amplifier {
     static constexpr const char* name = "transamp";
     static constexpr int size = 8;
     static constexpr double t0 = 0, t1 = 0.2, atol_scale = 1;
     static vec<double, 8> initial() { return {0, 3, 3, 6, 3, 3, 6, 0}; }
-    static constexpr double Ub = 6, UF = 0.026, a = 0.99, b = 1e-6, R0 = 1000, R = 9000;
+    static constexpr double UF = 0.026, a = 0.99, b = 1e-6, R0 = 1000, R = 9000;
 
-    template <class S>
-    void operator()(const S& t, const vec<S, 8>& y, vec<S, 8>& f) const {
-        using std::exp;
-        using std::sin;
-        const S Ue = 0.1 * sin(200 * std::numbers::pi * t);
-        const S g1 = b * (exp((y[1] - y[2]) / UF) - 1.0), g2 = b * (exp((y[4] - y[5]) / UF) - 1.0);
-        f[0] = (y[0] - Ue) / R0;
-        f[1] = y[1] / R + (y[1] - Ub) / R + (1 - a) * g1;
-        f[2] = y[2] / R - g1;
-        f[3] = (y[3] - Ub) / R + a * g1;
-        f[4] = y[4] / R + (y[4] - Ub) / R + (1 - a) * g2;
-        f[5] = y[5] / R - g2;
-        f[6] = (y[6] - Ub) / R + a * g2;
-        f[7] = y[7] / R;
-    }
     void jacobian(double, const vec<double, 8>& y, Eigen::Matrix<double, 8, 8>& J) const {
         const double d1 = b / UF * std::exp((y[1] - y[2]) / UF), d2 = b / UF * std::exp((y[4] - y[5]) / UF);
         J.setZero();
@@ -139,19 +94,6 @@ struct transistor_amplifier {
         J(5, 4) = -d2, J(5, 5) = 1 / R + d2;
         J(6, 4) = a * d2, J(6, 5) = -a * d2, J(6, 6) = 1 / R;
         J(7, 7) = 1 / R;
-    }
-    Eigen::Matrix<double, 8, 8> mass() const {
-        Eigen::Matrix<double, 8, 8> M = Eigen::Matrix<double, 8, 8>::Zero();
-        const auto capacitor = [&](int i, int j, double C) {
-            M(i, i) = M(j, j) = -C;
-            M(i, j) = M(j, i) = C;
-        };
-        capacitor(0, 1, 1e-6);
-        M(2, 2) = -2e-6;
-        capacitor(3, 4, 3e-6);
-        M(5, 5) = -4e-6;
-        capacitor(6, 7, 5e-6);
-        return M;
     }
 };
 

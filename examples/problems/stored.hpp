@@ -15,6 +15,12 @@ Eigen::VectorXd stored_numbers(const std::string& file, const std::string& point
 /// The solution at the end of the interval, from data/NAME.json.
 Eigen::VectorXd reference(const std::string& name);
 
+/// max |y_i - reference_i| / (|reference_i| + floor): relative where a component is larger than `floor`, absolute below.
+template <class Vector>
+double error(const Vector& y, const Eigen::VectorXd& reference, double floor) {
+    return ((y - reference).array().abs() / (reference.array().abs() + floor)).maxCoeff();
+}
+
 /// A boundary value problem of tests/data/bvp.json: its name, interval, parameter, number of equations, and rows (t, y(t)) of
 /// the solution, computed in quadruple precision with a method of order 18.
 struct boundary_value_case {

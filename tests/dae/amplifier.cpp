@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE amplifier
 #include <boost/test/unit_test.hpp>
+#include <problems/equations.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/dae/consistent.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/problem/fully_implicit.hpp>
-
-#include "../stepper/problems.hpp"
 
 namespace sc = stagecraft;
 using Eigen::VectorXd;
@@ -17,10 +17,10 @@ namespace {
 
 // M y' - f(t, y) of the transistor amplifier: index 1, F_{y'} = M of rank 5.
 struct amplifier {
-    Eigen::Matrix<double, 8, 8> M = problems::transistor_amplifier{}.mass();
+    Eigen::Matrix<double, 8, 8> M = equations::transistor_amplifier{}.mass();
     template <class S>
     void operator()(const S& t, const vec8<S>& y, const vec8<S>& v, vec8<S>& out) const {
-        problems::transistor_amplifier{}(t, y, out);
+        equations::transistor_amplifier{}(t, y, out);
         for (int i = 0; i < 8; ++i) {
             out[i] = -out[i];
             for (int j = 0; j < 8; ++j)
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(the_transistor_amplifier_as_implicit_equation_is_its_mass_m
     for (double tol : {1e-5, 1e-7}) {
         const sc::options<double> o{.rtol = tol, .atol = tol};
         const auto a = sc::integrate(sc::radau_iia<3>(), problem, start.y, 0, 0.2, o);
-        const auto b = sc::integrate(sc::radau_iia<3>(), problems::transistor_amplifier{}, y0, 0, 0.2, o);
+        const auto b = sc::integrate(sc::radau_iia<3>(), equations::transistor_amplifier{}, y0, 0, 0.2, o);
         BOOST_TEST(sc::name(a.status) == "success");
         BOOST_TEST(problems::error(VectorXd(problem.value(a.y)), reference, 1) < 30 * tol);
         BOOST_TEST(problems::error(VectorXd(b.y), reference, 1) < 30 * tol);

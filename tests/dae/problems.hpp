@@ -11,6 +11,7 @@
 namespace dae {
 
 // The index-2 problem of HLR89: solution (e^t, e^-2t, e^2t). Any vectors with two, one components.
+// With its mass matrix it is equations::index_two.
 struct hlr_f {
     template <class T, class Y, class Z, class Out>
     void operator()(const T&, const Y& y, const Z& z, Out& f) const {
@@ -23,40 +24,6 @@ struct hlr_g {
     void operator()(const T&, const Y& y, Out& g) const {
         g[0] = y[0] * y[0] * y[1] - 1;
     }
-};
-// The same with its mass matrix.
-struct hlr {
-    template <class S>
-    void operator()(const S& t, const Eigen::Matrix<S, 3, 1>& x, Eigen::Matrix<S, 3, 1>& f) const {
-        const Eigen::Matrix<S, 2, 1> y = x.template head<2>();
-        const Eigen::Matrix<S, 1, 1> z = x.template tail<1>();
-        Eigen::Matrix<S, 2, 1> a;
-        Eigen::Matrix<S, 1, 1> b;
-        hlr_f{}(t, y, z, a);
-        hlr_g{}(t, y, b);
-        f << a, b;
-    }
-    Eigen::DiagonalMatrix<double, 3> mass() const { return Eigen::DiagonalMatrix<double, 3>(1, 1, 0); }
-    std::array<int, 3> index() const { return {1, 1, 2}; }
-};
-
-// Jay's problem of index 3: y1 = z1 = e^2t, y2 = z2 = e^-t, u = e^t.
-struct jay {
-    template <class S>
-    void operator()(const S&, const Eigen::Matrix<S, 5, 1>& x, Eigen::Matrix<S, 5, 1>& f) const {
-        const S &y1 = x[0], &y2 = x[1], &z1 = x[2], &z2 = x[3], &u = x[4];
-        f[0] = 2 * y1 * y2 * z1 * z2;
-        f[1] = -y1 * y2 * z2 * z2;
-        f[2] = (y1 * y2 + z1 * z2) * u;
-        f[3] = -y1 * y2 * y2 * z2 * z2 * u;
-        f[4] = y1 * y2 * y2 - 1;
-    }
-    Eigen::DiagonalMatrix<double, 5> mass() const {
-        Eigen::DiagonalMatrix<double, 5> m;
-        m.diagonal() << 1, 1, 1, 1, 0;
-        return m;
-    }
-    std::array<int, 5> index() const { return {1, 1, 2, 2, 3}; }
 };
 
 // The pendulum q'' = (0, -1) - q lambda, 0 = (q.q - 1)/2, with y = (q, v), z = lambda.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE projection_cost
+#include <problems/equations.hpp>
+
 #include "projection_cost.hpp"
 
 using Eigen::Vector3d;
@@ -39,7 +41,7 @@ BOOST_AUTO_TEST_CASE(a_projection_allocates_nothing_per_step_for_states_of_fixed
         for (const bool along : {false, true})
             BOOST_TEST(allocations_per_step(sc::gauss<2>(), index_2, Vector3d(1, 1, 1),
                                             {.hidden = hidden, .along_algebraic = along}) == 0);
-    const dae::jay index_3{};
+    const equations::index_three index_3{};
     const Eigen::Matrix<double, 5, 1> start = Eigen::Matrix<double, 5, 1>::Ones();
     BOOST_TEST(allocations_per_step(sc::radau_iia<2>(), index_3, start, {.hidden = true}) == 0);
 }

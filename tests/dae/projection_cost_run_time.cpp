@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE projection_cost_run_time
 #include "projection_cost.hpp"
 
+#include <problems/equations.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,9 +25,9 @@ struct padded_alone {
         const Eigen::Matrix<S, core, 1> in = x.template head<core>();
         Eigen::Matrix<S, core, 1> out;
         if constexpr (Index == 2)
-            dae::hlr{}(t, in, out);
+            equations::index_two{}(t, in, out);
         else
-            dae::jay{}(t, in, out);
+            equations::index_three{}(t, in, out);
         for (int i = 0; i < core; ++i) f[i] = out[i];
         for (int i = core; i < size; ++i) f[i] = -x[i];
     }

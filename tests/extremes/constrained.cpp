@@ -3,11 +3,10 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/equations.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 #include <string>
-
-#include "../stepper/problems.hpp"
 
 // Differential-algebraic problems of index 1, 2 and 3 with known solutions, adaptive steps.
 
@@ -97,7 +96,7 @@ BOOST_AUTO_TEST_CASE(jay_s_problem_of_index_3) {
                 z = std::max(z, relative(x[2], std::exp(2 * t)) * h);
                 u = std::max(u, relative(x[4], std::exp(t)) * h * h);
             };
-            const auto r = sc::integrate(m, problems::index_three{}, V5::Ones().eval(), 0, 1,
+            const auto r = sc::integrate(m, equations::index_three{}, V5::Ones().eval(), 0, 1,
                                          {.rtol = tol, .atol = tol}, look);
             BOOST_TEST_CONTEXT("s = " << s << " tol = " << tol << ": y " << y << " z " << z << " u " << u) {
                 BOOST_TEST(sc::name(r.status) == "success");
@@ -114,7 +113,7 @@ BOOST_AUTO_TEST_CASE(index_3_is_refused_to_adaptive_steps_of_methods_that_are_no
     const auto run = [](const auto f, int s, double step) -> std::string {
         try {
             const auto m = sc::tableaux::transformed<double>(f, s);
-            return sc::name(sc::integrate(m, problems::index_three{}, V5::Ones().eval(), 0, 0.1,
+            return sc::name(sc::integrate(m, equations::index_three{}, V5::Ones().eval(), 0, 0.1,
                                           {.rtol = 1e-6, .atol = 1e-6, .fixed_step = step})
                                 .status);
         } catch (const std::invalid_argument& e) {
@@ -140,7 +139,7 @@ BOOST_AUTO_TEST_CASE(the_problem_of_index_2) {
                 y = std::max(y, std::abs(x[0] / std::exp(t) - 1) / tol);
                 z = std::max(z, std::abs(x[2] / std::exp(2 * t) - 1) / tol * std::max(h, std::sqrt(tol)));
             };
-            const auto r = sc::integrate(m, problems::index_two{}, Eigen::Vector3d(1, 1, 1), 0, 1,
+            const auto r = sc::integrate(m, equations::index_two{}, Eigen::Vector3d(1, 1, 1), 0, 1,
                                          {.rtol = tol, .atol = tol}, look);
             BOOST_TEST_CONTEXT("s = " << s << " tol = " << tol << ": y " << y << " z " << z) {
                 BOOST_TEST(sc::name(r.status) == "success");

@@ -2,10 +2,10 @@
 #define BOOST_TEST_MODULE kinetics
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/equations.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
-
-#include "../stepper/problems.hpp"
 
 // Robertson, OREGO and HIRES over stage numbers and tolerances, and Robertson's problem to 1e20.
 
@@ -38,16 +38,18 @@ void within(const Problem& problem, const Vector& y0, double t1, const std::stri
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(robertson_to_1e11) {
-    within(problems::robertson{}, Eigen::Vector3d(1, 0, 0), 1e11, "rober", 1e-6, 20);
+    within(equations::robertson{}, Eigen::Vector3d(1, 0, 0), 1e11, "rober", 1e-6, 20);
 }
 
-BOOST_AUTO_TEST_CASE(orego) { within(problems::orego{}, Eigen::Vector3d(1, 2, 3), 360, "orego", 1e-6, 50); }
+BOOST_AUTO_TEST_CASE(oregonator) {
+    within(equations::oregonator{}, Eigen::Vector3d(1, 2, 3), 360, "orego", 1e-6, 50);
+}
 
 BOOST_AUTO_TEST_CASE(hires) {
     Eigen::Matrix<double, 8, 1> y0 = Eigen::Matrix<double, 8, 1>::Zero();
     y0[0] = 1;
     y0[7] = 0.0057;
-    within(problems::hires{}, y0, 321.8122, "hires", 1e-4, 50);
+    within(equations::hires{}, y0, 321.8122, "hires", 1e-4, 50);
 }
 
 // For y1 -> 0 the second component is quasi-stationary, y2 = 4e-6 y1, and y1' + y2' = -3e7 y2^2:
@@ -56,7 +58,7 @@ BOOST_AUTO_TEST_CASE(robertson_to_1e20) {
     for (const int s : {3, 5, 7}) {
         const method m = sc::tableaux::transformed<double>(radau_iia, s);
         for (const double tol : {1e-4, 1e-7, 1e-10}) {
-            const auto r = sc::integrate(m, problems::robertson{}, Eigen::Vector3d(1, 0, 0), 0, 1e20,
+            const auto r = sc::integrate(m, equations::robertson{}, Eigen::Vector3d(1, 0, 0), 0, 1e20,
                                          {.rtol = tol, .atol = tol * 1e-24});
             BOOST_TEST_CONTEXT("s = " << s << " tol = " << tol) {
                 BOOST_TEST(sc::name(r.status) == "success");
@@ -74,12 +76,12 @@ namespace {
 // The law of mass action ends at concentrations below zero by more than the tolerance: there f is not a
 // number. (Without this the system itself runs away: solutions that start at y1 = -1e-9 tend to minus
 // infinity, and an exact solution through a state within atol of the true one may do that.)
-struct with_domain : problems::robertson {
+struct with_domain : equations::robertson {
     double atol;
     explicit with_domain(double tolerance) : atol(tolerance) {}
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, 3, 1>& y, Eigen::Matrix<S, 3, 1>& f) const {
-        problems::robertson::operator()(t, y, f);
+        equations::robertson::operator()(t, y, f);
         if (y.minCoeff() < -atol) f[0] = f[1] = f[2] = S(std::nan(""));
     }
 };

@@ -5,6 +5,8 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 
+#include "../stepper/smooth.hpp"
+
 // y' = lambda (y - cos t) - sin t, y(0) = 1, solution cos t (Hairer-Wanner II.IV.15).
 
 namespace sc = stagecraft;
@@ -14,20 +16,12 @@ using V1 = Eigen::Matrix<double, 1, 1>;
 
 namespace {
 
-struct prothero_robinson {
-    double lambda, share = 1;  // of sin t
-    void operator()(double t, const V1& y, V1& f) const {
-        f[0] = lambda * (y[0] - std::cos(t)) - share * std::sin(t);
-    }
-    void jacobian(double, const V1&, Eigen::Matrix<double, 1, 1>& J) const { J(0, 0) = lambda; }
-};
-
 using method = sc::transformed_tableau<double>;
 
 double largest_error(const method& m, double lambda, double h) {
     double worst = 0;
     const auto look = [&](double t, const V1& y) { worst = std::max(worst, std::abs(y[0] - std::cos(t))); };
-    const auto r = sc::integrate(m, prothero_robinson{lambda}, V1(1.0), 0, 2,
+    const auto r = sc::integrate(m, smooth::prothero_robinson{lambda}, V1(1.0), 0, 2,
                                  {.rtol = 1e-15, .atol = 1e-15, .fixed_step = h}, look);
     BOOST_TEST(r.ok());
     return worst;
@@ -48,7 +42,7 @@ outcome adaptive(const method& m, double lambda, double tol, double t1) {
         worst = std::max(worst, std::abs(y[0] - std::cos(t)) / tol);
     };
     const auto r =
-        sc::integrate(m, prothero_robinson{lambda}, V1(1.0), 0, t1, {.rtol = tol, .atol = tol}, look);
+        sc::integrate(m, smooth::prothero_robinson{lambda}, V1(1.0), 0, t1, {.rtol = tol, .atol = tol}, look);
     return {r.status, worst};
 }
 
@@ -107,9 +101,9 @@ BOOST_AUTO_TEST_CASE(a_first_step_across_many_periods_of_a_smooth_solution_is_no
             for (const double lambda : {-1e2, -1e4, -1e8}) {
                 const double square = lambda * lambda, t1 = 100;
                 const V1 start(square / (square + 1));
-                const auto r =
-                    sc::integrate(sc::tableaux::transformed<double>(radau_iia, s),
-                                  prothero_robinson{lambda, 0}, start, 0, t1, {.rtol = tol, .atol = tol});
+                const auto r = sc::integrate(sc::tableaux::transformed<double>(radau_iia, s),
+                                             smooth::prothero_robinson{lambda, 0}, start, 0, t1,
+                                             {.rtol = tol, .atol = tol});
                 BOOST_TEST(sc::name(r.status) == "success");
                 BOOST_TEST(std::abs(r.y[0] - (square * std::cos(t1) - lambda * std::sin(t1)) / (square + 1)) <
                            50 * tol);
@@ -142,7 +136,7 @@ BOOST_AUTO_TEST_CASE(methods_that_are_not_stiffly_accurate_meet_it_or_say_that_t
 BOOST_AUTO_TEST_CASE(a_problem_that_is_not_stiff_keeps_the_steps_of_its_order) {
     const auto steps = [](double tol) {
         const method m = sc::tableaux::transformed<double>(radau_iia, 5);
-        return sc::integrate(m, prothero_robinson{-1}, V1(1.0), 0, 10, {.rtol = tol, .atol = tol})
+        return sc::integrate(m, smooth::prothero_robinson{-1}, V1(1.0), 0, 10, {.rtol = tol, .atol = tol})
             .report.steps;
     };
     // Order 9 and an error of rtol: steps grow by 10^{1/10} a decade; by the estimate alone 10^{1/6}.

@@ -2,10 +2,10 @@
 #define BOOST_TEST_MODULE van_der_pol
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/equations.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
-
-#include "../stepper/problems.hpp"
 
 // eps y'' = (1 - y^2) y' - y for eps = 1e-2 ... 1e-12.
 
@@ -15,7 +15,7 @@ using enum sc::tableaux::family;
 namespace {
 
 auto solve(const sc::transformed_tableau<double>& m, double eps, double t1, double tol) {
-    return sc::integrate(m, problems::van_der_pol{eps}, Eigen::Vector2d(2, -0.66), 0, t1,
+    return sc::integrate(m, equations::van_der_pol{eps}, Eigen::Vector2d(2, -0.66), 0, t1,
                          {.rtol = tol, .atol = tol});
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE automatic
 #include <boost/test/unit_test.hpp>
+#include <problems/equations.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/problem/with.hpp>
-
-#include "problems.hpp"
 
 namespace sc = stagecraft;
 
@@ -59,13 +59,13 @@ BOOST_AUTO_TEST_CASE(all_kinds_of_jacobian_lead_to_the_same_solution) {
     const Eigen::Vector3d y0(1, 0, 0);
     const sc::options<double> o{.rtol = 1e-7, .atol = 1e-13};
     const auto differences = [](double t, const Eigen::Vector3d& y, Eigen::Vector3d& f) {
-        problems::robertson{}(t, y, f);
+        equations::robertson{}(t, y, f);
     };
     const auto analytic =
         sc::with_jacobian(differences, [](double, const Eigen::Vector3d& y, Eigen::Matrix3d& J) {
             J << -0.04, 1e4 * y[2], 1e4 * y[1], 0.04, -1e4 * y[2] - 6e7 * y[1], -1e4 * y[1], 0, 6e7 * y[1], 0;
         });
-    const auto a = sc::integrate(sc::radau_iia<3>(), problems::robertson{}, y0, 0, 1e11, o);
+    const auto a = sc::integrate(sc::radau_iia<3>(), equations::robertson{}, y0, 0, 1e11, o);
     const auto b = sc::integrate(sc::radau_iia<3>(), analytic, y0, 0, 1e11, o);
     const auto c = sc::integrate(sc::radau_iia<3>(), differences, y0, 0, 1e11, o);
     BOOST_TEST(a.report.f_jacobian == a.report.jacobians);

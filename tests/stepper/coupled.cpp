@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE coupled
 #include "methods.hpp"
+#include "smooth.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <functional>
@@ -34,32 +35,12 @@ struct wave {
         J(0, 0) = std::cos(t) - 2 * y[0];
     }
 };
-struct index_one {
-    void operator()(double t, const Eigen::Vector2d& y, Eigen::Vector2d& f) const {
-        const double square = y[0] * y[0];
-        f[0] = y[1] / y[0] * std::cos(t);
-        f[1] = y[1] * y[1] * y[1] + y[1] - square * square * square - square;
-    }
-    void jacobian(double t, const Eigen::Vector2d& y, Eigen::Matrix2d& J) const {
-        J << -y[1] / (y[0] * y[0]) * std::cos(t), std::cos(t) / y[0], -6 * std::pow(y[0], 5) - 2 * y[0],
-            3 * y[1] * y[1] + 1;
-    }
-    Eigen::DiagonalMatrix<double, 2> mass() const { return Eigen::DiagonalMatrix<double, 2>(1, 0); }
-};
-// y' = lambda (y - cos t) - sin t.
-struct prothero_robinson {
-    double lambda;
-    void operator()(double t, const V1& y, V1& f) const {
-        f[0] = lambda * (y[0] - std::cos(t)) - std::sin(t);
-    }
-    void jacobian(double, const V1&, Eigen::Matrix<double, 1, 1>& J) const { J(0, 0) = lambda; }
-};
 
 constexpr double tiny = 1e-14;
 
 template <class Problem>
 auto solve(const method& m, const Problem& p, double t1, double h) {
-    constexpr int n = std::is_same_v<Problem, index_one> ? 2 : 1;
+    constexpr int n = std::is_same_v<Problem, smooth::index_one> ? 2 : 1;
     const auto r = sc::integrate(m, p, Eigen::Matrix<double, n, 1>::Ones().eval(), 0, t1,
                                  {.rtol = tiny, .atol = tiny, .fixed_step = h});
     BOOST_TEST(r.ok());
@@ -122,7 +103,8 @@ BOOST_AUTO_TEST_CASE(symmetric_methods_return_to_where_they_started) {
 BOOST_AUTO_TEST_CASE(an_index_1_problem_keeps_the_order_of_lobatto_iiia) {
     const auto order = [&](const method& m, int i, double h) {
         const double exact = std::exp((i + 1) * std::sin(0.5));
-        return slope([&](double k) { return std::abs(solve(m, index_one{}, 0.5, k).y[i] - exact); }, h);
+        return slope([&](double k) { return std::abs(solve(m, smooth::index_one{}, 0.5, k).y[i] - exact); },
+                     h);
     };
     for (const int i : {0, 1}) {
         BOOST_TEST(std::abs(order(plain(sc::lobatto_iiia<3>()), i, 0.05) - 4) < 0.1);
@@ -137,7 +119,7 @@ BOOST_AUTO_TEST_CASE(an_index_1_problem_keeps_the_order_of_lobatto_iiia) {
 BOOST_AUTO_TEST_CASE(a_singular_mass_matrix_asks_for_more_of_the_method) {
     const auto said = [](const method& m, double step = 0.1) -> std::string {
         try {
-            sc::integrate(m, index_one{}, Eigen::Vector2d(1, 1), 0, 1, {.fixed_step = step});
+            sc::integrate(m, smooth::index_one{}, Eigen::Vector2d(1, 1), 0, 1, {.fixed_step = step});
         } catch (const std::invalid_argument& e) {
             return e.what();
         }
@@ -159,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_singular_mass_matrix_asks_for_more_of_the_method) {
 // The stage order s of IIIA carries the error to h^s and below, however stiff the equation is.
 BOOST_AUTO_TEST_CASE(stiff_equations_are_solved_with_the_stage_order) {
     for (const double lambda : {-1e4, -1e8, -1e12}) {
-        const auto r = solve(plain(sc::lobatto_iiia<3>()), prothero_robinson{lambda}, 2, 0.05);
+        const auto r = solve(plain(sc::lobatto_iiia<3>()), smooth::prothero_robinson{lambda}, 2, 0.05);
         BOOST_TEST(std::abs(r.y[0] - std::cos(2.0)) < 1e-6);
     }
 }
@@ -173,7 +155,7 @@ BOOST_AUTO_TEST_CASE(embedded_weights_control_the_error) {
     for (const method& m : {a, g})
         for (const double tol : {1e-4, 1e-7}) {
             const auto r =
-                sc::integrate(m, prothero_robinson{-1e3}, V1(1.5), 0, 2, {.rtol = tol, .atol = tol});
+                sc::integrate(m, smooth::prothero_robinson{-1e3}, V1(1.5), 0, 2, {.rtol = tol, .atol = tol});
             BOOST_TEST(r.ok());
             BOOST_TEST(std::abs(r.y[0] - std::cos(2.0)) < tol);
             BOOST_TEST(r.report.largest_step > 10 * r.report.smallest_step);  // the transient is over

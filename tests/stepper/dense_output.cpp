@@ -4,13 +4,12 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
+#include <problems/equations.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/observe/solution.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
 #include <vector>
-
-#include "problems.hpp"
 
 namespace sc = stagecraft;
 
@@ -85,13 +84,13 @@ BOOST_AUTO_TEST_CASE(continuous_output_of_index_1_has_order_s_plus_1_in_y_and_z)
 
 // Stage orders of Radau IIA for index 2: s + 1 in y, s in z (HLR89, section 4), and so is the polynomial.
 BOOST_AUTO_TEST_CASE(continuous_output_of_index_2_has_order_s_plus_1_in_y_and_s_in_z) {
-    check<2, 3>(problems::index_two{}, exponentials<3>({1, -2, 2}), {3, 3, 2}, 1. / 64);
-    check<3, 3>(problems::index_two{}, exponentials<3>({1, -2, 2}), {4, 4, 3}, 1. / 64);
+    check<2, 3>(equations::index_two{}, exponentials<3>({1, -2, 2}), {3, 3, 2}, 1. / 64);
+    check<3, 3>(equations::index_two{}, exponentials<3>({1, -2, 2}), {4, 4, 3}, 1. / 64);
 }
 
 // For index 3: s + 1, s, s - 1 in y, z, u.
 BOOST_AUTO_TEST_CASE(continuous_output_of_index_3_loses_an_order_with_each_level) {
-    check<3, 5>(problems::index_three{}, exponentials<5>({2, -1, 2, -1, 1}), {4, 4, 3, 3, 2}, 1. / 32);
+    check<3, 5>(equations::index_three{}, exponentials<5>({2, -1, 2, -1, 1}), {4, 4, 3, 3, 2}, 1. / 32);
 }
 
 namespace {

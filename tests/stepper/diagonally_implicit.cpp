@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE diagonally_implicit
 #include "methods.hpp"
+#include "smooth.hpp"
 
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <functional>
+#include <problems/equations.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "problems.hpp"
 
 namespace sc = stagecraft;
 using V1 = Eigen::Matrix<double, 1, 1>;
 using method = sc::tableau<double>;
 
 namespace {
-
-// Index 1: y = exp(sin t), z = y^2 from a constraint solved by no formula.
-struct index_one {
-    void operator()(double t, const Eigen::Vector2d& y, Eigen::Vector2d& f) const {
-        const double square = y[0] * y[0];
-        f[0] = y[1] / y[0] * std::cos(t);
-        f[1] = y[1] * y[1] * y[1] + y[1] - square * square * square - square;
-    }
-    void jacobian(double t, const Eigen::Vector2d& y, Eigen::Matrix2d& J) const {
-        J << -y[1] / (y[0] * y[0]) * std::cos(t), std::cos(t) / y[0], -6 * std::pow(y[0], 5) - 2 * y[0],
-            3 * y[1] * y[1] + 1;
-    }
-    Eigen::DiagonalMatrix<double, 2> mass() const { return Eigen::DiagonalMatrix<double, 2>(1, 0); }
-};
 
 double slope(const std::function<double(double)>& error, double h) {
     return std::log2(error(h) / error(h / 2));
@@ -53,13 +40,13 @@ BOOST_AUTO_TEST_CASE(stiff_van_der_pol_is_solved_to_the_tolerance) {
     const auto ref = problems::reference("vdpol");
     for (const double tol : {1e-4, 1e-7}) {
         for (const method& m : {methods::sdirk_4_3(), methods::tr_bdf2()}) {
-            const auto r = sc::integrate(m, problems::van_der_pol{}, y0, 0, 2, {.rtol = tol, .atol = tol});
+            const auto r = sc::integrate(m, equations::van_der_pol{}, y0, 0, 2, {.rtol = tol, .atol = tol});
             BOOST_TEST(r.ok());
             BOOST_TEST(problems::error(r.y, ref, 1.0) < 200 * tol);
         }
     }
     // an explicit method pays with steps below the stability bound, and says so instead of lying
-    const auto r = sc::integrate(methods::dormand_prince(), problems::van_der_pol{}, y0, 0, 2,
+    const auto r = sc::integrate(methods::dormand_prince(), equations::van_der_pol{}, y0, 0, 2,
                                  {.rtol = 1e-4, .max_steps = 10000});
     BOOST_TEST(sc::name(r.status) == "too_many_steps");
 }
@@ -67,7 +54,7 @@ BOOST_AUTO_TEST_CASE(stiff_van_der_pol_is_solved_to_the_tolerance) {
 BOOST_AUTO_TEST_CASE(an_index_1_problem_keeps_the_order_of_stiffly_accurate_methods) {
     const auto error = [](const method& m, int i) {
         return [m, i](double h) {
-            const auto r = sc::integrate(m, index_one{}, Eigen::Vector2d(1, 1), 0, 0.5,
+            const auto r = sc::integrate(m, smooth::index_one{}, Eigen::Vector2d(1, 1), 0, 0.5,
                                          {.rtol = 1e-14, .atol = 1e-14, .fixed_step = h});
             BOOST_TEST(r.ok());
             return std::abs(r.y[i] - std::exp((i + 1) * std::sin(0.5)));
@@ -79,12 +66,13 @@ BOOST_AUTO_TEST_CASE(an_index_1_problem_keeps_the_order_of_stiffly_accurate_meth
     }
     for (const method& m : {methods::sdirk_4_3(), methods::tr_bdf2()}) {
         const auto r =
-            sc::integrate(m, index_one{}, Eigen::Vector2d(1, 1), 0, 3, {.rtol = 1e-7, .atol = 1e-7});
+            sc::integrate(m, smooth::index_one{}, Eigen::Vector2d(1, 1), 0, 3, {.rtol = 1e-7, .atol = 1e-7});
         BOOST_TEST(r.ok());
         BOOST_TEST(r.y[0] == std::exp(std::sin(3.0)), boost::test_tools::tolerance(1e-5));
         BOOST_TEST(r.y[1] == std::exp(2 * std::sin(3.0)), boost::test_tools::tolerance(1e-5));
     }
-    const std::string refused = refusal(methods::classical(), index_one{}, Eigen::Vector2d(1, 1), 0.1);
+    const std::string refused =
+        refusal(methods::classical(), smooth::index_one{}, Eigen::Vector2d(1, 1), 0.1);
     BOOST_TEST(has(refused, "mass()"));
     BOOST_TEST(has(refused, "method"));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE embedded_estimate
 #include "methods.hpp"
+#include "smooth.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,15 +17,6 @@ using V1 = Eigen::Matrix<double, 1, 1>;
 using row = Eigen::VectorXd;
 
 namespace {
-
-// y' = lambda (y - cos t) - sin t.
-struct prothero_robinson {
-    double lambda;
-    void operator()(double t, const V1& y, V1& f) const {
-        f[0] = lambda * (y[0] - std::cos(t)) - std::sin(t);
-    }
-    void jacobian(double, const V1&, V1& J) const { J[0] = lambda; }
-};
 
 // A-stable, y1 no stage (Norsett, Thomsen 1984).
 method norsett_thomsen() {
@@ -60,7 +52,7 @@ bool filtered(const method& m) {
 
 // The error at t = 10 in units of the tolerance; 0 where the run says that it could not meet it.
 double error(const method& m, double lambda, double tol) {
-    const auto r = sc::integrate(m, prothero_robinson{lambda}, V1(1.0), 0, 10,
+    const auto r = sc::integrate(m, smooth::prothero_robinson{lambda}, V1(1.0), 0, 10,
                                  {.rtol = tol, .atol = tol, .max_steps = 20000});
     return r.ok() ? std::abs(r.y[0] - std::cos(10.0)) / tol : 0;
 }

@@ -2,10 +2,9 @@
 #define BOOST_TEST_MODULE first_guess
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/equations.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
-
-#include "problems.hpp"
 
 namespace sc = stagecraft;
 using sc::tableaux::family;
@@ -37,7 +36,7 @@ auto run(family f, int s, const Problem& p, double t0, const Vector& y0, int ste
                          {.rtol = 1e-10, .atol = 1e-10, .fixed_step = h});
 }
 
-// Of Jay's problem, problems::index_three.
+// Of Jay's problem, equations::index_three.
 const Eigen::Matrix<double, 5, 1> jay0 = Eigen::Matrix<double, 5, 1>::Ones();
 
 }  // namespace
@@ -63,7 +62,7 @@ BOOST_AUTO_TEST_CASE(an_exact_continuous_solution_leaves_nothing_to_iterate) {
 
 BOOST_AUTO_TEST_CASE(few_steps_of_lobatto_iiia_solve_a_problem_of_index_3) {
     for (const int s : {4, 5, 6, 7, 8}) BOOST_TEST_CONTEXT("s = " << s) {
-            const auto r = run(lobatto_iiia, s, problems::index_three{}, 0, jay0, 4, 0.125);
+            const auto r = run(lobatto_iiia, s, equations::index_three{}, 0, jay0, 4, 0.125);
             BOOST_TEST(sc::name(r.status) == "success");
             BOOST_TEST(r.report.factorisations == 4);  // none by continuation
             const double e = std::exp(0.5);
@@ -77,7 +76,7 @@ BOOST_AUTO_TEST_CASE(few_steps_of_lobatto_iiia_solve_a_problem_of_index_3) {
 // gave up where its second increment is as large as the first.
 BOOST_AUTO_TEST_CASE(one_long_step_of_lobatto_iiia_solves_a_problem_of_index_3) {
     for (const int s : {5, 6, 7, 8}) BOOST_TEST_CONTEXT("s = " << s) {
-            const auto r = run(lobatto_iiia, s, problems::index_three{}, 0, jay0, 1, 0.5);
+            const auto r = run(lobatto_iiia, s, equations::index_three{}, 0, jay0, 1, 0.5);
             BOOST_TEST(sc::name(r.status) == "success");
             BOOST_TEST(r.report.factorisations > 1);
             const double e = std::exp(0.5);

@@ -2,13 +2,12 @@
 #define BOOST_TEST_MODULE orders
 #include <boost/test/unit_test.hpp>
 #include <functional>
+#include <problems/equations.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_ia.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-
-#include "problems.hpp"
 
 namespace sc = stagecraft;
 
@@ -99,7 +98,7 @@ BOOST_AUTO_TEST_CASE(index_2_problem_shows_order_5_in_y_and_3_in_z) {
     const auto error = [](int i, double exact) {
         return [=](double h) {
             return std::abs(
-                solve_exactly_started(problems::index_two{}, Eigen::Vector3d(1, 1, 1), 0.4, h)[i] - exact);
+                solve_exactly_started(equations::index_two{}, Eigen::Vector3d(1, 1, 1), 0.4, h)[i] - exact);
         };
     };
     BOOST_TEST(slope(error(0, std::exp(0.4)), 0.05) == 5, boost::test_tools::tolerance(0.06));
@@ -111,7 +110,7 @@ BOOST_AUTO_TEST_CASE(index_2_problem_shows_order_5_in_y_and_3_in_z) {
 // for h >= 0.19 (two branches meet at h = 0.1876), and this is said.
 BOOST_AUTO_TEST_CASE(equal_steps_too_long_for_newton_from_a_zero_guess_are_solved_by_continuation) {
     const auto run = [](const auto& method, double h, double tol) {
-        return sc::integrate(method, problems::index_two{}, Eigen::Vector3d(1, 1, 1), 0, 1,
+        return sc::integrate(method, equations::index_two{}, Eigen::Vector3d(1, 1, 1), 0, 1,
                              {.rtol = tol, .atol = tol, .fixed_step = h});
     };
     for (double h : {0.2, 0.1})
@@ -130,7 +129,7 @@ BOOST_AUTO_TEST_CASE(jay_s_index_3_problem_shows_orders_5_3_2) {
     y0.setOnes();
     const auto error = [&](int i, double exact) {
         return [=](double h) {
-            return std::abs(solve_exactly_started(problems::index_three{}, y0, 0.4, h)[i] - exact);
+            return std::abs(solve_exactly_started(equations::index_three{}, y0, 0.4, h)[i] - exact);
         };
     };
     BOOST_TEST(slope(error(0, std::exp(0.8)), 0.1) == 5, boost::test_tools::tolerance(0.1));
@@ -139,7 +138,7 @@ BOOST_AUTO_TEST_CASE(jay_s_index_3_problem_shows_orders_5_3_2) {
 }
 
 BOOST_AUTO_TEST_CASE(adaptive_steps_solve_the_index_2_and_3_problems) {
-    const auto two = sc::integrate(sc::radau_iia<3>(), problems::index_two{}, Eigen::Vector3d(1, 1, 1), 0, 1,
+    const auto two = sc::integrate(sc::radau_iia<3>(), equations::index_two{}, Eigen::Vector3d(1, 1, 1), 0, 1,
                                    {.rtol = 1e-8, .atol = 1e-8});
     BOOST_TEST(two.ok());
     BOOST_TEST(two.y[0] == std::exp(1.0), boost::test_tools::tolerance(1e-7));
@@ -147,7 +146,7 @@ BOOST_AUTO_TEST_CASE(adaptive_steps_solve_the_index_2_and_3_problems) {
     Eigen::Matrix<double, 5, 1> y0;
     y0.setOnes();
     const auto three =
-        sc::integrate(sc::radau_iia<3>(), problems::index_three{}, y0, 0, 1, {.rtol = 1e-6, .atol = 1e-6});
+        sc::integrate(sc::radau_iia<3>(), equations::index_three{}, y0, 0, 1, {.rtol = 1e-6, .atol = 1e-6});
     BOOST_TEST(three.ok());
     BOOST_TEST(three.y[0] == std::exp(2.0), boost::test_tools::tolerance(1e-5));
     BOOST_TEST(three.y[4] == std::exp(1.0), boost::test_tools::tolerance(1e-2));

@@ -5,8 +5,6 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 
-#include "problems.hpp"
-
 namespace sc = stagecraft;
 using state = Eigen::Matrix<double, 5, 1>;
 

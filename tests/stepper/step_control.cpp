@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE step_control
 #include "methods.hpp"
+#include "smooth.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -22,16 +23,6 @@ const auto kepler = [](double, const Eigen::Vector4d& y, Eigen::Vector4d& f) {
 const Eigen::Vector4d pericentre(0.5, 0, 0, std::sqrt(3.0));
 const double period = 2 * std::acos(-1.0);
 
-// y' = lambda (y - cos t) - sin t.
-struct prothero_robinson {
-    double lambda;
-    template <class S>
-    void operator()(const S& t, const Eigen::Matrix<S, 1, 1>& y, Eigen::Matrix<S, 1, 1>& f) const {
-        using std::cos;
-        using std::sin;
-        f[0] = lambda * (y[0] - cos(t)) - sin(t);
-    }
-};
 using V1 = Eigen::Matrix<double, 1, 1>;
 
 double kepler_error(const sc::tableau<double>& m, double tol) {
@@ -88,7 +79,7 @@ BOOST_AUTO_TEST_CASE(step_doubling_of_diagonally_implicit_and_of_full_methods_ru
     diagonal.b_embedded.resize(0);
     for (const auto& m : {sc::step_doubling(full), sc::step_doubling(diagonal)}) {
         const auto r =
-            sc::integrate(m, prothero_robinson{-1e6}, V1(1.0), 0, 10, {.rtol = 1e-6, .atol = 1e-6});
+            sc::integrate(m, smooth::prothero_robinson{-1e6}, V1(1.0), 0, 10, {.rtol = 1e-6, .atol = 1e-6});
         BOOST_TEST(r.ok());
         BOOST_TEST(r.report.steps < 500);
         BOOST_TEST(std::abs(r.y[0] - std::cos(10.0)) < 1e-5);
@@ -136,7 +127,7 @@ BOOST_AUTO_TEST_CASE(step_doubling_refuses_what_is_no_method) {
 
 BOOST_AUTO_TEST_CASE(proportional_integral_control_rejects_less_where_stability_bounds_the_step) {
     // Dormand-Prince on a mildly stiff equation: its steps are those of stability, the estimate wavers.
-    const prothero_robinson p{-500};
+    const smooth::prothero_robinson p{-500};
     const auto run = [&](sc::step_control control) {
         const auto r = sc::integrate(methods::dormand_prince(), p, V1(1.0), 0, 10,
                                      {.rtol = 1e-4, .atol = 1e-4, .control = control});

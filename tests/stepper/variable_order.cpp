@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE variable_order
 #include <boost/test/unit_test.hpp>
+#include <problems/equations.hpp>
+#include <problems/stored.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
 
 #include "interrupt.hpp"
-#include "problems.hpp"
 
 namespace sc = stagecraft;
 
@@ -16,7 +17,7 @@ const Eigen::Vector3d rober0(1, 0, 0);
 
 template <class Method>
 auto robertson(const Method& method, double tol) {
-    return sc::integrate(method, problems::robertson{}, rober0, 0, 1e11, {.rtol = tol, .atol = 1e-6 * tol});
+    return sc::integrate(method, equations::robertson{}, rober0, 0, 1e11, {.rtol = tol, .atol = 1e-6 * tol});
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ BOOST_AUTO_TEST_CASE(variable_order_solves_to_tolerance) {
     const Eigen::VectorXd vdp = problems::reference("vdpol"), rober = problems::reference("rober");
     for (const double tol : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
         BOOST_TEST_CONTEXT("tol = " << tol) {
-            const auto v = sc::integrate(sc::radau_iia_variable(), problems::van_der_pol{}, vdp0, 0, 2,
+            const auto v = sc::integrate(sc::radau_iia_variable(), equations::van_der_pol{}, vdp0, 0, 2,
                                          {.rtol = tol, .atol = tol});
             BOOST_TEST(v.ok());
             BOOST_TEST(problems::error(v.y, vdp, 1) < 10 * tol);
@@ -52,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_loose_tolerance_does_not_take_the_highest_order) {
 
 BOOST_AUTO_TEST_CASE(nine_stages_are_chosen_where_the_tolerance_asks_for_them) {
     const auto largest = [](double tol) {
-        return sc::integrate(sc::radau_iia_variable(), problems::van_der_pol{}, vdp0, 0, 2,
+        return sc::integrate(sc::radau_iia_variable(), equations::van_der_pol{}, vdp0, 0, 2,
                              {.rtol = tol, .atol = tol})
             .report.largest_stages;
     };
@@ -68,6 +69,6 @@ BOOST_AUTO_TEST_CASE(the_family_may_be_any_list_of_stages) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_goes_on_from_a_checkpoint_with_the_bits_it_would_have) {
-    interrupted::at_five_places(sc::radau_iia_variable(), problems::van_der_pol{}, vdp0, 2,
+    interrupted::at_five_places(sc::radau_iia_variable(), equations::van_der_pol{}, vdp0, 2,
                                 {.rtol = 1e-8, .atol = 1e-8});
 }

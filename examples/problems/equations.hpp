@@ -4,11 +4,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
-#include <problems/stored.hpp>
-#include <string>
+#include <numbers>
 
-// The problems of examples/problems/data/*.json, each a right-hand side and nothing else.
-namespace problems {
+// The equations of stiff and constrained test problems, each a right-hand side with its mass and index and nothing else, so
+// that a test sees the Jacobian the library makes of it. Solutions at the end of the interval are in data/<name>.json.
+namespace equations {
 
 struct van_der_pol {
     double epsilon = 1e-6;
@@ -28,7 +28,7 @@ struct robertson {
     }
 };
 
-struct orego {
+struct oregonator {
     template <class S>
     void operator()(const S&, const Eigen::Matrix<S, 3, 1>& y, Eigen::Matrix<S, 3, 1>& f) const {
         f[0] = 77.27 * (y[1] + y[0] * (1.0 - 8.375e-6 * y[0] - y[1]));
@@ -58,7 +58,7 @@ struct transistor_amplifier {
         using std::exp;
         using std::sin;
         const auto g = [](const S& u) -> S { return 1e-6 * (exp(u / 0.026) - 1.0); };
-        const S ue = 0.1 * sin(200 * 3.14159265358979323846 * t), g1 = g(y[1] - y[2]), g2 = g(y[4] - y[5]);
+        const S ue = 0.1 * sin(200 * std::numbers::pi * t), g1 = g(y[1] - y[2]), g2 = g(y[4] - y[5]);
         f[0] = (y[0] - ue) / 1000.0;
         f[1] = y[1] / 9000.0 + (y[1] - 6.0) / 9000.0 + 0.01 * g1;
         f[2] = y[2] / 9000.0 - g1;
@@ -114,13 +114,4 @@ struct index_three {
     std::array<int, 5> index() const { return {1, 1, 2, 2, 3}; }
 };
 
-// max |e_i| / (|ref_i| + floor)
-template <class Vector>
-double error(const Vector& y, const Eigen::VectorXd& ref, double floor) {
-    double worst = 0;
-    for (Eigen::Index i = 0; i < ref.size(); ++i)
-        worst = std::max(worst, std::abs(y[i] - ref[i]) / (std::abs(ref[i]) + floor));
-    return worst;
-}
-
-}  // namespace problems
+}  // namespace equations
