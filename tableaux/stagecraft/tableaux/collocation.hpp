@@ -53,13 +53,21 @@ inline std::vector<lagrange_form> lagrange_forms(const nodal_polynomial& w, cons
     return forms;
 }
 
+/// Whether the nodes are symmetric about 1/2: w has then Legendre coordinates of one parity alone.
+inline bool symmetric_nodes(const nodal_polynomial& w) {
+    for (int k = w.degree() - 1; k >= 0; k -= 2)
+        if (w.legendre()[static_cast<std::size_t>(k)] != 0) return false;
+    return true;
+}
+
 /// Enclosures of c, b and A of the method with nodal polynomial w and the given construction (Hairer-Wanner
 /// II.IV.5), by closed forms and computed with `bits` bits: with I_k the integral of P_k from 0 to x
 /// and l_j = factor_j sum over k of shape_j[k] P_k,
 ///     collocation   a_ij = factor_j sum over k of I_k(c_i) shape_j[k]
 ///     adjoint       a_ij = b_j (1 - sum over k of I_k(c_j) shape_i[k] / shape_i[0]),    that is D(s)
 ///     lobatto_iiic  as collocation, with (P_{s-1} - P_{s-2}) / (2(s-1)) in the place of I_{s-1}
-/// Radii grow by about 1.3 bits a stage. s^3 multiplications. Throws undecided where `bits` is too small.
+/// Radii grow like a power of s for a family, by about 1.3 bits a stage for other nodes. s^3 multiplications,
+/// half of them where symmetry gives half of the rows. Throws undecided where `bits` is too small.
 inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int bits) {
     const int s = w.degree();
     const std::vector<ball> nodes = enclose_nodes(w, bits);
@@ -90,18 +98,25 @@ inline tableau<ball> enclose(const nodal_polynomial& w, construction rule, int b
         const auto& form = lagrange[static_cast<std::size_t>(i)];
         t.b(i) = form.factor * form.shape[0];
     }
-    for (int i = 0; i < s; ++i)
-        for (int j = 0; j < s; ++j) {
-            const bool adjoint = rule == construction::adjoint;
-            const auto node = static_cast<std::size_t>(adjoint ? j : i);
-            const auto basis = static_cast<std::size_t>(adjoint ? i : j);
-            const ball sum = dot(integrals[node], shapes[basis]);
-            const bool at_one = compare(t.c(j), ball(1)) == std::partial_ordering::equivalent;
-            if (!adjoint)
-                t.A(i, j) = lagrange[basis].factor * sum;
-            else
-                t.A(i, j) = at_one ? ball(0) : t.b(j) * (ball(1) - sum / lagrange[basis].shape[0]);
-        }
+    const bool adjoint = rule == construction::adjoint;
+    const auto at_one = [&](int j) { return compare(t.c(j), ball(1)) == std::partial_ordering::equivalent; };
+    const auto entry = [&](int i, int j) {
+        const auto node = static_cast<std::size_t>(adjoint ? j : i);
+        const auto basis = static_cast<std::size_t>(adjoint ? i : j);
+        if (adjoint && at_one(j)) return ball(0);
+        const ball sum = dot(integrals[node], shapes[basis]);
+        return adjoint ? t.b(j) * (ball(1) - sum / lagrange[basis].shape[0]) : lagrange[basis].factor * sum;
+    };
+    // With symmetric nodes collocation and its adjoint are symmetric: a_ij + a_(s+1-i)(s+1-j) = b_j.
+    const bool mirrored = rule != construction::lobatto_iiic && symmetric_nodes(w);
+    const int rows = mirrored ? (s + 1) / 2 : s;
+    constexpr int tile = 4;  // rows that stay in the cache while the columns pass
+    for (int first = 0; first < rows; first += tile)
+        for (int j = 0; j < s; ++j)
+            for (int i = first; i < std::min(first + tile, rows); ++i) t.A(i, j) = entry(i, j);
+    for (int i = rows; i < s; ++i)
+        for (int j = 0; j < s; ++j)
+            t.A(i, j) = adjoint && at_one(j) ? ball(0) : t.b(j) - t.A(s - 1 - i, s - 1 - j);
     return t;
 }
 

@@ -41,7 +41,7 @@ decimal_tableau texts(const Table& t, Text text) {
 /// std::invalid_argument for digits < 1 and undecided where a rounding stays undecided.
 inline decimal_tableau decimals(const nodal_polynomial& w, construction rule, int digits) {
     if (digits < 1) throw std::invalid_argument("digits: at least 1 needed, got " + std::to_string(digits));
-    const int bits = working_bits(bits_for_digits(digits), w.degree());
+    const int bits = working_bits(bits_for_digits(digits), w);
     const auto decided = [&](const ball& x) {
         auto text = decimal_text(x, digits);
         if (!text) throw undecided("round: a number is undecided to " + std::to_string(digits) + " digits");

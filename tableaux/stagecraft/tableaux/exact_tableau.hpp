@@ -20,10 +20,10 @@ namespace stagecraft::tableaux {
 /// The nodes as elements of one quadratic field, increasing, or nothing where they do not lie in one: all but
 /// two of them must be rational. (Gauss and Radau up to s = 3, Lobatto up to s = 5, any rational nodes.)
 inline std::optional<std::vector<quadratic>> exact_nodes(const nodal_polynomial& w) {
+    if (w.family() && w.degree() > 5) return {};  // more than two irrational nodes
     polynomial<rational> rest = monic(w.monomial());
     std::vector<quadratic> nodes;
     for (const ball& c : enclose_nodes(w, 192 + 2 * w.degree())) {
-        if (rest.degree() > 2 && w.family() && w.degree() > 5) return {};  // no other rational nodes there
         const rational q = simplest_between(std::max(c.lower(), rational(0)), c.upper());
         if (rest(q) != 0) continue;
         nodes.emplace_back(q);

@@ -10,6 +10,7 @@
 #include <stagecraft/tableaux/sturm.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stagecraft::tableaux {
@@ -20,19 +21,26 @@ struct legendre_table {
     std::vector<ball> slope;
 };
 
-/// The shifted Legendre polynomials at every point of a ball in [0, 1]. The recurrence runs at the midpoint,
-/// where its error bounds grow by at most 1 + sqrt(2) a step (1.3 bits); the width of x enters by the mean
-/// value theorem with |P_k'| <= k (k+1) and |P_k''| <= (k-1) k (k+1) (k+2) / 2 on [0, 1].
+/// The shifted Legendre polynomials at every point of a ball in [0, 1]. The recurrence runs on midpoints: where
+/// each of its steps rounds by at most e, P_k is off by at most e (k+1)(k+2)/4 (Johansson and Mezzarobba
+/// 2018, section 3). The width of x enters by the mean value theorem with |P_k'| <= k (k+1) and
+/// |P_k''| <= (k-1) k (k+1) (k+2) / 2 on [0, 1]. Throws undecided where the midpoint lies outside.
 inline legendre_table legendre_values(const ball& x, int n, bool slopes = false) {
+    const ball doubled = x.midpoint().times(2) - ball(1);
+    const ball t = doubled.midpoint();
+    if (compare(abs(t), ball(1)) > 0) throw undecided("legendre_values: a point outside of [0, 1]");
     legendre_table p;
-    const ball m = x.midpoint();
-    const ball t = m + m - ball(1);
     p.value.reserve(static_cast<std::size_t>(n) + 1);
     p.value.push_back(ball(1));
     if (n > 0) p.value.push_back(t);
+    ball before = 1, here = t;
+    bound rounding = 0;
     for (int k = 1; k < n; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        p.value.push_back(((t * p.value[at]).times(2 * k + 1) - p.value[at - 1].times(k)).over(k + 1));
+        const ball next = ((t * here).times(2 * k + 1) - before.times(k)).over(k + 1);
+        rounding = std::max(rounding, next.radius());
+        before = std::exchange(here, next.midpoint());
+        const bound j = k + 1;
+        p.value.push_back(rounding == 0 ? here : here.widened(upward(rounding * (j + 1) * (j + 2) / 4)));
     }
     if (slopes) {
         p.slope.push_back(ball(0));
@@ -42,13 +50,13 @@ inline legendre_table legendre_values(const ball& x, int n, bool slopes = false)
             p.slope.push_back(p.slope[at - 1] + p.value[at].times(4 * k + 2));
         }
     }
-    if (x.exact()) return p;
+    if (x.exact() && doubled.exact()) return p;
+    const bound off = upward(x.radius() + doubled.radius() / 2);
     for (int k = 1; k <= n; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const bound j = k;
-        p.value[at] = p.value[at].widened(upward(x.radius() * j * (j + 1)));
-        if (slopes)
-            p.slope[at] = p.slope[at].widened(upward(x.radius() * (j - 1) * j * (j + 1) * (j + 2) / 2));
+        p.value[at] = p.value[at].widened(upward(off * j * (j + 1)));
+        if (slopes) p.slope[at] = p.slope[at].widened(upward(off * (j - 1) * j * (j + 1) * (j + 2) / 2));
     }
     return p;
 }
@@ -120,10 +128,10 @@ inline ball certified(const std::vector<ball>& w, ball x, int bits) {
     const int s = static_cast<int>(w.size()) - 1;
     for (int p = 128;; p = std::min(2 * p, bits)) {  // Newton, the precision doubling with the digits
         for (int repeat = 0; repeat < (p == 128 || p == bits ? 2 : 1); ++repeat) {
-            const auto table = legendre_values(x.with_bits(p + 2 * s).midpoint(), s, true);
+            const auto table = legendre_values(x.with_bits(p + 64).midpoint(), s, true);
             const ball slope = legendre_sum(w, table.slope).midpoint();
             if (!certainly_nonzero(slope)) throw undecided("nodes: Newton's method met a zero slope");
-            x = (x - legendre_sum(w, table.value).midpoint() / slope).with_bits(p + 2 * s).midpoint();
+            x = (x - legendre_sum(w, table.value).midpoint() / slope).with_bits(p + 64).midpoint();
         }
         if (p == bits) break;
     }
@@ -150,8 +158,9 @@ inline ball certified(const std::vector<ball>& w, ball x, int bits) {
 }  // namespace zeros
 
 /// Enclosures of the nodes c_1 < ... < c_s, the zeros of w, computed with `bits` bits; their radii are about
-/// 2^(1.3 s - bits). Nodes 0, 1/2 and 1 are exact. The proof: s disjoint balls, each holding a sign change of
-/// a polynomial of degree s. Throws undecided where the precision does not suffice for that. Cost O(s^2).
+/// s^2 2^-bits for a family. Nodes 0, 1/2 and 1 are exact. The proof: s disjoint balls, each holding a sign
+/// change of a polynomial of degree s. Throws undecided where the precision does not suffice for that.
+/// Cost O(s^2).
 inline std::vector<ball> enclose_nodes(const nodal_polynomial& w, int bits) {
     const int s = w.degree();
     const std::vector<ball> coordinates = enclosed(w.legendre(), bits);

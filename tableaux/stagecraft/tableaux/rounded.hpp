@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <optional>
 #include <stagecraft/tableau.hpp>
@@ -30,8 +31,12 @@ auto widening(int bits, Attempt attempt) {
     }
 }
 
-/// Bits to start with, so that `target` correct bits remain after the losses of s stages.
-inline int working_bits(int target, int s) { return target + 32 + 3 * s / 2; }
+/// Bits to start with, so that `target` correct bits of every entry remain: a family loses some five bits
+/// whenever s doubles, other nodes about 1.3 a stage.
+inline int working_bits(int target, const nodal_polynomial& w) {
+    const int s = w.degree();
+    return target + (w.family() ? 24 + 5 * std::bit_width(static_cast<unsigned>(s)) : 32 + 3 * s / 2);
+}
 
 namespace rounding {
 
@@ -80,7 +85,7 @@ void basic(const tableau<ball>& from, tableau<Real>& to) {
 template <class Real = double>
 tableau<Real> rounded(const nodal_polynomial& w, construction rule, const stagecraft::facts& known = {}) {
     const auto exact = exact_tableau(w, rule);
-    return widening(working_bits(significand_bits<Real>, w.degree()), [&](int bits) {
+    return widening(working_bits(significand_bits<Real>, w), [&](int bits) {
         tableau<ball> from = enclose(w, rule, bits);
         rounding::sharpen_basic(exact, from, bits);
         tableau<Real> t;
@@ -106,7 +111,7 @@ transformed_tableau<Real> transformed(const nodal_polynomial& w, construction ru
     const auto exact = exact_tableau(w, rule);
     std::optional<tableau<quadratic>::matrix> inverse;
     if (exact) inverse = exact_inverse(exact->A);
-    return widening(working_bits(significand_bits<Real>, 2 * w.degree()), [&](int bits) {
+    return widening(significand_bits<Real> + 32 + 3 * w.degree(), [&](int bits) {
         transformed_tableau<ball> from = enclose_transformed(w, rule, bits);
         rounding::sharpen_basic(exact, from, bits);
         if (inverse) rounding::sharpen(*inverse, from.A_inverse, bits);
