@@ -157,12 +157,12 @@ BOOST_AUTO_TEST_CASE(named_conditions_agree_with_generated_ones) {
 BOOST_AUTO_TEST_CASE(statements_print_their_formula_and_citation) {
     BOOST_TEST(text(B<2>) ==
                "B(2): dot(b, one) == 1; dot(b, c) == 1/2  "
-               "[Butcher 1964; Hairer-Wanner II.IV.5; lecture, Definition 2.5; thesis, Theorem 2]");
+               "[Butcher 1964; Hairer-Wanner II.IV.5]");
     BOOST_TEST(text(C<2>).find("C(2): A*one == c; A*c == pow<2>(c)/2  [Butcher 1964") == 0U);
     BOOST_TEST(text(D<2>).find("D(2): transposed(A)*b == b*(one - c); transposed(A)*(b*c) == b*(one - "
                                "pow<2>(c))/2  [Butcher 1964") == 0U);
     BOOST_TEST(latex(C<2>) ==
-               "% C(2) [Butcher 1964; Hairer-Wanner II.IV.5; lecture, Definition 2.7; thesis, Theorem 2]\n"
+               "% C(2) [Butcher 1964; Hairer-Wanner II.IV.5]\n"
                "\\begin{aligned}\n"
                "  &\\sum_{j} a_{ij} = c_{i} \\quad (i = 1, \\dots, s) \\\\\n"
                "  &\\sum_{j} a_{ij} c_{j} = \\frac{1}{2} c_{i}^{2} \\quad (i = 1, \\dots, s)\n"

@@ -208,7 +208,7 @@ struct theorem {
 /// The order conditions of index 2 with the convergence theorems, looked at up to `most`.
 template <class K>
 theorem index2_by_conditions(const tableau<K>& t, const dae_traits<K>& m, int most) {
-    theorem row{"order conditions of index 2 (HLR89, section 5 and Theorems 4.4 and 4.6)",
+    theorem row{"order conditions of index 2 (Hairer-Lubich-Roche 1989, section 5, Theorems 4.4 and 4.6)",
                 {regular(m), damped(m)},
                 [](order_prediction&) {}};
     const auto n = index2_local_orders_of(t, most);
@@ -238,19 +238,19 @@ std::vector<theorem> index2_table(const dae_traits<K>& m) {
     const hypothesis stages{"B(p), C(q), p > q >= 1", decided(q >= 1, B + ", " + C)};
     const bool alternating = m.r_infinity && *m.r_infinity < K(0);
     return {
-        {"HLR89, Theorems 4.3, 4.4 and 4.6 (thesis, Theorems 2, 3 and 4)",
+        {"Hairer-Lubich-Roche 1989, Theorems 4.3, 4.4 and 4.6",  // thesis, Theorems 2, 3 and 4
          {regular(m), damped(m), stages},
          [q](order_prediction& p) {  // local errors O(h^{q+1}), projected O(h^{q+2})
              p.y = q + 1;
              p.z = q;
          }},
-        {"HLR89, Theorems 4.3, 4.4 and 4.6 for collocation (thesis, Corollary 1)",
+        {"Hairer-Lubich-Roche 1989, Theorems 4.3, 4.4 and 4.6 for collocation",  // thesis, Corollary 1
          {regular(m),
           damped(m),
           is_collocation(m),
           {"p > s", decided(m.order > m.stages, "p = " + std::to_string(m.order))}},
          [s = m.stages](order_prediction& p) { p.y = p.z = s; }},
-        {"Hairer-Wanner II, Theorem VII.4.9 (thesis, Theorem 5 and Corollary 2)",
+        {"Hairer-Wanner II, Theorem VII.4.9",  // thesis, Theorem 5 and Corollary 2
          {regular(m),
           is_collocation(m),
           stiff(m),
@@ -261,7 +261,8 @@ std::vector<theorem> index2_table(const dae_traits<K>& m) {
              p.y = n.B;
              p.z = s;
          }},
-        {"HLR89, section 5 (B(p), C(q), D(r), stiffly accurate: y of order min(p, 2q, q+r+1))",
+        {"Hairer-Lubich-Roche 1989, section 5 (B(p), C(q), D(r), stiffly accurate: y of order min(p, 2q, "
+         "q+r+1))",
          {regular(m),
           stiff(m),
           {"B(p), C(q), q >= 1", decided(n.C >= 1 && n.B >= 1, B + ", " + C + ", " + D)}},
@@ -269,7 +270,7 @@ std::vector<theorem> index2_table(const dae_traits<K>& m) {
              p.y = std::min({n.B, 2 * n.C, n.C + n.D + 1});
              p.z = std::min(n.C, *p.y);
          }},
-        {"HLR89, section 4, |R(inf)| = 1",
+        {"Hairer-Lubich-Roche 1989, section 4, |R(inf)| = 1",
          {regular(m), {"|R(inf)| = 1", decided(modulus(m) == 0, r_text(m))}, stages},
          [q, alternating](order_prediction& p) {  // -1: local errors cancel from step to step
              p.y = alternating ? q + 1 : q;
@@ -345,7 +346,7 @@ order_prediction predict_index2(const dae_traits<K>& m) {
 /// - Lobatto IIIB, A singular: no step can be made.
 template <class K>
 order_prediction predict_index3(const dae_traits<K>& m) {
-    const detail::theorem row{"HLR89, section 6, stiffly accurate collocation",
+    const detail::theorem row{"Hairer-Lubich-Roche 1989, section 6, stiffly accurate collocation",
                               {detail::regular(m),
                                detail::damped(m),
                                detail::is_collocation(m),
@@ -373,7 +374,7 @@ template <class K>
 epsilon_prediction predict_singular_perturbation(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
     epsilon_prediction p;
-    p.theorem = "Hairer-Wanner II, Corollary VI.3.10 (thesis, Theorem 7)";
+    p.theorem = "Hairer-Wanner II, Corollary VI.3.10";
     p.hypotheses = {
         {"A-stable", a_stable(stability_function_of(t))},
         {"eigenvalues of A in the right half-plane", eigenvalues_in_right_half_plane(t)},

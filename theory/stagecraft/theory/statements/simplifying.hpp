@@ -11,15 +11,13 @@ namespace detail {
 template <int... K>
 constexpr auto quadrature(std::integer_sequence<int, K...>) {
     using namespace symbols;
-    return make_statement("B", sizeof...(K),
-                          "Butcher 1964; Hairer-Wanner II.IV.5; lecture, Definition 2.5; thesis, Theorem 2",
+    return make_statement("B", sizeof...(K), "Butcher 1964; Hairer-Wanner II.IV.5",
                           (dot(b, pow<K>(c)) == exact_number(1, K + 1))...);
 }
 template <int... K>
 constexpr auto stage_quadrature(std::integer_sequence<int, K...>) {
     using namespace symbols;
-    return make_statement("C", sizeof...(K),
-                          "Butcher 1964; Hairer-Wanner II.IV.5; lecture, Definition 2.7; thesis, Theorem 2",
+    return make_statement("C", sizeof...(K), "Butcher 1964; Hairer-Wanner II.IV.5",
                           (A * pow<K>(c) == pow<K + 1>(c) / (K + 1))...);
 }
 template <int K>
@@ -33,7 +31,7 @@ constexpr auto weighted_power() {  // b∘c^K
 template <int... K>
 constexpr auto adjoint_quadrature(std::integer_sequence<int, K...>) {
     using namespace symbols;
-    return make_statement("D", sizeof...(K), "Butcher 1964; Hairer-Wanner II.IV.5; lecture, Definition 2.8",
+    return make_statement("D", sizeof...(K), "Butcher 1964; Hairer-Wanner II.IV.5",
                           (transposed(A) * weighted_power<K>() == b * (one - pow<K + 1>(c)) / (K + 1))...);
 }
 
@@ -55,9 +53,7 @@ requires(R >= 0) inline constexpr auto D = detail::adjoint_quadrature(std::make_
 /// A 1 = c: every stage has order one, and autonomous form is no restriction. The same equation as C(1).
 inline constexpr auto row_sums = [] {
     using namespace symbols;
-    return make_statement("row sums", -1,
-                          "Hairer-Norsett-Wanner I.II.1, (1.9); lecture, C(1) after Definition 2.7",
-                          A * one == c);
+    return make_statement("row sums", -1, "Hairer-Norsett-Wanner I.II.1, (1.9)", A * one == c);
 }();
 
 }  // namespace stagecraft::theory::statements

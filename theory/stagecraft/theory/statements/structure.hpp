@@ -28,10 +28,9 @@ inline constexpr auto symmetry_of_stages = [] {
 /// a_sj = b_j: the last stage is the result. (With the row sums and B(1), c_s = 1.)
 inline constexpr auto stiff_accuracy = [] {
     using namespace symbols;
-    return make_statement(
-        "stiff accuracy", -1,
-        "Prothero and Robinson 1974; Hairer-Wanner II.IV.3, Proposition 3.8; thesis, proof of Theorem 3",
-        dot(last, A * v) == dot(b, v));
+    return make_statement("stiff accuracy", -1,
+                          "Prothero and Robinson 1974; Hairer-Wanner II.IV.3, Proposition 3.8",
+                          dot(last, A * v) == dot(b, v));
 }();
 
 }  // namespace stagecraft::theory::statements
