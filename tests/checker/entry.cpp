@@ -57,6 +57,19 @@ BOOST_AUTO_TEST_CASE(decimals_are_uncertain_by_half_a_unit_of_the_last_digit) {
     BOOST_TEST(!read_entry("1/4").rounded);
 }
 
+BOOST_AUTO_TEST_CASE(whole_numbers_with_a_point_are_exact_in_expressions) {
+    // as programs divide: SUN_RCONST(439.0)/SUN_RCONST(216.0)
+    BOOST_TEST(exact("439.0/216.0") == "439/216");
+    BOOST_TEST(exact("-1./3.") == "-1/3");
+    BOOST_TEST(exact("(4.0-sqrt(6.0))/10.0") == "2/5-1/10*sqrt(6)");
+    BOOST_TEST(read_entry("439.0/216.0").digits == 0);
+    BOOST_TEST(read_entry("2.0*0.25").uncertainty() == rational(1, 100));  // of 0.25 alone
+    BOOST_TEST(read_entry("2.5/3.0").rounded);
+    BOOST_TEST(read_entry("2.00*3").rounded);  // two places are a measured 2
+    BOOST_TEST(read_entry("2.0").rounded);
+    BOOST_TEST(read_entry("-2.0").rounded);
+}
+
 BOOST_AUTO_TEST_CASE(a_double_is_uncertain_by_half_an_ulp) {
     const entry x = entry_from_double(0.1);
     BOOST_TEST(x.enclosure.contains(rational(1, 10)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <boost/spirit/home/x3.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -162,6 +163,8 @@ struct decimal_literal {
     int digits = 0;        ///< significant ones
     bool decimal = false;  ///< with a point or an exponent
     int places() const { return std::max(0, -scale); }
+    /// "3.0" or "3.", as programs write whole numbers.
+    bool whole() const { return scale == 0 || (scale == -1 && number % 10 == 0); }
 };
 
 inline decimal_literal parse_literal(const std::string& text) {
@@ -193,10 +196,12 @@ inline decimal_literal parse_literal(const std::string& text) {
 }
 
 /// An integer literal is exact; with a point or an exponent it is known to half a unit of its last digit,
-/// unless it is one of the `exact` ones.
-inline entry from_literal(const std::string& text, const exact_decimals& exact = {}) {
+/// unless it is one of the `exact` ones, or a whole number beside others, as in "1.0/3.0".
+inline entry from_literal(const std::string& text, const exact_decimals& exact = {},
+                          bool beside_others = false) {
     const decimal_literal x = parse_literal(text);
     if (!x.decimal) return from_exact(rational(x.number));
+    if (beside_others && x.whole()) return from_exact(rational(x.number) * power_of_ten(x.scale));
     const rational unit = power_of_ten(x.scale);
     const rational value = rational(x.number) * unit;
     entry e;
@@ -259,11 +264,17 @@ inline entry power(entry x, const entry& n) {
     return combine(one, result, [](const auto& a, const auto& b) { return a / b; });
 }
 
+/// Whether the expression combines several numbers.
+inline bool several_numbers(const std::vector<instruction>& program) {
+    return std::count_if(program.begin(), program.end(), [](const auto& i) { return i.code == '#'; }) > 1;
+}
+
 inline entry run(const std::vector<instruction>& program, const exact_decimals& exact) {
     std::vector<entry> stack;
+    const bool several = several_numbers(program);
     for (const auto& [code, number] : program) {
         if (code == '#') {
-            stack.push_back(from_literal(number, exact));
+            stack.push_back(from_literal(number, exact, several));
             continue;
         }
         if (code == 'x') throw std::invalid_argument("unknown symbol 'x'");
@@ -314,8 +325,8 @@ inline std::string with_ascii_minus(std::string_view text) {
     return plain;
 }
 
-/// Reads one number: an exact expression in integers, + - * / ^, parentheses, sqrt(), cos(), sin() and pi, or with decimals in
-/// it (a decimal point or an exponent marks rounded data). The minus sign may be U+2212, as printed in
+/// Reads one number: an exact expression in integers, + - * / ^, parentheses, sqrt(), cos(), sin() and pi, or
+/// with decimals in it (a decimal point or an exponent marks rounded data, but "1.0/3.0" is 1/3). The minus sign may be U+2212, as printed in
 /// papers. Throws std::invalid_argument saying what is wrong: unknown symbol, division by zero, square root
 /// of a negative number, non-finite, a power too large (2^(10^9) is refused, not computed), nesting too deep.
 inline entry read_entry(std::string_view text, const exact_decimals& exact = {}) {
@@ -333,7 +344,7 @@ inline entry read_entry(std::string_view text, const exact_decimals& exact = {})
     for (const auto& [code, literal] : program) {
         if (code != '#') continue;
         const auto x = expression_grammar::parse_literal(literal);
-        if (!x.decimal) continue;
+        if (!x.decimal || (x.whole() && expression_grammar::several_numbers(program))) continue;
         e.digits = std::max({e.digits, x.digits, 1});  // 0.0 has one
         e.places = std::max(e.places, x.places());
     }
