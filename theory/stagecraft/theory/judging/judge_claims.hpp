@@ -7,6 +7,7 @@
 #include <stagecraft/tableau/simplifying_assumptions.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
+#include <stagecraft/theory/judging/jumps_seen.hpp>
 #include <stagecraft/theory/judging/order_finding.hpp>
 #include <stagecraft/theory/judging/properties.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
@@ -284,9 +285,11 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
         certificate.notes.push_back(
             "c is not A*1, and the order claimed holds for y' = f(t, y) all the same");
     }
-    if (s.t.b_embedded.size() > 0)
+    if (s.t.b_embedded.size() > 0) {
         certificate.findings.push_back(detail::judge_order(
             s, s.t.b_embedded, "b_embedded", claims.embedded_order, row_sums_fail, certificate));
+        certificate.findings.push_back({"jumps_seen", {}, {}, jumps_seen(s.t), {}, {}});
+    }
     certificate.findings.push_back(detail::judge_stage_order(s, claims.stage_order, failures));
     for (const auto& [property, member] : tableaux::yes_no_claims) {
         const std::optional<bool> claimed = claims.*member;
