@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/sparse_elimination.hpp>
 
 namespace sc = stagecraft;
 using Eigen::MatrixXd;
@@ -142,6 +143,78 @@ BOOST_AUTO_TEST_CASE(the_sign_of_the_determinant_is_known) {
             BOOST_REQUIRE(lu.factor());
             BOOST_TEST(lu.negative_determinant() == (Eigen::FullPivLU<MatrixXd>(A).determinant() < 0));
         }
+}
+
+namespace {
+
+/// Mass action: every species decays into some others, so that each column is dominated by its diagonal.
+MatrixXd kinetics_matrix(int n, int reactions) {
+    std::uniform_int_distribution<int> species(0, n - 1);
+    std::uniform_real_distribution<double> rate(0, 1);
+    MatrixXd A = MatrixXd::Identity(n, n);
+    for (int k = 0; k < reactions; ++k) {
+        const int a = species(generator), b = species(generator);
+        const double r = std::pow(10.0, 6 * rate(generator));
+        A(a, a) += r;
+        if (a != b) A(b, a) -= r;
+    }
+    return A;
+}
+bool leaves_out_zeros(MatrixXd A) {
+    sc::sparse_elimination<sc::real_column<double>> lu;
+    return lu.factor({A.data()}, static_cast<int>(A.rows()));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(few_entries_are_eliminated_without_the_zeros_and_as_exactly) {
+    for (const int n : {8, 20, 63, 64, 65, 130})
+        for (int k = 0; k < 5; ++k) {
+            MatrixXd A = kinetics_matrix(n, n);
+            BOOST_TEST_CONTEXT("n = " << n) {
+                BOOST_TEST(leaves_out_zeros(A));
+                BOOST_TEST(real_error(A) < 10 * n * eps);
+                BOOST_TEST(complex_error(A + std::complex<double>(0, 3) * MatrixXd::Identity(n, n)) <
+                           10 * n * eps);
+                sc::dense_lu<double> lu(n);
+                A.row(1) *= -1;
+                Eigen::Map<MatrixXd>(lu.entries(), n, n) = A;
+                BOOST_REQUIRE(lu.factor());
+                BOOST_TEST(lu.negative_determinant());
+                A.row(n - 1) *= 1e6;  // units do not matter: a temperature beside concentrations
+                BOOST_TEST(leaves_out_zeros(A));
+                BOOST_TEST(real_error(A) < 10 * n * eps);
+            }
+        }
+    BOOST_TEST(!leaves_out_zeros(random_matrix(30, 1)));
+    MatrixXd arrow = MatrixXd::Identity(12, 12);  // has no fill in one order, is full in the other
+    arrow.row(0).setOnes();
+    arrow.col(0).setOnes();
+    arrow(0, 0) = 20;
+    BOOST_TEST(leaves_out_zeros(arrow));
+    BOOST_TEST(real_error(arrow) < 120 * eps);
+    arrow(5, 5) = 1e-6;  // too small for a pivot: rows are exchanged
+    BOOST_TEST(!leaves_out_zeros(arrow));
+    BOOST_TEST(real_error(arrow) < 120 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_what_was_factored_before) {
+    const int n = 25;
+    const MatrixXd A = kinetics_matrix(n, n), B = kinetics_matrix(n, 2 * n), C = random_matrix(n, 1);
+    const VectorXd b = VectorXd::Random(n);
+    const auto solve = [&](sc::dense_lu<double>& lu, const MatrixXd& matrix) {
+        Eigen::Map<MatrixXd>(lu.entries(), n, n) = matrix;
+        BOOST_REQUIRE(lu.factor());
+        VectorXd x = b;
+        lu.solve(x.data());
+        return x;
+    };
+    sc::dense_lu<double> fresh(n), used(n);
+    const VectorXd x = solve(fresh, A);
+    for (const MatrixXd& before : {B, C, MatrixXd(B.transpose())}) {
+        solve(used, before);
+        BOOST_TEST(solve(used, A) == x);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(float_is_served_as_well) {

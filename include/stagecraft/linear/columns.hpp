@@ -18,10 +18,22 @@ struct real_column {
 
     Scalar* x;
 
-    number operator[](int i) const { return x[i]; }
+    number operator[](std::ptrdiff_t i) const { return x[i]; }
     void set(int i, const number& v) const { x[i] = v; }
     void swap(int i, int k) const { std::swap(x[i], x[k]); }
     friend real_column operator+(const real_column& c, std::ptrdiff_t i) { return {c.x + i}; }
+
+    /// How many of the first n entries are zero.
+    [[gnu::flatten]] int zeros(int n) const {
+        int i = 0;
+        const auto run = [&]<class P>(P) {
+            auto sum = P::all(Scalar(0));
+            for (; i + P::size <= n; i += P::size) sum = sum + P::one_if_zero(P::load(x + i));
+            return static_cast<int>(P::sum(sum));
+        };
+        const int most = run(packet<Scalar>());
+        return most + run(single<Scalar>());
+    }
 
     /// Multiplies entries first ... last - 1 by `factor`.
     [[gnu::flatten]] void scale(int first, int last, const number& factor) const {
@@ -59,11 +71,23 @@ struct complex_column {
 
     Scalar *re, *im;
 
-    number operator[](int i) const { return {re[i], im[i]}; }
+    number operator[](std::ptrdiff_t i) const { return {re[i], im[i]}; }
     void set(int i, const number& v) const { re[i] = v.re, im[i] = v.im; }
     void swap(int i, int k) const { std::swap(re[i], re[k]), std::swap(im[i], im[k]); }
     friend complex_column operator+(const complex_column& c, std::ptrdiff_t i) {
         return {c.re + i, c.im + i};
+    }
+
+    [[gnu::flatten]] int zeros(int n) const {
+        int i = 0;
+        const auto run = [&]<class P>(P) {
+            auto sum = P::all(Scalar(0));
+            for (; i + P::size <= n; i += P::size)
+                sum = sum + P::one_if_zero(P::load(re + i)) * P::one_if_zero(P::load(im + i));
+            return static_cast<int>(P::sum(sum));
+        };
+        const int most = run(packet<Scalar>());
+        return most + run(single<Scalar>());
     }
 
     [[gnu::flatten]] void scale(int first, int last, const number& factor) const {

@@ -39,6 +39,15 @@ Scalar size_of(const complex_number<Scalar>& x) {
     return abs(x.re) + abs(x.im);
 }
 
+template <class Scalar>
+bool is_zero(const Scalar& x) {
+    return x == Scalar(0);
+}
+template <class Scalar>
+bool is_zero(const complex_number<Scalar>& x) {
+    return x.re == Scalar(0) && x.im == Scalar(0);
+}
+
 /// 1/x.
 template <class Scalar>
 Scalar inverse_of(const Scalar& x) {

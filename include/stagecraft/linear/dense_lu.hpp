@@ -5,10 +5,12 @@
 #include <vector>
 
 #include <stagecraft/linear/elimination.hpp>
+#include <stagecraft/linear/sparse_elimination.hpp>
 
 namespace stagecraft {
 
-/// LU with row pivoting of a dense real matrix of any size (float or double), blocked for the cache.
+/// LU with row pivoting of a dense real matrix of any size (float or double), blocked for the cache; where most
+/// entries are zero and the diagonal will do for pivots, the zeros are left out.
 template <class Scalar>
 class dense_lu {
   public:
@@ -16,11 +18,16 @@ class dense_lu {
 
     Scalar* entries() { return a_.data(); }
     /// False if the matrix is singular or not finite.
-    bool factor() { return lu().factor(odd_); }
-    void solve(Scalar* x) { lu().solve({x}); }
+    bool factor() { return sparse_.factor({a_.data()}, n_) || lu().factor(odd_); }
+    void solve(Scalar* x) { sparse_.factored() ? sparse_.solve({x}) : lu().solve({x}); }
     /// Sign of the determinant of the matrix last factored.
     bool negative_determinant() const {
-        bool negative = odd_;
+        bool negative = false;
+        if (sparse_.factored()) {
+            for (int k = 0; k < n_; ++k) negative ^= sparse_.inverse_pivot(k) < Scalar(0);
+            return negative;
+        }
+        negative = odd_;
         for (int k = 0; k < n_; ++k) negative ^= a_[k + static_cast<std::size_t>(k) * n_] < Scalar(0);
         return negative;
     }
@@ -30,6 +37,7 @@ class dense_lu {
     int n_;
     std::vector<Scalar> a_;
     std::vector<int> pivot_;
+    sparse_elimination<real_column<Scalar>> sparse_;
     bool odd_ = false;
 };
 
@@ -44,15 +52,16 @@ class dense_complex_lu {
     Scalar* imaginary_entries() { return im_.data(); }
     bool factor() {
         bool odd;
-        return lu().factor(odd);
+        return sparse_.factor({re_.data(), im_.data()}, n_) || lu().factor(odd);
     }
-    void solve(Scalar* x, Scalar* y) { lu().solve({x, y}); }
+    void solve(Scalar* x, Scalar* y) { sparse_.factored() ? sparse_.solve({x, y}) : lu().solve({x, y}); }
 
   private:
     elimination<complex_column<Scalar>> lu() { return {{re_.data(), im_.data()}, pivot_.data(), n_}; }
     int n_;
     std::vector<Scalar> re_, im_;
     std::vector<int> pivot_;
+    sparse_elimination<complex_column<Scalar>> sparse_;
 };
 
 }  // namespace stagecraft

@@ -158,9 +158,6 @@ class elimination {
         return usable_pivot(sum);
     }
 
-    static bool is_zero(const scalar& x) { return x == scalar(0); }
-    static bool is_zero(const complex_number<scalar>& x) { return x.re == scalar(0) && x.im == scalar(0); }
-
     Column a_;
     int* pivot_;
     int n_;

@@ -22,6 +22,9 @@ struct packet {
     static type all(const Scalar& x) { return Eigen::internal::pset1<type>(x); }
     static void store(Scalar* x, const type& v) { Eigen::internal::pstoreu(x, v); }
     static Scalar sum(const type& v) { return Eigen::internal::predux(v); }
+    static type one_if_zero(const type& v) {
+        return Eigen::internal::pand(Eigen::internal::pcmp_eq(v, all(Scalar(0))), all(Scalar(1)));
+    }
 };
 /// A single number with the interface of a packet, for the remainder of a loop.
 template <class Scalar>
@@ -32,6 +35,7 @@ struct single {
     static type all(const Scalar& x) { return x; }
     static void store(Scalar* x, const type& v) { *x = v; }
     static Scalar sum(const type& v) { return v; }
+    static type one_if_zero(const type& v) { return v == Scalar(0) ? Scalar(1) : Scalar(0); }
 };
 
 }  // namespace stagecraft
