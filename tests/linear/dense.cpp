@@ -5,6 +5,7 @@
 #include <complex>
 #include <limits>
 #include <random>
+#include <stagecraft/linear/coupling.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/sparse_elimination.hpp>
 
@@ -214,6 +215,22 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_what_was_factored_before) {
     for (const MatrixXd& before : {B, C, MatrixXd(B.transpose())}) {
         solve(used, before);
         BOOST_TEST(solve(used, A) == x);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_coupling_is_multiplied_with_and_without_zeros) {
+    const int rows = 11, columns = 7;
+    for (const double density : {0.0, 0.1, 0.7, 1.0}) {
+        const MatrixXd J = random_matrix(20, density), C = J.block(9, 0, rows, columns);
+        sc::coupling<double> coupling(rows, columns);
+        for (int twice = 0; twice < 2; ++twice) coupling.take(J.data() + 9, 20);
+        const VectorXd q = VectorXd::Random(columns), before = VectorXd::Random(rows);
+        VectorXd r = before;
+        coupling.add_product(q.data(), r.data());
+        BOOST_TEST((r - (before + C * q)).norm() < 1e-14);
+        MatrixXd entries = MatrixXd::Zero(rows, columns);
+        coupling.each([&](int i, int j, double v) { entries(i, j) = v; });
+        BOOST_TEST(entries == C);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <stagecraft/linear/block_work.hpp>
+#include <stagecraft/linear/coupling.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 
 namespace stagecraft {
@@ -27,17 +28,17 @@ struct second_order_lu {
         template <class Mass, class Matrix>
         bool factor_shifted(const Mass& mass, const Matrix& J, const Scalar& shift) {
             inverse_ = Scalar(1) / shift;
-            coupling_ = J.bottomLeftCorner(rest_, m_);
+            coupling_.take(J.data() + m_, static_cast<int>(J.rows()));
             Eigen::Map<matrix> a(lu_.entries(), rest_, rest_);
             a = -J.bottomRightCorner(rest_, rest_);
-            a.leftCols(m_) -= inverse_ * coupling_;
+            coupling_.each([&](int i, int j, const Scalar& v) { a(i, j) -= inverse_ * v; });
             for_rest(mass, m_, rest_, [&](int i, int j, const Scalar& value) { a(i, j) += shift * value; });
             return lu_.factor();
         }
         void solve(Scalar* x) {
             Eigen::Map<vector> q(x, m_), r(x + m_, rest_);
             q *= inverse_;
-            r.noalias() += coupling_ * q;
+            coupling_.add_product(x, x + m_);
             lu_.solve(x + m_);
             q += inverse_ * r.head(m_);
         }
@@ -50,7 +51,7 @@ struct second_order_lu {
         int m_, rest_;
         Scalar inverse_{0};
         typename whole::real lu_;
-        matrix coupling_;
+        coupling<Scalar> coupling_;
     };
 
     class complex {
@@ -60,12 +61,14 @@ struct second_order_lu {
         template <class Mass, class Matrix>
         bool factor_shifted(const Mass& mass, const Matrix& J, const Scalar& re, const Scalar& im) {
             reciprocal(re, im, re_, im_);
-            coupling_ = J.bottomLeftCorner(rest_, m_);
+            coupling_.take(J.data() + m_, static_cast<int>(J.rows()));
             Eigen::Map<matrix> a(lu_.real_entries(), rest_, rest_), b(lu_.imaginary_entries(), rest_, rest_);
             a = -J.bottomRightCorner(rest_, rest_);
-            a.leftCols(m_) -= re_ * coupling_;
-            b.leftCols(m_) = -im_ * coupling_;
-            b.rightCols(rest_ - m_).setZero();
+            b.setZero();
+            coupling_.each([&](int i, int j, const Scalar& v) {
+                a(i, j) -= re_ * v;
+                b(i, j) = -im_ * v;
+            });
             for_rest(mass, m_, rest_, [&](int i, int j, const Scalar& value) {
                 a(i, j) += re * value;
                 b(i, j) += im * value;
@@ -75,8 +78,8 @@ struct second_order_lu {
         void solve(Scalar* x, Scalar* y) {
             divide(x, y);
             Eigen::Map<vector> q(x, m_), p(y, m_), r(x + m_, rest_), s(y + m_, rest_);
-            r.noalias() += coupling_ * q;
-            s.noalias() += coupling_ * p;
+            coupling_.add_product(x, x + m_);
+            coupling_.add_product(y, y + m_);
             lu_.solve(x + m_, y + m_);
             q += re_ * r.head(m_) - im_ * s.head(m_);
             p += re_ * s.head(m_) + im_ * r.head(m_);
@@ -94,7 +97,7 @@ struct second_order_lu {
         int m_, rest_;
         Scalar re_{0}, im_{0};  // of 1 / shift
         typename whole::complex lu_;
-        matrix coupling_;
+        coupling<Scalar> coupling_;
     };
 
     /// What one matrix costs (linear/block_work.hpp).
