@@ -147,8 +147,7 @@ outcome run_petsc(const char* type, double tolerance, double t1, int grid) {
     petsc_check(KSPSetTolerances(krylov, std::string(type) == TSROSW ? 1e-4 : 1e-2, PETSC_DEFAULT,
                                  PETSC_DEFAULT, PETSC_DEFAULT));
     petsc_check(KSPGetPC(krylov, &multigrid));
-    petsc_check(PCSetType(multigrid, PCGAMG));
-    petsc_check(PCSetOptionsPrefix(multigrid, "stage_pc_"));
+    sc::detail::petsc_multigrid(multigrid);
     petsc_check(PCSetFromOptions(multigrid));
     {
         const double* start = result.y.data();

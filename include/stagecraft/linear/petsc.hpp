@@ -13,6 +13,7 @@
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/petsc_matrix.hpp>
+#include <stagecraft/linear/petsc_multigrid.hpp>
 
 // Distributed linear systems by PETSc (real scalars; Debian: libpetsc-real-dev). A problem that uses them has
 //
@@ -86,20 +87,9 @@ class petsc_shifted {
         MPI_Comm processes = MPI_COMM_NULL;
         petsc_check(PetscObjectGetComm(reinterpret_cast<PetscObject>(J.get()), &processes));
         pc_ = petsc_made<PC>([&](PC* pc) { return PCCreate(processes, pc); });
-        petsc_check(PCSetType(pc_.get(), PCGAMG));
-        // Shifts change by orders of magnitude from step to step, and with them what is coarse; and smoothers that ask
-        // for eigenvalues cost more than they gain.
-        default_option("-stage_pc_pc_gamg_reuse_interpolation", "false");
-        default_option("-stage_pc_mg_levels_ksp_type", "richardson");
-        default_option("-stage_pc_mg_levels_pc_type", "sor");
-        petsc_check(PCSetOptionsPrefix(pc_.get(), "stage_pc_"));
+        petsc_multigrid(pc_.get());
         petsc_check(PCSetOperators(pc_.get(), matrix_.get(), matrix_.get()));
         petsc_check(PCSetFromOptions(pc_.get()));
-    }
-    static void default_option(const char* name, const char* value) {
-        PetscBool given = PETSC_FALSE;
-        petsc_check(PetscOptionsHasName(nullptr, nullptr, name, &given));
-        if (!given) petsc_check(PetscOptionsSetValue(nullptr, name, value));
     }
 
     /// True if the hierarchy is good enough for another shift and J: until what it has cost beyond its first solve is what
