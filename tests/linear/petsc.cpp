@@ -5,9 +5,13 @@
 #include <boost/test/unit_test.hpp>
 #include <brusselator_2d/brusselator_2d.hpp>
 #include <cmath>
+#include <incompressible_flow/incompressible_flow.hpp>
 #include <random>
 #include <stagecraft/families.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
+#include <stagecraft/tableaux/family.hpp>
+#include <stagecraft/theory/dae/dae_order.hpp>
 #include <stdexcept>
 
 namespace sc = stagecraft;
@@ -156,6 +160,29 @@ BOOST_AUTO_TEST_CASE(a_run_takes_the_same_steps_on_any_number_of_processes) {
     reset("-stage_pc_pc_type");
     BOOST_TEST(std::abs(direct.report.steps - whole.report.steps) <= 1 + direct.report.steps / 30);
     BOOST_TEST(whole.report.solves <= 1.1 * static_cast<double>(direct.report.solves));
+}
+
+// Incompressible flow on 8 x 8 cells, 192 unknowns, of index 2; PCFIELDSPLIT within PRESB.
+BOOST_AUTO_TEST_CASE(velocity_and_pressure_show_the_orders_of_index_2_on_any_number_of_processes) {
+    const auto added = split_fields();
+    for (const int s : {2, 3}) {
+        const auto predicted = sc::theory::predict_index2(
+            sc::tableaux::exact_tableau(sc::tableaux::family::radau_iia, s).value());
+        BOOST_TEST_REQUIRE(predicted.applies());
+        std::array<double, 2> error[2];
+        for (const int k : {0, 1}) {
+            const counted_flow problem(8);
+            const auto r = sc::integrate(sc::radau_iia(s), problem, problem.solution(0), 0.0, 0.4,
+                                         {.rtol = 1e-10, .atol = 1e-10, .fixed_step = 0.4 / (8 << k)});
+            BOOST_TEST(r.ok());
+            BOOST_TEST(double(problem.J.counts().pair_iterations) <=
+                       10 * double(problem.J.counts().pair_solves));
+            error[k] = problem.errors(r.t, r.y);
+        }
+        BOOST_TEST(std::abs(std::log2(error[0][0] / error[1][0]) - *predicted.y) <= 0.15);
+        BOOST_TEST(std::abs(std::log2(error[0][1] / error[1][1]) - *predicted.z) <= 0.15);
+    }
+    for (const auto& option : added) reset(option.c_str());
 }
 
 BOOST_AUTO_TEST_CASE(an_exception_on_one_process_ends_the_run_on_all) {

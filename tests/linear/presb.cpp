@@ -64,6 +64,32 @@ BOOST_AUTO_TEST_CASE(the_eigenvalues_of_every_pair_lie_between_one_half_and_one)
     BOOST_TEST(most > 0.999);
 }
 
+// M = diag(1, 0), as for incompressible flow: on what satisfies the constraint the bound is that of -K, and the
+// infinite eigenvalues of the pencil, in blocks of two, become 1.
+BOOST_AUTO_TEST_CASE(in_a_saddle_point_problem_of_index_2_they_do_as_well) {
+    const int n = 8, m = 3;
+    const MatrixXd Z = random(n, 5).leftCols(5), G = random(n, 6).leftCols(m);
+    MatrixXd M = MatrixXd::Zero(n + m, n + m), J = M;
+    M.topLeftCorner(n, n).setIdentity();
+    J.topLeftCorner(n, n) = -Z * Z.transpose();
+    J.topRightCorner(n, m) = -G;
+    J.bottomLeftCorner(m, n) = G.transpose();
+    double least = 1;
+    for (int s = 2; s <= 9; ++s) {
+        const auto method = stagecraft::radau_iia(s);
+        for (int k = 0; k < method.alpha.size(); ++k)
+            for (const double h : {1e-2, 1.0, 1e2}) {
+                const range r = eigenvalues(M, J, method.alpha[k] / h, method.beta[k] / h);
+                // Blocks of two at 1, double eigenvalues below: half of the digits, less what h takes.
+                BOOST_TEST(r.least >= 0.5 - 1e-5);
+                BOOST_TEST(r.most <= 1 + 1e-5);
+                BOOST_TEST(r.imaginary <= 1e-5);
+                least = std::min(least, r.least);
+            }
+    }
+    BOOST_TEST(least < 0.6);
+}
+
 BOOST_AUTO_TEST_CASE(without_definiteness_the_bound_does_not_hold) {
     const MatrixXd identity = MatrixXd::Identity(4, 4);
     const range r = eigenvalues(identity, 5 * identity, 4, 3);
