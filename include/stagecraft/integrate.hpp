@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <cstddef>
 #include <exception>
+#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -94,6 +96,21 @@ template <class State>
 inline constexpr bool has_own_overload = false;
 template <class Vector>
 inline constexpr bool has_own_overload<checkpoint<Vector>> = true;
+template <class State>
+inline constexpr bool is_checkpoint = false;
+template <class Vector>
+inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
+
+/// What `{.tol = 1e-6}` may be taken for, and neither `{}` nor `{1e-6}`.
+struct given {
+    given(double);
+};
+struct single_tolerance {
+    std::nullptr_t unnamed = nullptr;
+    given tol;
+};
+template <class>
+inline constexpr bool never = false;
 
 }  // namespace detail
 
@@ -237,7 +254,9 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
     }
 }
 
-/// Says what y0 must be where it is no vector of Eigen's (arguments in another order, say).
+// Calls that cannot be meant as they stand: each of these says in one sentence what to write.
+
+/// y0 is no vector of Eigen's (arguments in another order, say).
 template <class Method, class Problem, class State, class T0, class T1, class Observer = no_observer>
 requires(!detail::eigen_object<State> && !detail::has_own_overload<State>) result<Eigen::VectorXd> integrate(
     const Method&, Problem&&, const State&, const T0&, const T1&, const options<double>& = {},
@@ -248,6 +267,36 @@ requires(!detail::eigen_object<State> && !detail::has_own_overload<State>) resul
         "integrate(method, problem, y0, t0, t1, options, observer): the third argument must be a column "
         "vector of Eigen's; with stagecraft/states.hpp it may be a std::array, a std::vector, a double or "
         "complex");
+    return {};
+}
+
+/// y0 is a list in braces, which has no type.
+template <class Method, class Problem, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, std::initializer_list<double>, double, double,
+                                  const options<double>& = {}, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: y0 must be a vector with its type, Eigen::Vector2d(1, 1), say, not {1, 1}");
+    return {};
+}
+
+/// t1, or t0 as well, is missing.
+template <class Method, class Problem, class State, class Observer = no_observer>
+requires(!detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const Method&, Problem&&,
+                                                                          const State&, double = 0,
+                                                                          const options<double>& = {},
+                                                                          Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate(method, problem, y0, t0, t1, options, observer): t0 and t1 must both be given");
+    return {};
+}
+
+/// Tolerances under the name that other programs give them.
+template <class Method, class Problem, class State, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
+                                  const detail::single_tolerance&, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: options have no tol; their tolerances are rtol (relative) and atol (absolute): "
+                  "{.rtol = 1e-6, .atol = 1e-9}");
     return {};
 }
 

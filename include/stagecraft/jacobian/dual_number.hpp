@@ -70,20 +70,21 @@ class dual_number {
     dual_number& operator*=(const dual_number& b) { return *this = *this * b; }
     dual_number& operator/=(const dual_number& b) { return *this = *this / b; }
 
-    friend dual_number operator+(const dual_number& a) { return a; }
-    friend dual_number operator-(const dual_number& a) { return {-a.value_, -a.derivatives_}; }
-    friend dual_number operator+(const dual_number& a, const dual_number& b) {
-        return {a.value_ + b.value_, a.derivatives_ + b.derivatives_};
+    // Members, which what is compiled may leave undefined without a warning where a right-hand side is refused.
+    dual_number operator+() const { return *this; }
+    dual_number operator-() const { return {-value_, -derivatives_}; }
+    dual_number operator+(const dual_number& b) const {
+        return {value_ + b.value_, derivatives_ + b.derivatives_};
     }
-    friend dual_number operator-(const dual_number& a, const dual_number& b) {
-        return {a.value_ - b.value_, a.derivatives_ - b.derivatives_};
+    dual_number operator-(const dual_number& b) const {
+        return {value_ - b.value_, derivatives_ - b.derivatives_};
     }
-    friend dual_number operator*(const dual_number& a, const dual_number& b) {
-        return {a.value_ * b.value_, a.derivatives_ * b.value_ + b.derivatives_ * a.value_};
+    dual_number operator*(const dual_number& b) const {
+        return {value_ * b.value_, derivatives_ * b.value_ + b.derivatives_ * value_};
     }
-    friend dual_number operator/(const dual_number& a, const dual_number& b) {
-        const S inverse = S(1) / b.value_, value = a.value_ / b.value_;
-        return {value, (a.derivatives_ - b.derivatives_ * value) * inverse};
+    dual_number operator/(const dual_number& b) const {
+        const S inverse = S(1) / b.value_, value = value_ / b.value_;
+        return {value, (derivatives_ - b.derivatives_ * value) * inverse};
     }
 
     // Beside a plain number half of the work goes.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <type_traits>
 #include <utility>
 
@@ -44,36 +45,25 @@ template <int Coordinates, int Constraints, class Kinetic, class Potential, clas
 class lagrangian_model {
     template <class S>
     using vector = Eigen::Matrix<S, Coordinates, 1>;
-    template <class S>
-    using multipliers = Eigen::Matrix<S, Constraints, 1>;
-
-    /// True if the constraint depends on t as well; how many columns it returns: 1 if it is one of position.
+    /// True if the constraint depends on t as well; what it returns, a number as 1 x 1.
     static constexpr bool moves =
         std::is_invocable_v<const Constraint&, const vector<double>&, const double&>;
-    static constexpr int columns = [] {
+    static constexpr auto shape = [] {
         using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
         if constexpr (std::is_arithmetic_v<returned>)
-            return 1;
+            return std::array{1, 1};
         else
-            return int(returned::ColsAtCompileTime);
+            return std::array{int(returned::RowsAtCompileTime), int(returned::ColsAtCompileTime)};
     }();
+    static constexpr int columns = shape[1];
     static constexpr bool of_position = columns == 1, affine = columns == Coordinates + 1;
-    static_assert(
-        of_position || affine || columns == Coordinates,
-        "lagrangian: the constraint must return a number or a column of position constraints, the matrix G "
-        "of n columns, or (G, b) of n + 1 columns");
-    static constexpr int rows = [] {
-        using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
-        if constexpr (std::is_arithmetic_v<returned>)
-            return 1;
-        else
-            return int(returned::RowsAtCompileTime);
-    }();
-    static_assert(rows < 0 || Constraints < 0 || rows == Constraints,
-                  "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
 
   public:
-    static constexpr int coordinates = Coordinates, constraints = Constraints;
+    /// `constraints` is what the constraint returns where that is known, so that a call with another number is
+    /// refused by these alone.
+    static constexpr int coordinates = Coordinates, constraints = shape[0] < 0 ? Constraints : shape[0];
+    static constexpr bool columns_fit = of_position || affine || columns == Coordinates,
+                          rows_fit = constraints == Constraints;
 
     lagrangian_model(Kinetic T, Potential V, Constraint g, Forces Q)
         : T_(std::move(T)), V_(std::move(V)), constraint_(std::move(g)), Q_(std::move(Q)) {}
@@ -126,12 +116,12 @@ class lagrangian_model {
 
     /// The gradient of the position constraints, or the matrix that was given.
     template <class S>
-    Eigen::Matrix<S, Constraints, Coordinates> G(const vector<S>& q, const S& t) const {
+    Eigen::Matrix<S, constraints, Coordinates> G(const vector<S>& q, const S& t) const {
         if constexpr (of_position) {
             using dual = dual_number<S, Coordinates>;
             const auto g = constraint(detail::variables<dual>(q), detail::constant<dual>(t));
-            Eigen::Matrix<S, Constraints, Coordinates> G;
-            for (int k = 0; k < Constraints; ++k) G.row(k) = g[k].derivatives().transpose();
+            Eigen::Matrix<S, constraints, Coordinates> G;
+            for (int k = 0; k < constraints; ++k) G.row(k) = g[k].derivatives().transpose();
             return G;
         } else {
             return constraint(q, t).template leftCols<Coordinates>();
@@ -140,12 +130,13 @@ class lagrangian_model {
 
     /// The position constraints.
     template <class S>
-    multipliers<S> g(const vector<S>& q, const S& t) const requires(of_position) {
+    Eigen::Matrix<S, constraints, 1> g(const vector<S>& q, const S& t) const requires(of_position) {
         return constraint(q, t);
     }
     /// Their derivative by t; the last column of an affine constraint.
     template <class S>
-    multipliers<S> b(const vector<S>& q, const S& t) const requires(affine || (of_position && moves)) {
+    Eigen::Matrix<S, constraints, 1> b(const vector<S>& q, const S& t) const
+        requires(affine || (of_position && moves)) {
         if constexpr (affine) {
             return constraint(q, t).col(Coordinates);
         } else {
@@ -153,8 +144,8 @@ class lagrangian_model {
             rate time = detail::constant<rate>(t);
             time.derivatives()[0] = S(1);
             const auto g = constraint(detail::constants<rate>(q), time);
-            multipliers<S> b;
-            for (int k = 0; k < Constraints; ++k) b[k] = g[k].derivatives()[0];
+            Eigen::Matrix<S, constraints, 1> b;
+            for (int k = 0; k < constraints; ++k) b[k] = g[k].derivatives()[0];
             return b;
         }
     }
@@ -172,7 +163,7 @@ class lagrangian_model {
         return e;
     }
     template <class S>
-    Eigen::Matrix<S, Constraints, columns> constraint(const vector<S>& q, [[maybe_unused]] const S& t) const {
+    Eigen::Matrix<S, constraints, columns> constraint(const vector<S>& q, [[maybe_unused]] const S& t) const {
         const auto value = [&] {
             if constexpr (moves)
                 return constraint_(q, t);
@@ -205,8 +196,14 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
                       !detail::takes_one_scalar<Constraint> && !detail::takes_one_scalar<Forces>,
                   "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are "
                   "differentiated automatically: [](const auto& q, const auto& v) { ... }");
-    return lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>(
-        std::move(T), std::move(V), std::move(constraint), std::move(Q));
+    using model = lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>;
+    constexpr bool columns = model::columns_fit, rows = model::rows_fit;
+    static_assert(
+        columns,
+        "lagrangian: the constraint must return a number or a column of position constraints, the matrix G "
+        "of n columns, or (G, b) of n + 1 columns");
+    static_assert(rows, "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
+    return model(std::move(T), std::move(V), std::move(constraint), std::move(Q));
 }
 
 }  // namespace stagecraft
