@@ -61,6 +61,18 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_named) {
     BOOST_TEST(message(1e-6, 1, 2, 2).empty());
 }
 
+BOOST_AUTO_TEST_CASE(integers_stand_for_doubles) {
+    const auto written = regularised(disc<>(), 1e-4, 1, 2, 2),
+               meant = regularised(disc<>(), 1e-4, 1.0, 2.0, 2.0);
+    BOOST_TEST((std::is_same_v<decltype(written), decltype(meant)>));
+    BOOST_TEST(written.contact().damping == meant.contact().damping);
+    BOOST_TEST(regularised_creep_form(disc<>(), 1, 1, 3, 4).contact().stiffness == 3.0);
+    BOOST_TEST(regularised_multiplier_form(disc<>(), 1, 1, 3, 4).contact().damping == 4.0);
+    BOOST_TEST(strong_damping(disc<>(), 1e-4, 2, 2).contact().kappa == 1.0);
+    BOOST_TEST(principal_damping(disc<>(), 1, 2, 2).contact().kappa == 0.5);
+    BOOST_TEST(principal_damping_transformed(disc<>(), 1, 2, 2).contact().kappa == 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(every_form_brings_the_derivative_of_its_field) {
     const auto largest_defect = [](const thesis::any_problem& problem, const Eigen::VectorXd& y) {
         const Eigen::Index n = y.size();

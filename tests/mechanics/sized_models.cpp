@@ -168,6 +168,29 @@ BOOST_AUTO_TEST_CASE(two_links_are_the_double_pendulum_in_every_formulation) {
     BOOST_TEST((run(index_2(model, q), model, 1, 1e-9).y.head(4) - expected).norm() < 1e-6);
     BOOST_TEST((run(index_3(model, q), model, 1, 1e-9).y.head(4) - expected).norm() < 1e-6);
     BOOST_TEST((run(stabilised_index_2(model, q), model, 1, 1e-9).y.head(4) - expected).norm() < 1e-6);
+    BOOST_TEST(
+        (run(regularised_position(model, q, 1e-10, 1, 1, 1), model, 1, 1e-9).y.head(4) - expected).norm() <
+        1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(springs_in_place_of_links_give_way_in_proportion_to_eps) {
+    // The static chain: link k carries all masses below it, 9.81 m (links - k) = lambda_k length with the gradient
+    // length of g, so that g_k = eps lambda_k / c.
+    chain model;
+    VectorXd q = VectorXd::Zero(4);
+    q[1] = -0.5, q[3] = -1;
+    for (const double kappa : {1.0, 0.5}) {
+        const auto problem = regularised_position(model, q, 1e-4, kappa, 2, 3);
+        const auto r = integrate(radau_iia<3>(), problem, problem.initial_state(q, VectorXd::Zero(4)), 0.0,
+                                 1.0, {.rtol = 1e-9, .atol = 1e-9});
+        BOOST_TEST(r.ok());
+        const VectorXd g = model.g(r.y.head(4));
+        for (int k = 0; k < 2; ++k) {
+            const double stretched = std::sqrt(0.25 + 2 * g[k]), lambda = 0.3 * 9.81 * (2 - k) / stretched;
+            BOOST_TEST(g[k] == 1e-4 / 2 * lambda, boost::test_tools::tolerance(2e-3));
+        }
+    }
+    BOOST_CHECK_THROW(regularised_position(model, q, -1, 1, 2, 3), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(redundant_constraints_are_named_and_left_out) {

@@ -72,7 +72,7 @@ setup_of<Scalar> disc_regularised(form f, Scalar eps, Scalar kappa, const Eigen:
             return wrapped<Scalar>(stagecraft::principal_damping_transformed(body, eps, c, d), offset);
     }
     if (f != form::mass_matrix) throw std::invalid_argument("disc_regularised: this form is for double");
-    return wrapped<Scalar>(stagecraft::regularised<Scalar>(body, eps, kappa, c, d), offset);
+    return wrapped<Scalar>(stagecraft::regularised(body, eps, kappa, c, d), offset);
 }
 template setup_of<double> disc_regularised(form, double, double, const Eigen::Matrix<double, 2, 1>&, double,
                                            double);

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
 #include <stagecraft/mechanics/start.hpp>
 
@@ -169,15 +170,6 @@ class index_reduced_ode {
     Model model_;
     Scalar r_, s_;
 };
-
-namespace detail {
-
-/// The scalar in which to compute with parameters of these types: double where all are integers.
-template <class... Numbers>
-using real_scalar = std::conditional_t<std::is_integral_v<std::common_type_t<Numbers...>>, double,
-                                       std::common_type_t<Numbers...>>;
-
-}  // namespace detail
 
 /// The index-reduced differential equation of a model in (q, v); see `index_reduced_ode`. An integer r stands
 /// for that double. Throws std::invalid_argument if r is negative.

@@ -95,10 +95,10 @@ class regularised_position_problem : public detail::regularised_form<Model, Scal
 
 /// The regularised problem of a model with position constraints, on the level of position. Throws
 /// std::invalid_argument as `regularised` does.
-template <class Scalar = double, holonomic_model Model>
-regularised_position_problem<Model, Scalar> regularised_position(Model model, Scalar eps, Scalar kappa,
-                                                                 Scalar c, Scalar d) {
-    return {std::move(model), contact<Scalar>(eps, kappa, c, d)};
+template <holonomic_model Model, class Eps, class Kappa, class C, class D>
+auto regularised_position(Model model, Eps eps, Kappa kappa, C c, D d) {
+    const auto k = detail::contact_of(eps, kappa, c, d);
+    return regularised_position_problem<Model, typename decltype(k)::scalar>(std::move(model), k);
 }
 
 }  // namespace stagecraft

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include <stagecraft/linear/sparse_blocks.hpp>
+#include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/sized_model.hpp>
 
 namespace stagecraft {
@@ -47,6 +49,25 @@ Eigen::SparseMatrix<double> dependencies(const Problem& f, Eigen::VectorXd y) {
     return pattern;
 }
 
+/// False: in a static_assert that depends on the model.
+template <class Model>
+inline constexpr bool only_fixed_size = false;
+
+/// The smallest x with G x = r.
+template <class Matrix>
+Eigen::VectorXd smallest_change(const Matrix& G, const Eigen::VectorXd& r) {
+    const int n = static_cast<int>(G.cols()), m = static_cast<int>(G.rows());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1);
+    append(entries, G, n, 0, 1);
+    append(entries, G, 0, n, 1, true);
+    Eigen::SparseMatrix<double> K(n + m, n + m);
+    K.setFromTriplets(entries.begin(), entries.end());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + m);
+    right.tail(m) = r;
+    return Eigen::SparseLU<Eigen::SparseMatrix<double>>(K).solve(right).head(n);
+}
+
 }  // namespace sized
 
 /// The equations of motion of a sized_mechanical_model, ready for `integrate`:
@@ -57,7 +78,9 @@ Eigen::SparseMatrix<double> dependencies(const Problem& f, Eigen::VectorXd y) {
 /// (q, v, lambda[, mu]) where M is constant; else the acceleration a is part of it, (q, v, a, lambda[, mu]) with
 /// v' = a, 0 = F - G^T lambda - M a, so that M is never factored by itself. Index 2 in a, lambda, mu on the level
 /// of velocity and on both, on that of position 2 in v and 3 in a and lambda. The Jacobian is found by differences:
-/// in groups of columns where G is sparse. Made by index_2, index_3, stabilised_index_2.
+/// in groups of columns where G is sparse. With a contact (mechanics/contact.hpp) the constraint of position
+/// becomes 0 = g + (d/c) eps^(1-kappa) (G v + b) - (eps/c) lambda, of index 2 in a and lambda where kappa is 1.
+/// Made by index_2, index_3, stabilised_index_2 and regularised_position.
 template <sized_mechanical_model Model, constraint_level Level>
 class sized_formulation
     : public std::conditional_t<sized::sparse<Model>, sized::kept_pattern, sized::no_pattern> {
@@ -65,7 +88,9 @@ class sized_formulation
     using vector = Eigen::VectorXd;
 
     /// q is a position that the model can be evaluated at; sizes are checked and the sparsity is found there.
-    sized_formulation(Model model, const vector& q) : model_(std::move(model)) {
+    sized_formulation(Model model, const vector& q) : sized_formulation(std::move(model), q, {}) {}
+    sized_formulation(Model model, const vector& q, std::optional<contact<double>> k)
+        : model_(std::move(model)), contact_(std::move(k)) {
         n_ = model_.coordinates();
         m_ = model_.constraints();
         if (n_ < 1 || m_ < 0 || m_ > n_)
@@ -98,6 +123,10 @@ class sized_formulation
         if constexpr (Level != constraint_level::position)
             f.segment(multipliers_at(), m_) = sized::velocity_constraint(model_, q, v, t);
         if constexpr (Level != constraint_level::velocity) f.tail(m_) = sized::g(model_, q, t);
+        if (contact_)
+            f.tail(m_) +=
+                contact_->damping / contact_->stiffness * sized::velocity_constraint(model_, q, v, t) -
+                lambda / contact_->stiffness;
         if constexpr (Level == constraint_level::both) f.head(n_) -= G.transpose() * y.tail(m_);
     }
 
@@ -114,7 +143,7 @@ class sized_formulation
     }
 
     std::vector<int> index() const {
-        constexpr bool third = Level == constraint_level::position;
+        const bool third = Level == constraint_level::position && !(contact_ && contact_->kappa == 1);
         std::vector<int> flags(size(), third ? 3 : 2);
         for (int i = 0; i < 2 * n_; ++i) flags[i] = i < n_ || !third ? 1 : 2;
         return flags;
@@ -122,10 +151,14 @@ class sized_formulation
 
     /// The state with the acceleration and the multiplier that belong to (q, v) at t (mu = 0). Throws
     /// std::invalid_argument with the size of the largest violation if the constraints do not hold to 1e-9
-    /// (relative to 1 + |q| and 1 + |v|), std::domain_error if M or G is singular.
-    vector initial_state(const vector& q, const vector& v, double t = 0) const {
+    /// (relative to 1 + |q| and 1 + |v|), std::domain_error if M or G is singular. With a contact q is moved, by the
+    /// smallest change, until the springs carry the multiplier, and v until the dampers rest: both by O(eps); throws
+    /// std::runtime_error if there is no such q nearby.
+    vector initial_state(vector q, vector v, double t = 0) const {
         check(q, v, t);
         const auto [a, lambda] = sized::acceleration(model_, q, v, t);
+        if constexpr (sized::has_position<Model>)
+            if (contact_) deflect(q, v, lambda, t);
         vector y = vector::Zero(size());
         y.head(n_) = q;
         y.segment(n_, n_) = v;
@@ -144,6 +177,20 @@ class sized_formulation
     const Model& model() const { return model_; }
 
   private:
+    void deflect(vector& q, vector& v, const vector& lambda, double t) const {
+        constexpr int most = 20;
+        for (int k = 0;; ++k) {
+            const vector change = sized::smallest_change(
+                sized::G(model_, q, t), vector(sized::g(model_, q, t) - lambda / contact_->stiffness));
+            const double size = change.cwiseAbs().maxCoeff();
+            if (k == most || !(size - size == 0))
+                throw std::runtime_error("regularised_position: no position near q carries lambda");
+            q -= change;
+            if (size <= 1e-14 * (1 + q.cwiseAbs().maxCoeff())) break;
+        }
+        v -= sized::smallest_change(sized::G(model_, q, t), sized::velocity_constraint(model_, q, v, t));
+    }
+
     int multipliers_at() const { return (sized::constant_mass<Model> ? 2 : 3) * n_; }
 
     void check(const vector& q, const vector& v, double t) const {
@@ -164,6 +211,7 @@ class sized_formulation
     }
 
     Model model_;
+    std::optional<contact<double>> contact_;
     int n_ = 0, m_ = 0;
 };
 
@@ -183,6 +231,40 @@ template <sized_mechanical_model Model>
 requires sized::has_position<Model> sized_formulation<Model, constraint_level::both> stabilised_index_2(
     Model model, const Eigen::VectorXd& q) {
     return {std::move(model), q};
+}
+
+/// The regularised form of a model with position constraints, every one a joint with a spring and a damper; see the
+/// `regularised_position` of models of fixed size. Throws std::invalid_argument that names a parameter out of range.
+template <sized_mechanical_model Model>
+requires sized::has_position<Model> sized_formulation<Model, constraint_level::position> regularised_position(
+    Model model, const Eigen::VectorXd& q, double eps, double kappa, double c, double d) {
+    return {std::move(model), q, contact<double>(eps, kappa, c, d)};
+}
+
+/// Of models of a size known at run time these are not formed: without a scalar to differentiate by, dG/dt would be a
+/// difference, and its derivative in the Jacobian a difference of differences.
+template <sized_mechanical_model Model, class... Numbers>
+sized_formulation<Model, constraint_level::velocity> index_reduced(Model model, const Numbers&...) {
+    static_assert(
+        sized::only_fixed_size<Model>,
+        "index_reduced, baumgarte and invariants need a mechanical_model of fixed size; for a size known at "
+        "run time take stabilised_index_2(model, q), which does not drift, or index_2(model, q)");
+    return {std::move(model), Eigen::VectorXd()};
+}
+template <sized_mechanical_model Model, class... Numbers>
+auto baumgarte(Model model, const Numbers&... numbers) {
+    return index_reduced(std::move(model), numbers...);
+}
+template <sized_mechanical_model Model>
+auto invariants(Model model) {
+    return index_reduced(std::move(model));
+}
+template <sized_mechanical_model Model, class... Numbers>
+sized_formulation<Model, constraint_level::velocity> regularised(Model model, const Numbers&...) {
+    static_assert(sized::only_fixed_size<Model>,
+                  "regularised needs a mechanical_model of fixed size; for a size known at run time take "
+                  "regularised_position(model, q, eps, kappa, c, d), or index_2(model, q), its limit");
+    return {std::move(model), Eigen::VectorXd()};
 }
 
 }  // namespace stagecraft
