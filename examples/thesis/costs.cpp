@@ -57,20 +57,15 @@ outcome regularised_runs() {
             c.y.push_back(u);
         }
         const std::string v = kappa == 1 ? "4.22" : "4.23", h = kappa == 1 ? "4.24" : "4.25";
-        violations.push_back({"fig_4_" + v.substr(2),
-                              v + " Constraint violation over 10 s, " + title + ", ε = 10^{-8}",
-                              "t [s]",
-                              "|G q'| [m/s]",
-                              false,
-                              true,
-                              {c}});
-        steps.push_back({"fig_4_" + h.substr(2),
-                         h + " Step sizes, " + title + ", ε = 10^{-8}, tol 10^{-10}",
-                         "t [s]",
-                         "h [s]",
-                         false,
-                         true,
-                         {step_sizes(title, run)}});
+        const auto over_time = [](const std::string& number, const std::string& what, const char* y,
+                                  curve of) {
+            return figure{
+                "fig_4_" + number.substr(2), number + what, "t [s]", y, false, true, {std::move(of)}};
+        };
+        violations.push_back(
+            over_time(v, " Constraint violation over 10 s, " + title + ", ε = 10^{-8}", "|G q'| [m/s]", c));
+        steps.push_back(over_time(h, " Step sizes, " + title + ", ε = 10^{-8}, tol 10^{-10}", "h [s]",
+                                  step_sizes(title, run)));
         ratio.curves.push_back(step_ratio(title, run, dae));
         o.text += title + ": " + std::to_string(run.report.steps) + " steps (index-2 system " +
                   std::to_string(dae.report.steps) + "); |G q'| over 10 s: largest " + scientific(early) +

@@ -12,8 +12,9 @@ using namespace stagecraft;
 
 namespace {
 
-// y' = z, eps z' = -y - z: linear, so the exact solution is a sum of two exponentials.
-struct overdamped_oscillator {
+// y' = z, eps z' = Sign (y + z): linear, so the exact solution is a sum of two exponentials; with +1 the layer grows.
+template <int Sign>
+struct linear_relaxation {
     static constexpr int slow = 1, fast = 1;
     template <class S>
     Eigen::Matrix<S, 1, 1> f(const Eigen::Matrix<S, 1, 1>&, const Eigen::Matrix<S, 1, 1>& z) const {
@@ -21,9 +22,11 @@ struct overdamped_oscillator {
     }
     template <class S>
     Eigen::Matrix<S, 1, 1> g(const Eigen::Matrix<S, 1, 1>& y, const Eigen::Matrix<S, 1, 1>& z) const {
-        return Eigen::Matrix<S, 1, 1>(S(-y[0] - z[0]));
+        return Eigen::Matrix<S, 1, 1>(S(Sign * (y[0] + z[0])));
     }
 };
+using overdamped_oscillator = linear_relaxation<-1>;
+using growing = linear_relaxation<1>;
 
 // Van der Pol's equation on its slow manifold: g_z = 1 - y^2.
 struct van_der_pol {
@@ -53,19 +56,6 @@ Eigen::VectorXd full(const Problem& problem, const Eigen::VectorXd& start, doubl
     };
     return detail::run("full", system, start, {t}, 1e-12);
 }
-
-// y' = z, eps z' = y + z: g_z = 1, the layer grows.
-struct growing {
-    static constexpr int slow = 1, fast = 1;
-    template <class S>
-    Eigen::Matrix<S, 1, 1> f(const Eigen::Matrix<S, 1, 1>&, const Eigen::Matrix<S, 1, 1>& z) const {
-        return z;
-    }
-    template <class S>
-    Eigen::Matrix<S, 1, 1> g(const Eigen::Matrix<S, 1, 1>& y, const Eigen::Matrix<S, 1, 1>& z) const {
-        return Eigen::Matrix<S, 1, 1>(S(y[0] + z[0]));
-    }
-};
 
 // q_1'' = q_2 - lambda, q_2'' = 6 q_1, 0 = q_1': from q = 0, q' = (0, 1) it is q_2 = lambda = t, q_1 = 0.
 struct guided {

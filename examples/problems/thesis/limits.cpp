@@ -96,4 +96,28 @@ remainder after_eps_Y(double eps, double kappa) {
     return {y / largest, lambda / force};
 }
 
+defect_growth growth_with_frequency(int first, int rows) {
+    const setup calm = disc_dae();
+    const request how{.stages = 5, .tolerance = 1e-12, .steps = 1000, .end = 0.1};
+    const trajectory undisturbed = solve(calm, how);
+    const std::vector<double> w{80, 160, 320};
+    std::vector<double> y, lambda;
+    for (const double omega : w) {
+        setup shaken = calm;
+        shaken.problem.f = [&, omega](double t, const vector& x, vector& f) {
+            calm.problem(t, x, f);
+            f.segment(first, rows).array() += 1e-6 * std::sin(omega * t);
+        };
+        const trajectory run = solve(shaken, how);
+        y.push_back(0);
+        lambda.push_back(0);
+        for (std::size_t k = 1; k < run.path.size(); ++k) {
+            const vector d = run.path[k].y - undisturbed.path[k].y;
+            y.back() = std::max(y.back(), d.head(10).norm());
+            lambda.back() = std::max(lambda.back(), d.tail(2).norm());
+        }
+    }
+    return {slope(w, y), slope(w, lambda)};
+}
+
 }  // namespace thesis

@@ -37,4 +37,11 @@ struct remainder {
 };
 remainder after_eps_Y(double eps, double kappa);
 
+/// Definition 1.2 measured on the disc: how the largest changes of y and of lambda by t = 0.1 grow with w, as powers
+/// of w, where `rows` components of its index-2 system from `first` on have the defect 1e-6 sin(w t).
+struct defect_growth {
+    double y, lambda;
+};
+defect_growth growth_with_frequency(int first, int rows);
+
 }  // namespace thesis
