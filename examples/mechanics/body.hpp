@@ -34,10 +34,10 @@ struct body {
     double end = 1;
     int n = 0, m = 0;
     std::vector<formulation> formulations;
-    VectorXd published;  ///< q at the end, where it is published
+    VectorXd published;  ///< (q, v) at the end, where it is published
     /// max |g|, max |G v + b| and the energy in a state.
     std::function<std::array<double, 3>(double t, const VectorXd& y)> look;
-    /// The index-reduced equation and its start in long double, and lambda there.
+    /// The index-reduced equation and its start in long double, and lambda in a state at the end.
     std::function<thesis::setup_of<long double>()> wide;
     std::function<thesis::vector_of<long double>(const thesis::vector_of<long double>& y)> wide_multiplier;
 };
@@ -125,8 +125,8 @@ body describe(std::string name, const Model& model, const Wide& wide, const Vect
         const wide_state y0 = (wide_state() << q.cast<long double>(), v.cast<long double>()).finished();
         return thesis::setup_of<long double>{thesis::erased<long double>(ode), y0, {}};
     };
-    b.wide_multiplier = [ode](const auto& y) -> thesis::vector_of<long double> {
-        return ode.multiplier(wide_state(y));
+    b.wide_multiplier = [ode, end](const auto& y) -> thesis::vector_of<long double> {
+        return ode.multiplier(wide_state(y), static_cast<long double>(end));
     };
     return b;
 }

@@ -152,9 +152,16 @@ bool report(const body& b, int repeats, summary& lines) {
     const reference exact = stored(b);
     const auto all = entrants(b);
     std::printf("\n%s, t = 0 ... %g, %d coordinates, %d constraints\n", b.name.c_str(), b.end, b.n, b.m);
-    if (b.published.size() > 0)
-        std::printf("the published q differs from the reference by %.1e\n",
-                    distance(b.published, exact.y.head(b.n)));
+    if (b.published.size() > 0) {
+        const double start = b.look(0, b.formulations.front().y0)[2];
+        std::printf("the published q, v differ from the reference by %.1e, %.1e;",
+                    distance(b.published.head(b.n), exact.y.head(b.n)),
+                    distance(b.published.tail(b.n), exact.y.tail(b.n)));
+        std::printf(
+            " |G v + b| and the change of energy are %.1e, %.1e in them, %.1e, %.1e in the reference\n",
+            b.look(b.end, b.published)[1], b.look(b.end, b.published)[2] - start, b.look(b.end, exact.y)[1],
+            b.look(b.end, exact.y)[2] - start);
+    }
     std::printf("%-28s %5s %7s %7s %9s %9s %9s %9s %9s %9s\n", "", "tol", "steps", "f", "ms", "|g|", "|Gv+b|",
                 "energy", "q, v", "lambda");
     std::vector<curve> curves(all.size());

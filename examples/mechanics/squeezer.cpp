@@ -91,10 +91,11 @@ body squeezer() {
         1.23054744454982119249735015568;
     const auto model = stagecraft::lagrangian<7, 6>(kinetic, potential, closed);
     body b = describe("squeezer", model, model, q, Eigen::Matrix<double, 7, 1>::Zero(), 0.03, {.rate = 500});
-    // Test Set for Initial Value Problem Solvers, problem "andrews".
-    b.published.resize(7);
+    // Test Set for Initial Value Problem Solvers, andrews.f: PSIDE with tolerance 1e-14.
+    b.published.resize(14);
     b.published << 15.81077119629904, -15.75637105984298, 0.04082224013073101, -0.5347301163226948,
-        0.5244099658805304, 0.5347301163226948, 1.048080741042263;
+        0.5244099658805304, 0.5347301163226948, 1.048080741042263, 1139.920302151208, -1424.379294994111,
+        11.03291221937134, 19.29337464421385, 0.5735699284790808, -19.29337464421385, 0.3231791658026955;
     return b;
 }
 
