@@ -275,6 +275,15 @@ BOOST_AUTO_TEST_CASE(exchanged_and_transposed_parts_are_recognised) {
         json rows = form("cash_karp_5_4");
         std::swap(rows["A"][3], rows["A"][4]);
         BOOST_TEST(note(rows) == "rows [4] and [5] of A are exchanged: undone, every claim is restored");
+        for (const char* name :
+             {"sdirk_4_3", "cash_karp_5_4"}) {  // an explicit method's gets onto the diagonal
+            json shifted = form(name);
+            json& row = shifted["A"][3];
+            row.insert(row.begin(), "0");
+            row.erase(row.end() - 1);
+            BOOST_TEST(note(shifted) ==
+                       "row [4] of A is shifted by one entry: undone, every claim is restored");
+        }
         json nodes = form("radau_iia_3");
         std::swap(nodes["c"][0], nodes["c"][1]);
         BOOST_TEST(note(nodes) == "entries [1] and [2] of c are exchanged: undone, every claim is restored");

@@ -142,8 +142,8 @@ void lost_columns(const subject<K>& s, Add add) {
     }
 }
 
-/// A transposed, b and b_embedded exchanged, two rows of A, two entries of a row, of b or of c exchanged, rows of A
-/// shifted, a column lost.
+/// A transposed, b and b_embedded exchanged, two rows of A, two entries of a row, of b or of c exchanged, the rows of
+/// A, one row, or weights shifted, a column lost.
 template <class K>
 std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
     std::vector<mix_up<K>> all;
@@ -162,6 +162,18 @@ std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
         const auto old = t.A;
         for (int i = 0; i < n; ++i) t.A.row(i) = old.row((i + n - 1) % n);
     });
+    const auto turned = [n](auto&& row, int by) {
+        const auto old = row.eval();
+        for (int k = 0; k < n; ++k) row(k) = old((k + by + n) % n);
+    };
+    for (const int by : {1, -1}) {
+        for (int i = 0; i < n; ++i)
+            add("row [" + std::to_string(i + 1) + "] of A is shifted by one entry",
+                [=](auto& t) { turned(t.A.row(i), by); });
+        add("b is shifted by one entry", [=](auto& t) { turned(t.b, by); });
+        if (s.t.b_embedded.size() > 0)
+            add("b_embedded is shifted by one entry", [=](auto& t) { turned(t.b_embedded, by); });
+    }
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < i; ++j) {
             const std::string pair = "[" + std::to_string(j + 1) + "] and [" + std::to_string(i + 1) + "]";
