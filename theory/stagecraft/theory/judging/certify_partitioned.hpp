@@ -28,8 +28,12 @@ inline file_certificate certify(const tableaux::partitioned_file& file) {
         for (const auto& p : file.partners) s.partners.push_back(convert(p));
         judge(s, certificate);
         if (detail::judged_alone(file))
-            for (std::size_t k = 0; k < file.partners.size(); ++k)
+            for (std::size_t k = 0; k < file.partners.size(); ++k) {
                 certificate.partners.push_back(certify(detail::partner_alone(file, k)));
+                if (file.claims.order && !file.partners[k].claims.order)
+                    certificate.partners.back().notes.push_back(
+                        "judged by itself; the orders claimed are those of the whole method");
+            }
         if (certificate.overall() == standing::refuted) find_coupling_suspects(s, certificate);
     };
     if (file.kind() <= tableaux::number_kind::quadratic)

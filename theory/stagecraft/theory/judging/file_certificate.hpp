@@ -201,8 +201,11 @@ inline std::string to_text(const file_certificate& c) {
     if (c.spectra.poles) out += "  poles of R: " + text(*c.spectra.poles) + "\n";
     if (!c.spectra.note.empty()) out += "  " + c.spectra.note + "\n";
     // A true certificate need not show hundreds of conditions of the order that it does not claim.
-    const std::size_t most = c.overall() == standing::refuted ? c.failures.size() : 6;
-    if (!c.failures.empty()) out += "  failing conditions, of the first order that has some:\n";
+    const bool refuted = c.overall() == standing::refuted;
+    const std::size_t most = refuted ? c.failures.size() : 6;
+    if (!c.failures.empty())
+        out += refuted ? "  failing conditions, of the first order that has some:\n"
+                       : "  conditions that fail, though nothing claimed needs them:\n";
     for (std::size_t i = 0; i < std::min(most, c.failures.size()); ++i) {
         const failure& f = c.failures[i];
         out += "    " + f.condition + (f.tree.empty() ? "" : "   tree " + f.tree) + "   residual " +
