@@ -92,7 +92,10 @@ class acceptance {
             return whole;
         };
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
-        if (system.largest_index() > 1) method.compare_with_start(system, trial.now, rest_, error_);
+        if (system.largest_index() > 1) {
+            const scalar s = scalar(method.estimate_power() - 1);
+            method.compare_with_start(system, trial.now, s / (s + scalar(1)) / share_, error_);
+        }
         scalar err = estimate_size();
         if (err >= scalar(1) && (first || refused.all > 0)) {
             const scalar once = err;
@@ -219,7 +222,6 @@ class acceptance {
             if (last_method_ != this->method() && !again && grown < scalar(1)) grown = scalar(1);
             share_ = s * grown / (s + grown);
         }
-        rest_ = s / (s + scalar(1)) / share_;
         system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
     }
     /// In the first step: the error between its ends, by the standard of the estimate. A solution that starts on
@@ -266,8 +268,7 @@ class acceptance {
     order_controller<scalar, Methods> order_{};
     jump_guard<scalar> jumps_;
     Vector error_, weights_;
-    scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
-    scalar rest_{1};    // weight beside it of what no step hands on
+    scalar share_{1};  // of the estimate in components of index 2 and 3 that this step has made
     scalar last_h_{0};  // of the step accepted last, and the number of its method
     int last_method_ = 0;
     scalar last_error_{0};
