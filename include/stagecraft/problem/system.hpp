@@ -276,10 +276,10 @@ class system
     void weigh_raised(Vector& weights, const scalar& factor) const {
         for (const auto& r : raised_) weights[r.component] *= factor;
     }
-    /// Calls visit(i) for every component i of index 2 or 3.
+    /// Calls visit(i, k - 1) for every component i of index k = 2 or 3.
     template <class Visit>
     void for_each_raised(Visit visit) const {
-        for (const auto& r : raised_) visit(r.component);
+        for (const auto& r : raised_) visit(r.component, r.power);
     }
 
     /// The weights of the components whose order reduction the step control can follow, which are those of

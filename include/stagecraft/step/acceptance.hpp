@@ -59,11 +59,8 @@ class acceptance {
     void prepare(int k, Step& m, const System& system) {
         ratio_[k] = m.estimate_ratio(rtol_);
         if constexpr (Methods > 1) {
-            const bool raised = system.largest_index() > 1 && ratio_[k] < raised_ratio();
             order_.prepare(
-                k,
-                {m.count(), m.estimate_power(), raised ? raised_ratio() : ratio_[k], m.stages().work(system)},
-                rtol_);
+                k, {m.count(), m.estimate_power(), smooth_ratio(system, k), m.stages().work(system)}, rtol_);
         }
     }
     /// Newton's iteration failed more than once: true if another method is to try.
@@ -84,7 +81,7 @@ class acceptance {
                                  system.sums());
         };
         auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
-        weigh(method, system, trial, reading.ratio, refused.all > 0);
+        weigh(method, system, trial, reading.ratio, refused);
         const auto estimate_size = [&] {
             scalar whole =
                 method.error_size(system, trial.now, reading.ratio, error_, counts.error_solves, size);
@@ -120,7 +117,7 @@ class acceptance {
         if (!first && jumps_.surprised(reading, err, expected, refused.for_error > 0)) {
             controller_.forget();
             reading.ratio = reading.across;
-            weigh(method, system, trial, reading.ratio, refused.all > 0);
+            weigh(method, system, trial, reading.ratio, refused);
             raise(err, estimate_size());
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
@@ -132,16 +129,19 @@ class acceptance {
     /// The next step after an accepted one of error err < 1, and the method that makes it. `newton` is what
     /// the iteration told, theta its last known contraction; a step that could grow by `hold` at most stays as
     /// long as it is, for the factors there are.
-    template <class Step, class Sums>
-    scalar after_accepted(Step& method, const trial_step<Vector, typename Step::output>& trial, scalar err,
+    template <class Step, class System>
+    scalar after_accepted(Step& method, const System& system,
+                          const trial_step<Vector, typename Step::output>& trial, scalar err,
                           const newton_outcome<scalar>& newton, const scalar& theta, scalar hold,
-                          const refusals& refused, const Sums& sums) {
+                          const refusals& refused) {
+        const auto sums = system.sums();
         last_h_ = trial.plan.h;
         last_error_ = err;
         last_method_ = this->method();
         if (jumps_.accepted(method)) {
             controller_.forget();
-            if (ratio_[order_.current()] < scalar(1)) err *= ratio_[order_.current()];
+            const scalar smooth = smooth_ratio(system, this->method());
+            if (smooth < scalar(1)) err *= smooth;
         }
         const int most = usual_iterations(method.coupled_stages_count());
         const scalar safety = usual_safety() * scalar(2 * most + 1) / scalar(2 * most + newton.iterations);
@@ -204,10 +204,16 @@ class acceptance {
     /// of it: z_n hands nothing on, and without this an error once made would ask for ever smaller steps. What
     /// an estimate shows beyond that, the error of interpolating z, comes from this step alone: it counts
     /// with the share of equal steps, s / (s + 1), whatever g is. (With g the steps of mechanical systems went up
-    /// and down, and every second one was refused.) Other methods are left alone.
+    /// and down, and every second one was refused.)
+    ///
+    /// After a method of other order has made the step before, z_n has an error that g knows nothing of. One
+    /// of higher order leaves little, as if g were infinite. One of lower order leaves more than this step
+    /// makes, which is why it has been given up: nothing then tells the two apart, and what z_n brings into
+    /// index 3, s e_z / h, is what counts: the share 1 / (s - 1). As z_n does not change with the step, both
+    /// end where smaller steps make g smaller. Methods that are not stiffly accurate are left alone.
     template <class Step, class System, class Trial>
     void weigh(const Step& method, const System& system, const Trial& trial, const scalar& ratio,
-               bool again) {
+               const refusals& refused) {
         using std::abs;
         using std::pow;
         share_ = scalar(1);
@@ -217,10 +223,12 @@ class acceptance {
         const scalar s = scalar(method.estimate_power() - 1);
         share_ = s;  // z_0 is taken to be consistent
         if (!(last_h_ == scalar(0))) {
-            scalar grown = pow(abs(trial.plan.h / last_h_), s);
-            // The error of another method is another one: a smaller step is tried once as if it were not.
-            if (last_method_ != this->method() && !again && grown < scalar(1)) grown = scalar(1);
-            share_ = s * grown / (s + grown);
+            const scalar grown = pow(abs(trial.plan.h / last_h_), s), regular = s * grown / (s + grown);
+            const int change = this->method() - last_method_;
+            if (change == 0 || (change < 0 && refused.for_error > 3))
+                share_ = regular;
+            else if (change > 0)
+                share_ = regular * (s - scalar(1)) < scalar(1) ? regular : scalar(1) / (s - scalar(1));
         }
         system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
     }
@@ -248,6 +256,11 @@ class acceptance {
         system.weigh_raised(weights_, share_);
         return whole - 40;
     }
+    /// What an estimate of 1 by method k stands for where f is smooth, of an error that any component may have.
+    template <class System>
+    scalar smooth_ratio(const System& system, int k) const {
+        return system.largest_index() > 1 && ratio_[k] < raised_ratio() ? raised_ratio() : ratio_[k];
+    }
     /// An estimate of one in components of index 2 and 3 stands for an error of a quarter, so that |h| e_z
     /// stays within about ten tolerances; with one it would stay within three, for a third more steps.
     static scalar raised_ratio() { return scalar(1) / 4; }
@@ -268,7 +281,7 @@ class acceptance {
     order_controller<scalar, Methods> order_{};
     jump_guard<scalar> jumps_;
     Vector error_, weights_;
-    scalar share_{1};  // of the estimate in components of index 2 and 3 that this step has made
+    scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
     scalar last_h_{0};  // of the step accepted last, and the number of its method
     int last_method_ = 0;
     scalar last_error_{0};

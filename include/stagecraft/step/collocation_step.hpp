@@ -186,25 +186,35 @@ class collocation_step : public step_defaults<Space> {
         system(t, error, f);
         defect(system, h, left_, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
-        if (stiffly_accurate_) system.for_each_raised([&](int i) { error[i] = rest_[i]; });
+        if (stiffly_accurate_) system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
         return 1;
     }
 
     bool estimates_from_start() const { return stiffly_accurate_; }
     /// Looks at components of index 2 and 3 of a stiffly accurate method as well by what the polynomial through
     /// the stages alone has at the left end, less the state there. What the filter makes of the defect is G f
-    /// there: zero for another solution of the constraints; with index 3 it divides what the iteration leaves
-    /// of them by h^2 and does not count. With index 2 the filtered defect shows what steps hand on, and the
-    /// rest of the comparison is the error of interpolating the component itself: nothing of it is handed
-    /// on, so it counts with weight `rest`.
+    /// there: zero for another solution of the constraints. With index 2 the filtered defect shows what steps
+    /// hand on, and the rest of the comparison is the error of interpolating the component itself: nothing of it
+    /// is handed on, so it counts with weight `rest`.
+    ///
+    /// With index 3, q' = v, v' = f - G^T u, the comparison of u contains derivatives of the errors of v in this
+    /// step and in the one before, which cancel for some ratios of the steps and not for others. What the
+    /// filtered defect has beyond it is gamma/h times what it shows of v, in units of u, and never cancels for
+    /// odd s; in equal steps it stands for the (s - 1) s / gamma-fold in u, as follows from the nodal polynomial
+    /// w by w'(0)/w(0) = -s^2, w'(1)/w(0) = (-1)^s s, w''(1)/w'(1) = s^2 - 1.
     template <class System>
     void compare_with_start(const System& system, const output& now, const Scalar& rest,
                             vector& error) const {
         if (!stiffly_accurate_) return;
         using std::abs;
-        system.for_each_raised([&](int i) {
+        const bool sees_v = !jump_ && stages_.has_real_block() && count() > 1;
+        const Scalar in_u =
+            sees_v ? Scalar(Scalar((count() - 1) * count()) / stages_.method().gamma[0]) : Scalar(0);
+        system.for_each_raised([&](int i, int power) {
             const Scalar direct = stages_with(start_, now, i), filtered = error[i];
-            if (system.largest_index() > 2) {
+            if (power == 2 && sees_v) {
+                error[i] = in_u * (filtered - direct);
+            } else if (system.largest_index() > 2) {  // divided by h^2 is what the iteration leaves of them
                 error[i] = direct;
             } else {
                 const Scalar size = abs(filtered) + rest * abs(direct - filtered);
@@ -219,7 +229,7 @@ class collocation_step : public step_defaults<Space> {
     void without_start(const System& system, const output& now, vector& error) {
         using std::abs;
         if (!stiffly_accurate_) return;
-        system.for_each_raised([&](int i) {
+        system.for_each_raised([&](int i, int) {
             const Scalar alone = count() > 1 ? stages_with(leading_, now, i) : Scalar(0);
             if (abs(alone) < abs(error[i])) error[i] = alone;
         });

@@ -230,9 +230,9 @@ class integrator {
         if (!(error < scalar(1)) &&
             !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
             return refuse_error(method, plan, error);
-        h_ = plan_.bounded(acceptance_.after_accepted(method, trial, error, newton, linear_.theta(),
+        h_ = plan_.bounded(acceptance_.after_accepted(method, system_, trial, error, newton, linear_.theta(),
                                                       method.implicit() ? linear_.hold() : scalar(1),
-                                                      refused_, system_.sums()));
+                                                      refused_));
         return accept(method, plan, now);
     }
 
@@ -306,7 +306,8 @@ class integrator {
             extrapolation_.failed();
             return progress::again;
         }
-        if (refused_.all > 1) acceptance_.newton_failed();
+        const int usual = system_.largest_index() > 1 ? 2 : 1;  // one of them from a constant
+        if (refused_.all > usual) acceptance_.newton_failed();
         return shorten(plan, plan.h / 2);
     }
 
