@@ -26,7 +26,9 @@ constexpr const char* reason(status s) {
         case status::newton_failed:
             return "the stage equations could not be solved with any admissible step";
         case status::singular_matrix:
-            return "the matrix gamma/h M - J was singular for every admissible step";
+            return "the matrix gamma/h M - J, or what constraints leave of it for small h, was singular for "
+                   "every "
+                   "admissible step";
         case status::non_finite:
             return "the right-hand side or the Jacobian gave NaN or infinity for every admissible step";
         case status::size_changed:
@@ -110,10 +112,31 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
     return out;
 }
 
+/// What to look at where a run with a mass matrix could not go on, in a sentence; empty otherwise.
+template <class Scalar>
+constexpr const char* advice(status s, const report<Scalar>& r) {
+    if (!r.found.mass || s == status::success || s == status::stopped || s == status::event ||
+        s == status::too_many_steps || s == status::size_changed || s == status::function_threw)
+        return "";
+    if (s == status::singular_matrix)
+        return "look at the constraints: they may depend on each other, or y0 may not satisfy them "
+               "(dae/consistent.hpp), "
+               "or they determine components of index 2 and 3, which problem.index() has to name";
+    if (!r.found.index)
+        return "where mass() is singular, look at y0, which has to satisfy the constraints "
+               "(dae/consistent.hpp), and "
+               "at the index: problem.index() has to name components of index 2 and 3";
+    if (r.steps == 0)
+        return "look at y0, which has to satisfy the constraints and, with index 3, their derivative "
+               "(dae/consistent.hpp), and at problem.index()";
+    return "";
+}
+
 /// Prints how a run ended and what it cost.
 template <class Vector>
 std::ostream& print(std::ostream& out, const result<Vector>& r) {
     out << name(r.status) << " at t = " << r.t << ": " << reason(r.status) << '\n';
+    if (const char* what = advice(r.status, r.report); *what) out << what << '\n';
     return print(out, r.report);
 }
 

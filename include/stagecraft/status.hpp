@@ -5,16 +5,16 @@ namespace stagecraft {
 
 /// Why a run ended. Everything but `success` and `event` leaves the result at the last accepted state.
 enum class status {
-    success,          ///< t1 was reached with every step accepted
-    stopped,          ///< an observer asked to stop
-    event,            ///< a terminal event ended the run; the result is the state there
-    too_many_steps,   ///< options.max_steps attempts were made before t1
-    step_underflow,   ///< the error test wants a step below the resolution of t or below options.min_step
-    newton_failed,    ///< the stage equations could not be solved with any admissible step
-    singular_matrix,  ///< gamma/h M - J stayed singular for every admissible step
+    success,         ///< t1 was reached with every step accepted
+    stopped,         ///< an observer asked to stop
+    event,           ///< a terminal event ended the run; the result is the state there
+    too_many_steps,  ///< options.max_steps attempts were made before t1
+    step_underflow,  ///< the error test wants a step below the resolution of t or below options.min_step
+    newton_failed,   ///< the stage equations could not be solved with any admissible step
+    singular_matrix,  ///< gamma/h M - J, or what constraints leave of it for small h, was singular for every step
     non_finite,       ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
-    size_changed,     ///< the right-hand side or the Jacobian resized its output
-    function_threw    ///< a callable of the problem threw; result.exception holds what it threw
+    size_changed,   ///< the right-hand side or the Jacobian resized its output
+    function_threw  ///< a callable of the problem threw; result.exception holds what it threw
 };
 
 /// The status as a word, e.g. "step_underflow".

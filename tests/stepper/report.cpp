@@ -137,6 +137,24 @@ BOOST_AUTO_TEST_CASE(a_report_is_printed_with_the_reason) {
                "total             1.00e+00 s  100.0 %\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_failure_with_a_mass_matrix_says_what_to_look_at) {
+    sc::report<double> r;
+    const auto says = [&](sc::status s, const std::string& what) {
+        std::ostringstream text;
+        sc::print(text, sc::result<Vector2d>{0, {1, 2}, s, r, nullptr});
+        return text.str().find(what) != std::string::npos;
+    };
+    BOOST_TEST(!says(sc::status::step_underflow, "look at"));
+    r.found.mass = true;
+    BOOST_TEST(says(sc::status::step_underflow, "problem.index() has to name components of index 2 and 3"));
+    BOOST_TEST(says(sc::status::singular_matrix, "look at the constraints"));
+    BOOST_TEST(!says(sc::status::success, "look at"));
+    r.found.index = true;
+    BOOST_TEST(says(sc::status::non_finite, "look at y0, which has to satisfy the constraints"));
+    r.steps = 1;
+    BOOST_TEST(!says(sc::status::non_finite, "look at"));
+}
+
 BOOST_AUTO_TEST_CASE(a_report_names_the_members_that_were_found_and_the_tolerances) {
     struct problem : by_differences {
         std::array<int, 2> index() const { return {1, 1}; }

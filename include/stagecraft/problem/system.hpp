@@ -140,6 +140,8 @@ class system
                          .linear_solver = has_linear_solver<Problem>,
                          .add_up = has_add_up<Problem, scalar>,
                          .measure = has_stopwatch<Problem>};
+        if (n_ == 0 && sums_type::complete)
+            throw std::invalid_argument("integrate: y0 must have one component at least");
         static_assert(has_entries<mass_type> || has_linear_solver<Problem>,
                       "problem.mass() with add_times needs a linear_solver of the problem's own");
         if constexpr (has_bandwidth<Problem> && !mass_type::identity && has_entries<mass_type>)
@@ -171,6 +173,11 @@ class system
             for (int i = 0; i < n_; ++i) {
                 if (flags[i] < 0 || flags[i] > 3)
                     throw std::invalid_argument("integrate: problem.index() must hold 1, 2 or 3");
+                if (flags[i] > 1 && mass_type::identity)
+                    throw std::invalid_argument(
+                        "integrate: problem.index() holds 2 or 3, but there is no problem.mass(): without "
+                        "one "
+                        "all components are of index 1");
                 if (flags[i] > 1) raised_.push_back({i, flags[i] - 1});
                 if (flags[i] > largest_index_) largest_index_ = flags[i];
             }

@@ -16,6 +16,7 @@
 #include <stagecraft/report.hpp>
 #include <stagecraft/status.hpp>
 #include <stagecraft/step/acceptance.hpp>
+#include <stagecraft/step/constraints_determine.hpp>
 #include <stagecraft/step/continuation.hpp>
 #include <stagecraft/step/end_slope.hpp>
 #include <stagecraft/step/linearisation.hpp>
@@ -170,7 +171,8 @@ class integrator {
         return {t0, t1, o};
     }
     progress give_up(stagecraft::status s) {
-        status_ = s;
+        const bool cause_known = s == status::newton_failed && !constraints_determine(system_, options_.rtol);
+        status_ = cause_known ? status::singular_matrix : s;
         return progress::given_up;
     }
 
