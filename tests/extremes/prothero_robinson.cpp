@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE prothero_robinson
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 
@@ -45,6 +47,21 @@ outcome adaptive(const method& m, double lambda, double tol, double t1) {
         sc::integrate(m, smooth::prothero_robinson{lambda}, V1(1.0), 0, t1, {.rtol = tol, .atol = tol}, look);
     return {r.status, worst};
 }
+
+/// The same without sin t beside w' = z, 0 = w - 1 (index 2), or w' = z - w, 0 = z - w (index 1).
+struct beside_a_constraint {
+    double lambda;
+    int of_z;
+    void operator()(double t, const Eigen::Vector3d& x, Eigen::Vector3d& f) const {
+        f << lambda * (x[0] - std::cos(t)), of_z == 1 ? x[2] - x[1] : x[2],
+            of_z == 1 ? x[2] - x[1] : x[1] - 1;
+    }
+    void jacobian(double, const Eigen::Vector3d&, Eigen::Matrix3d& J) const {
+        J << lambda, 0, 0, 0, of_z == 1 ? -1 : 0, 1, 0, of_z == 1 ? -1 : 1, of_z == 1 ? 1 : 0;
+    }
+    Eigen::Matrix3d mass() const { return Eigen::Vector3d(1, 1, 0).asDiagonal(); }
+    std::array<int, 3> index() const { return {1, 1, of_z}; }
+};
 
 }  // namespace
 
@@ -109,6 +126,25 @@ BOOST_AUTO_TEST_CASE(a_first_step_across_many_periods_of_a_smooth_solution_is_no
                            50 * tol);
                 BOOST_TEST(r.report.steps > 2);
             }
+}
+
+// Beside a constraint as well, whether or not its multiplier is consistent at the start (which costs nothing then).
+BOOST_AUTO_TEST_CASE(such_a_first_step_is_not_accepted_beside_constraints_either) {
+    for (const int index : {1, 2})
+        for (const double tol : {1e-6, 1e-9})
+            for (const double lambda : {-1e2, -1e4, -1e8})
+                for (const double off : {0.0, 5.0})
+                    for (const double first : {0.0, 100.0}) {
+                        const double square = lambda * lambda, t1 = 100, w = index == 1 ? 0 : 1;
+                        const Eigen::Vector3d start(square / (square + 1), w, off);
+                        const auto r =
+                            sc::integrate(sc::radau_iia<3>(), beside_a_constraint{lambda, index}, start, 0,
+                                          t1, {.rtol = tol, .atol = tol, .initial_step = first});
+                        BOOST_TEST(sc::name(r.status) == "success");
+                        const double exact = (square * std::cos(t1) - lambda * std::sin(t1)) / (square + 1);
+                        BOOST_TEST(std::abs(r.y[0] - exact) < 50 * tol);
+                        BOOST_TEST(r.report.steps > 2);
+                    }
 }
 
 // Without stiff accuracy every error of the stage order is seen at the end of the step, and small steps are

@@ -235,16 +235,17 @@ class acceptance {
     /// In the first step: the error between its ends, by the standard of the estimate. A solution that starts on
     /// the smooth one of a stiff equation has stages on it wherever they lie, so that across many of its
     /// oscillations the estimate is as small as 1/|J| too; the stage polynomial is not smooth then. Later steps
-    /// start from one that was. With a singular M the start need not be on the constraints: nothing is asked.
+    /// start from one that was.
     template <class Step, class System>
     static scalar unresolved(Step& method, const System& system,
                              const trial_step<Vector, typename Step::output>& trial, const scalar& ratio) {
-        if constexpr (System::mass_type::identity) {
-            if (method.knows_output_error())
-                return method.output_error(trial.now, trial.weights, system.sums()) *
-                       (ratio < scalar(1) ? ratio : scalar(1));
-        }
-        return scalar(0);
+        if (!method.knows_output_error()) return scalar(0);
+        scalar between(0);
+        if constexpr (System::mass_type::identity)
+            between = method.output_error(trial.now, trial.weights, system.sums());
+        else
+            between = method.output_error_without_start(trial.now, trial.weights, system.sums());
+        return between * (ratio < scalar(1) ? ratio : scalar(1));
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of

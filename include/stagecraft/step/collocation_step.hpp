@@ -271,28 +271,10 @@ class collocation_step : public step_defaults<Space> {
     /// weighted norm; 0 < decay <= 1. Of free steps.
     template <class Sums>
     Scalar decay(const output& now, const vector& norm_weights, const Sums& sums) {
-        using std::sqrt;
-        Scalar size[3];
-        for (int r = 0; r < 2; ++r) {
-            scratch_ = top_(0, r) * now.increments().col(nodes_.first_column);
-            for (int j = 1; j < nodes_.size; ++j)
-                scratch_ += top_(j, r) * now.increments().col(nodes_.first_column + j);
-            Scalar sum = Scalar(0);
-            for (int i = 0; i < scratch_.size(); ++i) {
-                const Scalar v = scratch_[i] * norm_weights[i];
-                sum += v * v;
-            }
-            size[r] = sum;
-        }
-        size[2] = Scalar(static_cast<int>(norm_weights.size()));
-        sums(size, 3);
-        components_ = size[2];
-        for (int r = 0; r < 2; ++r) size[r] = sqrt(size[r]);
-        last_coefficient_ = size[0];
-        const Scalar least = Scalar(1) / 10000;
-        if (!(size[1] > Scalar(0))) return Scalar(1);
-        const Scalar q = sqrt(size[0] / size[1]);
-        return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
+        weigh_coefficient(1, now);
+        rest_ = scratch_;
+        weigh_coefficient(0, now);
+        return decay_of(scratch_, rest_, norm_weights, sums);
     }
 
     /// True if some component of y' is the same at all nodes of the step, and not zero: its stages lie on a line
@@ -319,9 +301,21 @@ class collocation_step : public step_defaults<Space> {
     /// and J enters, so that stiff components count in full.
     template <class Sums>
     Scalar output_error(const output& now, const vector& norm_weights, const Sums& sums) {
-        using std::sqrt;
-        const Scalar next = decay(now, norm_weights, sums) * last_coefficient_;
-        return components_ == Scalar(0) ? Scalar(0) : Scalar(2 * next / sqrt(components_));
+        return next_coefficient(decay(now, norm_weights, sums));
+    }
+    /// The same for the first step with a singular M, whose start need not be consistent: in every component the
+    /// last coefficient is that of the polynomial through the stages alone where this is smaller.
+    template <class Sums>
+    Scalar output_error_without_start(const output& now, const vector& norm_weights, const Sums& sums) {
+        using std::abs;
+        weigh_coefficient(1, now);
+        rest_ = scratch_;
+        weigh_coefficient(0, now);
+        for (int i = 0; i < scratch_.size(); ++i) {
+            const Scalar alone = stages_with(leading_, now, i);
+            if (abs(alone) < abs(scratch_[i])) scratch_[i] = alone;
+        }
+        return next_coefficient(decay_of(scratch_, rest_, norm_weights, sums));
     }
 
   private:
@@ -330,6 +324,35 @@ class collocation_step : public step_defaults<Space> {
         Scalar sum = w[0] * now.increments()(i, 0);
         for (int j = 1; j < w.size(); ++j) sum += w[j] * now.increments()(i, j);
         return sum;
+    }
+    /// scratch_ := a_s (r = 0) or a_{s-2} (r = 1) of the stage polynomial.
+    void weigh_coefficient(int r, const output& now) {
+        scratch_ = top_(0, r) * now.increments().col(nodes_.first_column);
+        for (int j = 1; j < nodes_.size; ++j)
+            scratch_ += top_(j, r) * now.increments().col(nodes_.first_column + j);
+    }
+    template <class Sums>
+    Scalar decay_of(const vector& last, const vector& before, const vector& norm_weights, const Sums& sums) {
+        using std::sqrt;
+        Scalar size[3] = {Scalar(0), Scalar(0), Scalar(static_cast<int>(norm_weights.size()))};
+        for (int i = 0; i < last.size(); ++i) {
+            const Scalar a = last[i] * norm_weights[i], b = before[i] * norm_weights[i];
+            size[0] += a * a;
+            size[1] += b * b;
+        }
+        sums(size, 3);
+        components_ = size[2];
+        last_coefficient_ = sqrt(size[0]);
+        const Scalar least = Scalar(1) / 10000;
+        if (!(size[1] > Scalar(0))) return Scalar(1);
+        const Scalar q = sqrt(last_coefficient_ / sqrt(size[1]));
+        return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
+    }
+    /// After decay_of().
+    Scalar next_coefficient(const Scalar& decay) const {
+        using std::sqrt;
+        return components_ == Scalar(0) ? Scalar(0)
+                                        : Scalar(2 * decay * last_coefficient_ / sqrt(components_));
     }
     template <class System>
     void defect(const System& system, const Scalar& h, const weights& slope, const vector& f,

@@ -145,6 +145,11 @@ class step_defaults {
     static scalar output_error(const output&, const vector& /*weights*/, const Sums&) {
         return scalar(0);
     }
+    /// The same of a step whose start need not be consistent.
+    template <class Sums>
+    static scalar output_error_without_start(const output&, const vector& /*weights*/, const Sums&) {
+        return scalar(0);
+    }
 
     // Jumps of f (jumps/jump_guard.hpp).
 
