@@ -83,13 +83,3 @@ BOOST_AUTO_TEST_CASE(the_structure_of_the_jacobian_makes_no_difference) {
     BOOST_TEST((a.y - b.y).norm() < 1e-9);
     BOOST_TEST((a.y - y0).norm() > 0.1);
 }
-
-BOOST_AUTO_TEST_CASE(a_state_without_components_is_carried_to_the_end) {
-    for (const auto& m : {methods::classical(), methods::sdirk_4_3(), methods::tr_bdf2(),
-                          methods::lobatto_iiia_3(), methods::lobatto_iiib_3()}) {
-        const auto r = sc::integrate(m, chain{}, Eigen::VectorXd(0), 0, 1, {.fixed_step = 0.25});
-        BOOST_TEST(r.ok());
-        BOOST_TEST(r.t == 1);
-        BOOST_TEST(r.report.steps == 4);
-    }
-}

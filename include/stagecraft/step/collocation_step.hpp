@@ -193,13 +193,13 @@ class collocation_step : public step_defaults<Space> {
     bool estimates_from_start() const { return stiffly_accurate_; }
     /// Looks at components of index 2 and 3 of a stiffly accurate method as well by what the polynomial through
     /// the stages alone has at the left end, less the state there. What the filter makes of the defect is G f
-    /// there: zero for another solution of the constraints. With index 2 the filtered defect shows what steps
-    /// hand on, and the rest of the comparison is the error of interpolating the component itself: nothing of it
-    /// is handed on, so it counts with weight `rest`.
+    /// there: zero for another solution of the constraints. In components of index 2 the filtered defect shows
+    /// what steps hand on, and the rest of the comparison is the error of interpolating the component itself:
+    /// nothing of it is handed on, so it counts with weight `rest`.
     ///
-    /// With index 3, q' = v, v' = f - G^T u, the comparison of u contains derivatives of the errors of v in this
-    /// step and in the one before, which cancel for some ratios of the steps and not for others. What the
-    /// filtered defect has beyond it is gamma/h times what it shows of v, in units of u, and never cancels for
+    /// In those of index 3, q' = v, v' = f - G^T u, the comparison of u contains derivatives of the errors of v
+    /// in this step and in the one before, which cancel for some ratios of the steps and not for others. What
+    /// the filtered defect has beyond it is gamma/h times what it shows of v, in units of u, and never cancels for
     /// odd s; in equal steps it stands for the (s - 1) s / gamma-fold in u, as follows from the nodal polynomial
     /// w by w'(0)/w(0) = -s^2, w'(1)/w(0) = (-1)^s s, w''(1)/w'(1) = s^2 - 1.
     template <class System>
@@ -212,10 +212,8 @@ class collocation_step : public step_defaults<Space> {
             sees_v ? Scalar(Scalar((count() - 1) * count()) / stages_.method().gamma[0]) : Scalar(0);
         system.for_each_raised([&](int i, int power) {
             const Scalar direct = stages_with(start_, now, i), filtered = error[i];
-            if (power == 2 && sees_v) {
-                error[i] = in_u * (filtered - direct);
-            } else if (system.largest_index() > 2) {  // divided by h^2 is what the iteration leaves of them
-                error[i] = direct;
+            if (power == 2) {
+                error[i] = sees_v ? Scalar(in_u * (filtered - direct)) : direct;
             } else {
                 const Scalar size = abs(filtered) + rest * abs(direct - filtered);
                 error[i] = filtered < Scalar(0) ? Scalar(-size) : size;
