@@ -170,3 +170,31 @@ BOOST_AUTO_TEST_CASE(without_index_flags_the_run_is_right_or_no_success) {
             }
         }
 }
+
+// 0 = e^z - 1 - y sin^2 t: a guess far above the solution throws the first iterate far below it, where f no longer
+// depends on z; the second increment is small beside the first then, and nothing has converged.
+BOOST_AUTO_TEST_CASE(an_iteration_that_is_thrown_far_off_is_not_taken_for_converged) {
+    struct exponential {
+        void operator()(double t, const Eigen::Vector2d& x, Eigen::Vector2d& f) const {
+            f << std::cos(t) - x[0] * std::exp(x[1]), 1e3 * defect(t, x);
+        }
+        void jacobian(double t, const Eigen::Vector2d& x, Eigen::Matrix2d& J) const {
+            J << -std::exp(x[1]), -x[0] * std::exp(x[1]), -1e3 * std::pow(std::sin(t), 2),
+                1e3 * std::exp(x[1]);
+        }
+        Eigen::DiagonalMatrix<double, 2> mass() const { return Eigen::DiagonalMatrix<double, 2>(1, 0); }
+        static double defect(double t, const Eigen::Vector2d& x) {
+            return std::exp(x[1]) - 1 - std::pow(std::sin(t), 2) * x[0];
+        }
+    };
+    for (const double tol : {1e-2, 3e-3, 1e-4}) {
+        double most = 0;
+        const auto r = sc::integrate(sc::tableaux::transformed<double>(radau_iia, 7), exponential{},
+                                     Eigen::Vector2d(1, 0), 0, 10, {.rtol = tol, .atol = tol},
+                                     [&](double t, const Eigen::Vector2d& x) {
+                                         most = std::max(most, std::abs(exponential::defect(t, x)));
+                                     });
+        BOOST_TEST(sc::name(r.status) == "success");
+        BOOST_TEST(most < tol);
+    }
+}

@@ -80,10 +80,14 @@ class newton_monitor {
         if (k > 0) {
             const Scalar rate = size / last_;
             Scalar& theta = outcome_.theta;
-            theta = k == 1 ? rate : Scalar(sqrt(rate * theta));
+            // One contraction from a guess that was far off tells of the way back, not of where it has led: it is
+            // not enough where the last increment is larger than ten tolerances.
+            const Scalar least = limits_.factor / 10;
+            theta = k == 1 ? rate : Scalar(sqrt(rate * (theta < least ? least : theta)));
             if (size <= limits_.noise && rate > Scalar(1) / 4) return end(newton_end::converged);
             if (theta < Scalar(99) / 100) {
-                const Scalar left = size * theta / (Scalar(1) - theta);
+                const Scalar believed = k == 1 && theta < least ? least : theta;
+                const Scalar left = size * believed / (Scalar(1) - believed);
                 if (left <= limits_.factor) return end(newton_end::converged);
                 // Give up if the iterations that remain cannot reach the goal at the observed rate.
                 if (k >= limits_.patience && left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
