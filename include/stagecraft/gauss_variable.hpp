@@ -10,12 +10,11 @@ namespace stagecraft {
 struct gauss_choice {};
 inline gauss_choice gauss_variable() { return {}; }
 
-/// solve_bvp with 3 stages for rtol above 1e-5, 5 down to 1e-11 and 7 below.
+/// solve_bvp with 5 stages for rtol above 1e-6 and 7 below.
 template <class Rhs, class Conditions, class Guess>
 auto solve_bvp(gauss_choice, two_point_problem<Rhs, Conditions> problem, double a, double b,
                const Guess& guess, const bvp_options<double>& o = {}) {
-    if (o.rtol > 1e-5) return solve_bvp(gauss<3>(), std::move(problem), a, b, guess, o);
-    if (o.rtol > 1e-11) return solve_bvp(gauss<5>(), std::move(problem), a, b, guess, o);
+    if (o.rtol > 1e-6) return solve_bvp(gauss<5>(), std::move(problem), a, b, guess, o);
     return solve_bvp(gauss<7>(), std::move(problem), a, b, guess, o);
 }
 

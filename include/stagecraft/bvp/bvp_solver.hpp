@@ -178,7 +178,7 @@ class bvp_solver {
     bool estimate() {
         for (int pass = 0;; ++pass) {
             ++result_.report.error_solves;
-            if (!estimate_.run(x_, floor_, o_.rtol / 10000)) return false;
+            if (!estimate_.run(x_, floor_, o_.rtol / 100)) return false;
             measure();
             const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
             if (remainder_ <= wanted || pass > 1) break;
@@ -246,7 +246,7 @@ class bvp_solver {
             x_ = before_;
             equations_.resize(x_);
             conditioning_.forget();
-            if (!equations_.linearise(x_) || !estimate_.run(x_, floor_, o_.rtol / 10000)) return false;
+            if (!equations_.linearise(x_) || !estimate_.run(x_, floor_, o_.rtol / 100)) return false;
             move_to(finer);
         }
         return true;
@@ -360,7 +360,7 @@ class bvp_solver {
             outcome_.end == damped_newton_end::converged && result_.status != bvp_status::non_finite;
         result_.error.global = known ? error_ : std::numeric_limits<Scalar>::infinity();
         if (!usable()) return;
-        if (estimated() || estimate_.run(x_, floor_, o_.rtol / 10000)) {
+        if (estimated() || estimate_.run(x_, floor_, o_.rtol / 100)) {
             result_.error.defect = estimate_.defect(x_);
             estimate_.write(x_, result_.y);
         }

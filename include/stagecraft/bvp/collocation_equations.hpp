@@ -119,7 +119,7 @@ class collocation_equations {
     void solve(const iterate& x, const wide& rho, const wide& gamma, const column& beta, iterate& d) {
         const int L = x.intervals();
         for (int i = 0; i < L; ++i) {
-            blocks_.apply(i, x.h(i), jacobians(i), rho.middleCols(i * s(), s()), gamma.col(i), work_.col(i));
+            blocks_.apply(i, rho.middleCols(i * s(), s()), gamma.col(i), work_.col(i));
             g_.col(i) = work_.col(i).tail(n());
         }
         d.y.resize(n(), L + 1);
@@ -150,6 +150,11 @@ class collocation_equations {
     void set_stage(const iterate& x, int i, int j) {
         stage_ = x.y.col(i);
         for (int k = 0; k < s(); ++k) stage_ += method_.A(j, k) * x.Z.col(i * s() + k);
+        for (int c = 0; c < Positions; ++c) {
+            Scalar sum = method_.c[j] * x.y(c + Positions, i);
+            for (int k = 0; k < s(); ++k) sum += blocks_.twice()(j, k) * x.Z(c + Positions, i * s() + k);
+            stage_[c] = x.y(c, i) + x.h(i) * sum;
+        }
     }
     bool evaluate(const iterate& x, bool derivatives) {
         const int width = n() + np();
@@ -175,6 +180,11 @@ class collocation_equations {
             }
             gamma_.col(i) = x.y.col(i) - x.y.col(i + 1);
             for (int k = 0; k < s(); ++k) gamma_.col(i) += method_.b[k] * Z.col(k);
+            for (int c = 0; c < Positions; ++c) {
+                Scalar sum = x.y(c + Positions, i);
+                for (int k = 0; k < s(); ++k) sum += blocks_.twice_to_end()[k] * Z(c + Positions, k);
+                gamma_(c, i) = x.y(c, i) - x.y(c, i + 1) + h * sum;
+            }
         }
         const auto& r = system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
         for (int k = 0; k < width; ++k) beta_[k] = -r[k];

@@ -15,9 +15,9 @@
 
 namespace stagecraft {
 
-/// Lifts a collocation solution of order p at the mesh points to that order everywhere, and says how wrong
+/// Lifts a collocation solution of order p at the mesh points to order min(p, s + 3) everywhere, and says how wrong
 /// it is. On every interval the equation e' = f_y e + d for the error of the collocation polynomial u, d = u'
-/// - f(t, u), is solved from e = 0 by Gauss collocation with m nodes, about p, where f_y is the
+/// - f(t, u), is solved from e = 0 by Gauss collocation with m nodes, at most s + 3, where f_y is the
 /// polynomial through the Jacobians of Newton's iteration: no new Jacobians, m evaluations of f. Then
 ///
 ///     w = u - e                             solves the equation through y_i to order m + 1,
@@ -59,7 +59,7 @@ class error_estimate {
         for (int i = 0; i < L; ++i)
             if (!lift(x, i)) return false;
         solve(x);
-        for (int i = 0; i < L; ++i) straighten(i);
+        for (int i = 0; i < L; ++i) straighten(x, i);
         return true;
     }
 
@@ -194,10 +194,21 @@ class error_estimate {
     using vector = Eigen::Matrix<scalar, N, 1>;
 
     void collocation_slopes(const iterate& x, int i) {
-        const int m = nodes(), s = equations_.s(), n = equations_.n();
-        for (int k = 0; k < m; ++k)
-            detail::combine<N>(rule_->lagrange.row(k).data(), s, &x.Z(0, i * s), n, &slopes_(0, i * m + k),
-                               n);
+        const int n = equations_.n();
+        for (int k = 0; k < nodes(); ++k)
+            slopes_at(x, x, i, k, Eigen::Map<vector>(&slopes_(0, i * nodes() + k), n));
+    }
+
+    /// The slopes, times h, of the polynomials of y (the solution's or the error's) at node k of interval i.
+    template <class Out>
+    void slopes_at(const iterate& x, const iterate& y, int i, int k, Out&& out) const {
+        const int n = equations_.n(), s = equations_.s();
+        detail::combine<N>(rule_->lagrange.row(k).data(), s, &y.Z(0, i * s), n, out.data(), n);
+        for (int c = 0; c < M; ++c) {
+            scalar v = y.y(c + M, i);
+            for (int j = 0; j < s; ++j) v += rule_->lagrange_integrals(k, j) * y.Z(c + M, i * s + j);
+            out[c] = x.h(i) * v;
+        }
     }
 
     /// Once, and again where the interpolated Jacobians leave a defect that counts beside delta and the tolerance.
@@ -300,11 +311,11 @@ class error_estimate {
         }
     }
 
-    /// The defect of w off its nodes, as local error: (I - h f_y / 4)^-1 h d / 4.
+    /// The defect of w off its nodes, as local error: (I - r h f_y)^-1 r h d, r being the reach of the point.
     bool check(const iterate& x, int i) {
         using std::abs;
         const int n = equations_.n(), m = nodes(), s = equations_.s(), width = n + equations_.np();
-        const scalar h = x.h(i), reach = scalar(1) / 4;
+        const scalar h = x.h(i);
         const scalar* W = &slopes_(0, i * m);
         stage_.resize(n), own_.resize(n), off_.resize(n), small_.resize(n, n);
         inner_.col(i).setZero();
@@ -322,15 +333,15 @@ class error_estimate {
             }
             add_mass_times(equations_.mass(), scalar(1), own_.data(), off_.data(), n);
             left_over_.col(2 * i + k) = off_;
-            if (off_.cwiseAbs().maxCoeff() > negligible_ * floor_) {
+            if (off_.cwiseAbs().maxCoeff() > negligible_ * floor_ / 1000) {
                 detail::combine<NN>(at.lagrange.data(), s, equations_.jacobians(i).data(), width * n,
                                     small_.data(), n * n);
-                small_ *= -reach * h;
+                small_ *= -at.reach * h;
                 add_mass(equations_.mass(), scalar(1), small_.data(), n);
                 off_ = small_.partialPivLu().solve(off_);
             }
             for (int c = 0; c < n; ++c)
-                if (reach * abs(off_[c]) > inner_(c, i)) inner_(c, i) = reach * abs(off_[c]);
+                if (at.reach * abs(off_[c]) > inner_(c, i)) inner_(c, i) = at.reach * abs(off_[c]);
         }
         return true;
     }
@@ -344,12 +355,12 @@ class error_estimate {
     }
 
     /// w less its error plus the line between those of the mesh values.
-    void straighten(int i) {
-        const int n = equations_.n(), m = nodes(), s = equations_.s();
-        own_.resize(n);
+    void straighten(const iterate& x, int i) {
+        const int m = nodes();
+        own_.resize(equations_.n());
         off_ = error_.y.col(i + 1) - error_.y.col(i);
         for (int k = 0; k < m; ++k) {
-            detail::combine<N>(rule_->lagrange.row(k).data(), s, &error_.Z(0, i * s), n, own_.data(), n);
+            slopes_at(x, error_, i, k, own_);
             slopes_.col(i * m + k) += off_ - own_;
         }
     }

@@ -33,7 +33,7 @@ struct lifting_rule {
     using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     using row = Eigen::Matrix<Scalar, 1, Eigen::Dynamic>;
     struct point {
-        Scalar theta;
+        Scalar theta, reach;  ///< local errors are about reach times h times the defect
         row value, integral, lagrange;
     };
 
@@ -42,6 +42,7 @@ struct lifting_rule {
     legendre_rule<Scalar> gauss;  ///< m nodes
     matrix integrals, twice;      ///< m x m, to the nodes; twice: their square, for y'' = g
     matrix lagrange;              ///< m x s, from the method's nodes to the Gauss nodes
+    matrix lagrange_integrals;    ///< m x s, the integrals of the same polynomials to the Gauss nodes
     matrix to_coefficients;       ///< values at the Gauss nodes to Legendre coefficients
     point check[2];
 
@@ -57,20 +58,22 @@ struct lifting_rule {
             lagrange.row(k) = lagrange_at(gauss.c[k]);
         }
         twice = integrals * integrals;
+        lagrange_integrals = integrals * lagrange;
         for (int k = 0; k < 2; ++k) {
             const Scalar theta =
                 k == 0 ? check_point(Scalar(0), Scalar(3) / 10) : check_point(Scalar(3) / 10, Scalar(1));
-            check[k] = {theta, gauss.value(theta), gauss.integral(theta), lagrange_at(theta)};
+            check[k] = {theta, reach(theta), gauss.value(theta), gauss.integral(theta), lagrange_at(theta)};
         }
     }
 
     int nodes() const { return gauss.size(); }
 
   private:
-    /// At least max(p, s + 1); as Gauss methods have R(inf) = 1 or -1 for even or odd numbers of nodes, m has the sign
-    /// of the method's own, so that both carry stiff components on in the same way.
+    /// p - 1, which lifts to order p, but not above s + 2: more nodes cost more than the intervals they save. As Gauss methods
+    /// have R(inf) = 1 or -1 for even or odd numbers of nodes, m has the sign of the method's own, so that both carry
+    /// stiff components on in the same way.
     static int nodes_for(int order, int s, double r_infinity) {
-        const int m = std::max(order, s + 1);
+        const int m = std::min(std::max(order - 1, s + 1), s + 2);
         if (r_infinity == -1) return m % 2 == 1 ? m : m + 1;
         if (r_infinity == 1) return m % 2 == 0 ? m : m + 1;
         return m;
@@ -87,6 +90,19 @@ struct lifting_rule {
             if (middle >= from && middle <= to && product > largest) largest = product, best = middle;
         }
         return best;
+    }
+    /// Defects that vanish at the Gauss nodes have P_m as leading term: its largest integral over its value.
+    Scalar reach(const Scalar& theta) const {
+        using std::abs;
+        const int m = nodes();
+        row values(m + 1);
+        Scalar largest(0);
+        for (int k = 0; k < m; ++k) {
+            legendre_integrals(gauss.c[k], m, values.data());
+            largest = std::max(largest, Scalar(abs(values[m])));
+        }
+        legendre_values(theta, m, values.data());
+        return largest / abs(values[m]);
     }
     row lagrange_at(const Scalar& theta) const {
         const auto& c = method.c;

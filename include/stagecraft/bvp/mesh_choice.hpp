@@ -51,8 +51,11 @@ class mesh_choice {
             part[i] = pow(Scalar(std::max(raised, local[i]) + Scalar(1e-12)), Scalar(1) / Scalar(s + 1));
             all += part[i];
         }
-        // No step becomes much longer at once: what hides behind larger errors elsewhere stays resolved.
-        for (Scalar& p : part) p = std::max(p, Scalar(all / Scalar(10 * L)));
+        // No step becomes much longer at once: what hides behind larger errors elsewhere stays resolved. Where the shares
+        // differ by little, the mesh keeps its shape (Ascher-Christiansen-Russell 1981): symmetric methods leave of the
+        // local errors of stiff components what changes from interval to interval, which other steps would enlarge.
+        const bool even = *std::max_element(part.begin(), part.end()) * Scalar(L) < 2 * all;
+        for (Scalar& p : part) p = even ? Scalar(1) : std::max(p, Scalar(all / Scalar(10 * L)));
         const int order = superconvergent || x_.h(worst) < 5 * reach(worst, 0) ? estimate_.order() : s + 1;
         const auto density = mesh_density(x_.t, part, Scalar(5));
         Scalar sum(0), needed(0);
@@ -63,7 +66,7 @@ class mesh_choice {
         for (int i = 0; i < L; ++i) needed += local[i] * pow(Scalar(sum / part[i]), Scalar(order));
         const Scalar gain = error / (o_.rtol * std::max(total, Scalar(1e-20)));
         const Scalar wanted = pow(Scalar(gain * needed / Scalar(0.25)), Scalar(1) / Scalar(order));
-        const int least = std::max(3, L / 2), most = 4 * L;
+        const int least = even ? L + 1 : std::max(3, L / 2), most = 4 * L;
         int intervals = wanted < Scalar(most) ? static_cast<int>(static_cast<double>(wanted)) + 1 : most;
         intervals = std::clamp(intervals, least, most);
         if (double_it) intervals = std::max(intervals, 2 * L);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE bvp_second_order
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+
+namespace sc = stagecraft;
+using Eigen::Vector2d;
+using std::numbers::pi;
+
+namespace {
+
+// eps u'' = u - (1 + eps pi^2) cos(pi t), u(-1) = u(1) = -1, so u = cos(pi t): modes e^{+-t/sqrt(eps)} that the solution
+// does not have (number 11 of Cash's test set).
+struct fast_modes {
+    double eps;
+    void operator()(double t, const Vector2d& y, Vector2d& f) const {
+        f = Vector2d(y[1], (y[0] - (1 + eps * pi * pi) * std::cos(pi * t)) / eps);
+    }
+};
+struct of_second_order : fast_modes {
+    static constexpr int second_order_components = 1;
+};
+struct ends {
+    void operator()(const Vector2d& a, const Vector2d& b, Vector2d& r) const {
+        r = Vector2d(a[0] + 1, b[0] + 1);
+    }
+};
+
+template <class Problem>
+auto solve(double eps, const sc::bvp_options<double>& o) {
+    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(Problem{{eps}}, ends{}), -1.0, 1.0, Vector2d(0, 0), o);
+}
+auto solve_first_order(double eps, const sc::bvp_options<double>& o) {
+    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(fast_modes{eps}, ends{}), -1.0, 1.0, Vector2d(0, 0),
+                         o);
+}
+
+double error_at(const auto& y, double t) {
+    const Vector2d exact(std::cos(pi * t), -pi * std::sin(pi * t));
+    return ((y(t) - exact).array().abs() / (1 + exact.array().abs())).maxCoeff();
+}
+double error_of(const auto& y) {
+    double worst = 0;
+    for (int k = 0; k <= 1000; ++k) worst = std::max(worst, error_at(y, -1 + k / 500.0));
+    return worst;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(fast_modes_that_a_smooth_solution_does_not_have_ask_for_no_mesh) {
+    for (const double eps : {1e-4, 1e-6, 1e-8}) BOOST_TEST_CONTEXT("eps " << eps) {
+            const auto answer = solve<of_second_order>(eps, {.rtol = 1e-7});
+            BOOST_TEST(answer.ok());
+            const double error = error_of(answer.y);
+            BOOST_TEST(error <= 1e-7);
+            BOOST_TEST(answer.error.global <= 10 * error);
+            BOOST_TEST(answer.report.intervals <= 25);
+            // What has the slope of y as polynomial of degree s - 1 needs more than that.
+            BOOST_TEST(solve_first_order(eps, {.rtol = 1e-7}).report.intervals >= 40);
+        }
+}
+
+// With eps = 1 nothing is fast: order 2 s = 10 at mesh points, s + 3 = 8 between them.
+BOOST_AUTO_TEST_CASE(orders_at_mesh_points_and_between_them) {
+    double at[2], between[2];
+    for (const int k : {0, 1}) {
+        const auto answer =
+            solve<of_second_order>(1, {.rtol = 1e-12, .intervals = k == 0 ? 3 : 6, .adapt = false});
+        at[k] = std::max(error_at(answer.y, -1 + 2 / 3.0), error_at(answer.y, -1 + 4 / 3.0));
+        between[k] = error_of(answer.y);
+    }
+    BOOST_TEST(std::abs(std::log2(at[0] / at[1]) - 10) < 0.3);
+    BOOST_TEST(std::log2(between[0] / between[1]) > 7.5);
+}
