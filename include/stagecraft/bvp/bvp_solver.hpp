@@ -104,9 +104,7 @@ class bvp_solver {
                 x_.Z.col(i * s + j) =
                     h * guess_slope(guess, Scalar(x_.t[i] + equations_.method().c[j] * h), h);
             }
-        demand_bvp(all_finite(x_.y.reshaped(), static_cast<int>(x_.y.size())) &&
-                       all_finite(x_.p, static_cast<int>(x_.p.size())),
-                   "guess must be finite");
+        demand_bvp(x_.y.allFinite() && x_.p.allFinite(), "guess must be finite");
         guess_size_ = floor_ + x_.y.cwiseAbs().maxCoeff();
     }
 
@@ -283,15 +281,8 @@ class bvp_solver {
         const Scalar eps = std::numeric_limits<Scalar>::epsilon();
         conditioning_.fundamental();
         rounding_ = conditioning_.rounding(floor_);
-        kappa_ = Scalar(0);
-        std::vector<Scalar> values, largest;
-        for (int i = 0; i <= x_.intervals(); ++i) {
-            const auto phi = conditioning_.phi(i);
-            const Scalar bound = phi.cwiseAbs().maxCoeff() * Scalar(phi.cols());
-            if (bound * eps < std::min(o_.rtol, Scalar(Scalar(1) / 1000))) continue;
-            const Scalar norm = spectral_norm(phi, &values);
-            if (!(norm <= kappa_)) kappa_ = norm, largest = values;
-        }
+        std::vector<Scalar> largest;
+        kappa_ = conditioning_.norm(std::min(o_.rtol, Scalar(Scalar(1) / 1000)) / eps, largest);
         if (kappa_ * eps < Scalar(1) / 1000) return false;
         const bool exists = solved();
         result_.kernel = static_cast<int>(std::count_if(

@@ -71,9 +71,7 @@ class collocation_blocks {
 
     /// E, F, P of interval i as one n x (2 n + n_p) block.
     auto condensed(int i) {
-        return Eigen::Map<const Eigen::Matrix<Scalar, N, Eigen::Dynamic>, 0, Eigen::OuterStride<>>(
-            blocks_.data() + static_cast<std::size_t>(i) * rows() * columns() + slopes() * rows() + slopes(),
-            n(), 2 * n() + np(), Eigen::OuterStride<>(rows()));
+        return block(i).template bottomRightCorner<N, Eigen::Dynamic>(n(), 2 * n() + np());
     }
 
     /// Turns residuals (rho: n x s of the slope equations, gamma: n of the continuity, what the left sides

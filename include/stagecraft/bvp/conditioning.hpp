@@ -117,6 +117,23 @@ class conditioning_of {
         return value;
     }
 
+    /// The largest spectral norm of the Phi(t_i) and of P, which says what the conditions do to the parameters:
+    /// dp = P d. `values` are the singular values of that matrix. Matrices of a norm below `least` are passed over.
+    scalar norm(const scalar& least, std::vector<scalar>& values) const {
+        scalar most(0);
+        std::vector<scalar> found;
+        const auto look = [&](const auto& response) {
+            if (response.size() == 0 ||
+                response.cwiseAbs().maxCoeff() * scalar(static_cast<int>(response.cols())) < least)
+                return;
+            const scalar size = detail::spectral_norm(response, &found);
+            if (!(size <= most)) most = size, values = found;
+        };
+        for (int i = 0; i <= x_.intervals(); ++i) look(phi(i));
+        look(parameters_);
+        return most;
+    }
+
     /// The largest entry of |Phi(t)|, every row relative to floor + the size of that component of y.
     scalar relative(const scalar& floor) const {
         scalar kappa(0);
@@ -128,19 +145,24 @@ class conditioning_of {
     }
 
     /// What one rounding error makes of y, relative to floor + |y|, where that is worst (at a mesh point or a
-    /// zero of y): epsilon times the largest terms that a condition can have on this solution, carried on by Phi.
+    /// zero of y), and of p: epsilon times the largest terms that a condition can have on this solution, carried on
+    /// by Phi and P.
     scalar rounding(const scalar& floor) const {
         using std::abs;
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
         wide error = wide::Zero(n, x_.intervals() + 1);
+        column shift = column::Zero(m);  // the first n_p: of the parameters
         for (int k = 0; k < m; ++k) {
             scalar size(0);
             for (int j = 0; j < 2 * n; ++j) size += abs(B(k, j)) * x_.y.row(j % n).cwiseAbs().maxCoeff();
             for (int j = 0; j < m - n; ++j) size += abs(B(k, 2 * n + j) * x_.p[j]);
             error += std::numeric_limits<scalar>::epsilon() * size * phi_[k].cwiseAbs();
+            for (int j = 0; j < m - n; ++j)
+                shift[j] += std::numeric_limits<scalar>::epsilon() * size * abs(parameters_(j, k));
         }
         scalar worst = (error.array() / (floor + x_.y.array().abs())).maxCoeff();
+        for (int j = 0; j < m - n; ++j) worst = std::max(worst, scalar(shift[j] / (floor + abs(x_.p[j]))));
         for (int i = 0; i < x_.intervals(); ++i)
             for (int c = 0; c < n; ++c)
                 if ((x_.y(c, i) < scalar(0)) != (x_.y(c, i + 1) < scalar(0)))
@@ -151,18 +173,20 @@ class conditioning_of {
     /// The factors are those of another matrix from now on.
     void forget() { phi_.clear(); }
 
-    /// Solves for X(t) M^-1, unless that is known.
+    /// Solves for X(t) M^-1 and P, unless they are known.
     void fundamental() {
         if (!phi_.empty()) return;
         const int n = equations_.n(), m = n + equations_.np(), L = x_.intervals();
         const wide zero = wide::Zero(n, L);
         wide y(n, L + 1);
         typename Equations::parameters p(equations_.np());
+        parameters_.resize(equations_.np(), m);
         for (int k = 0; k < m; ++k) {
             column unit = column::Zero(m);
             unit[k] = scalar(1);
             equations_.factors().solve(zero, unit, y, p);
             phi_.push_back(y);
+            parameters_.col(k) = p;
             ++solves_;
         }
     }
@@ -252,6 +276,7 @@ class conditioning_of {
     Equations& equations_;
     const iterate& x_;
     std::vector<wide> phi_;
+    Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> parameters_;
     int solves_ = 0;
 };
 

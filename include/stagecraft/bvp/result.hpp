@@ -14,7 +14,7 @@ namespace stagecraft {
 /// that is isolated (M_* regular); everything else keeps the best iterate.
 enum class bvp_status {
     success,
-    singular,            ///< M is singular to rounding and no solution exists
+    singular,            ///< M is singular to rounding, and no solution of the guess's size was found
     not_isolated,        ///< solutions exist, but M is singular to rounding: result.kernel is its dimension
     equilibrium,         ///< periodic orbits: the orbit found is a point
     multiple_period,     ///< periodic orbits: the period found is a multiple of the smallest one
