@@ -7,7 +7,9 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
+#include <stagecraft/problem/matrix_free.hpp>
 #include <stagecraft/problem/with.hpp>
+#include <type_traits>
 
 namespace sc = stagecraft;
 using Eigen::MatrixXd, Eigen::VectorXd;
@@ -95,6 +97,67 @@ struct without_matrix : brusselator {
     }
 };
 
+// Nothing but f and a preconditioner; Generic: f takes states of any scalar type.
+template <bool Generic>
+struct preconditioned_heat {
+    int n;
+    double rate() const { return 0.1 * (n + 1.0) * (n + 1.0); }
+    template <class Vector>
+    requires(Generic || std::is_same_v<Vector, VectorXd>) void operator()(double t, const Vector& u,
+                                                                          Vector& f) const {
+        for (int i = 0; i < n; ++i) {
+            f[i] = -2 * rate() * u[i] - u[i] * u[i] * u[i] + std::cos(t);
+            if (i > 0) f[i] += rate() * u[i - 1];
+            if (i + 1 < n) f[i] += rate() * u[i + 1];
+        }
+    }
+    // (shift + 2 rate) x_i - rate (x_i-1 + x_i+1) = r_i, by elimination (Thomas).
+    void precondition(double shift, double* x) const {
+        const double d = shift + 2 * rate();
+        VectorXd left(n);
+        for (int i = 0; i < n; ++i) {
+            const double pivot = d - (i > 0 ? rate() * left[i - 1] : 0);
+            left[i] = rate() / pivot;
+            x[i] = (x[i] + (i > 0 ? rate() * x[i - 1] : 0)) / pivot;
+        }
+        for (int i = n - 2; i >= 0; --i) x[i] += left[i] * x[i + 1];
+    }
+    MatrixXd jacobian_at(const VectorXd& u) const {
+        MatrixXd J = MatrixXd::Zero(n, n);
+        for (int i = 0; i < n; ++i) {
+            J(i, i) = -2 * rate() - 3 * u[i] * u[i];
+            if (i > 0) J(i, i - 1) = J(i - 1, i) = rate();
+        }
+        return J;
+    }
+};
+template <bool Generic>
+struct with_matrix : preconditioned_heat<Generic> {
+    void jacobian(double, const VectorXd& u, MatrixXd& J) const { J = this->jacobian_at(u); }
+};
+
+// The product of its J with a vector beside that of the matrix, and a run beside one with the matrix.
+template <bool Generic>
+void runs_without_a_matrix(double accuracy) {
+    const int n = 40;
+    const VectorXd u0 = (VectorXd::LinSpaced(n, 1, n) * (M_PI / (n + 1))).array().sin();
+    const auto problem = sc::matrix_free(preconditioned_heat<Generic>{n}, n);
+    auto J = problem.matrix();
+    problem.jacobian(0.3, u0, J);
+    const VectorXd v = VectorXd::LinSpaced(n, -1, 2), exact = problem.jacobian_at(u0) * v;
+    VectorXd r = VectorXd::Ones(n);
+    J.add_times(-2, v.data(), r.data());
+    BOOST_TEST((r - VectorXd::Ones(n) + 2 * exact).norm() <= accuracy * exact.norm());
+    for (const int s : {3, 5}) {
+        const sc::options<double> o{.rtol = 1e-7, .atol = 1e-7};
+        const auto free = sc::integrate(sc::radau_iia(s), problem, u0, 0.0, 2.0, o);
+        const auto dense = sc::integrate(sc::radau_iia(s), with_matrix<Generic>{{n}}, u0, 0.0, 2.0, o);
+        BOOST_TEST(free.ok());
+        BOOST_TEST(double(free.report.steps) <= 1.1 * double(dense.report.steps) + 1);
+        BOOST_TEST((free.y - dense.y).template lpNorm<Eigen::Infinity>() <= 3e-7);
+    }
+}
+
 // Residuals of a real system and a pair, relative to their right-hand sides.
 template <class Mass, class Matrix>
 std::array<double, 2> residuals(const Mass& mass, const MatrixXd& M, const Matrix& J, const MatrixXd& whole,
@@ -157,4 +220,32 @@ BOOST_AUTO_TEST_CASE(runs_take_about_the_steps_of_direct_solvers) {
             BOOST_TEST((r.y - direct.y).lpNorm<Eigen::Infinity>() <= 3e-6);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_right_hand_side_and_a_preconditioner_suffice) {
+    runs_without_a_matrix<true>(1e-14);
+    runs_without_a_matrix<false>(1e-6);
+    BOOST_CHECK_THROW(sc::matrix_free(preconditioned_heat<true>{3}, -1), std::invalid_argument);
+}
+
+// A factorisation costs some forty solves with it and J: the Jacobian is kept longer than by its contraction alone.
+BOOST_AUTO_TEST_CASE(what_a_factorisation_costs_is_told_to_the_step_control) {
+    const sparse_brusselator problem;
+    sparse J = problem.sparsity();
+    problem.jacobian(0, problem.start(), J);
+    const int n = static_cast<int>(J.rows());
+    sc::krylov_blocks::real real(n);
+    BOOST_TEST(real.factor_shifted(sc::identity_mass(), J, 300.0));
+    BOOST_TEST(real.work().step > 5 * real.work().iteration);
+    sc::krylov_blocks::complex pair(n);
+    BOOST_TEST(pair.factor_shifted(sc::identity_mass(), J, 300.0, 200.0));
+    BOOST_TEST(pair.work().iteration > 1.5 * real.work().iteration);
+    const product by_product{&problem, problem.start(), MatrixXd(J).diagonal()};
+    sc::krylov_blocks::real free(n);
+    BOOST_TEST(free.factor_shifted(sc::identity_mass(), by_product, 300.0));
+    BOOST_TEST(free.work().step == 0);
+    const auto r = sc::integrate(sc::radau_iia(3), sc::with_linear_solver<sc::krylov_blocks>(problem),
+                                 problem.start(), 0.0, 0.5, {.rtol = 1e-6, .atol = 1e-6});
+    BOOST_TEST(r.ok());
+    BOOST_TEST(2 * r.report.jacobians <= r.report.steps);
 }
