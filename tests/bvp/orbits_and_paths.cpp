@@ -91,3 +91,34 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_lies_where_it_is_known_to) {
     BOOST_TEST(last < 1);      // two solutions below the fold: the path comes back
     BOOST_TEST(slope > 10.8);  // on the upper branch, u'(0) = 10.8469 at p = 1
 }
+
+BOOST_AUTO_TEST_CASE(with_the_integral_phase_condition_an_orbit_is_as_near_to_its_guess_as_it_can_be) {
+    const auto guess = sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 40.0);
+    const auto orbit =
+        sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess, {.rtol = 1e-10, .integral_phase = true});
+    BOOST_TEST_REQUIRE(orbit.ok());
+    BOOST_TEST(std::abs(orbit.period - 6.663286859323130) < 1e-9);
+    // The guess comes from a trajectory within 1e-7 of the orbit, but in phase with it; moved on by a tenth of the period it
+    // pulls the orbit along.
+    auto moved = guess;
+    moved.begin -= 0.1 * guess.period;
+    const auto later =
+        sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, moved, {.rtol = 1e-10, .integral_phase = true});
+    BOOST_TEST_REQUIRE(later.ok());
+    const auto distance = [](const auto& r, const auto& g, double shift) {
+        double sum = 0;
+        for (int k = 0; k < 500; ++k) {
+            const double s = (k + 0.5) / 500;
+            sum += (r.y(s + shift - std::floor(s + shift)) - g.y(g.begin + s * g.period)).squaredNorm();
+        }
+        return sum / 500;
+    };
+    for (const double shift : {-1e-4, 1e-4}) {
+        BOOST_TEST(distance(orbit, guess, 0) < distance(orbit, guess, shift));
+        BOOST_TEST(distance(later, moved, 0) < distance(later, moved, shift));
+    }
+    BOOST_TEST((later.y(0.1) - orbit.y(0.0)).norm() < 1e-5);
+    BOOST_CHECK_THROW(sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess,
+                                         {.phase_component = 0, .integral_phase = true}),
+                      std::invalid_argument);
+}

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <stagecraft/bvp/multipliers.hpp>
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/observe/solution.hpp>
 
@@ -34,13 +34,9 @@ struct orbit_options {
     int max_intervals = 10000;
     int phase_component = -1;  ///< i >= 0: the phase is fixed by y_i(0) = phase_value (lecture 4.4.1), which
     Scalar phase_value{0};     ///< needs f_i(y(0)) != 0; else by f(g) (y(0) - g) = 0, g the guess at 0
-};
-
-/// A Floquet multiplier and its estimated absolute error.
-template <class Scalar>
-struct floquet_multiplier {
-    std::complex<Scalar> value;
-    Scalar error;
+    bool integral_phase =
+        false;  ///< the phase is that in which the orbit is nearest to the guess: the integral of
+                ///< g' (y - g) is zero (Doedel-Keller-Kernevez 1991), as a mean over 1000 points
 };
 
 template <class Vector>
@@ -85,110 +81,82 @@ struct orbit_conditions {
     }
 };
 
-/// The eigenvalues of X_{L-1} ... X_0 by orthogonal iteration on the factors (periodic QR without shifts): each
-/// sweep makes X_k Q = Q' R_k, and the eigenvalues are products of the diagonals of R_k, so that those of
-/// small modulus keep their relative accuracy, which forming the product would lose. Eigenvalues of equal
-/// modulus are taken from the product of the triangles.
-template <class Matrix>
-std::vector<std::complex<typename Matrix::Scalar>> product_eigenvalues(const std::vector<Matrix>& X) {
-    using scalar = typename Matrix::Scalar;
+template <class Vector>
+void validate_period(const orbit_guess<Vector>& guess, const std::string& who) {
+    if (!(guess.period > 0) || !(guess.period - guess.period == 0))
+        throw std::invalid_argument(who + ": guess.period must be positive and finite");
+}
+
+/// The guess as a function on [0, 1].
+template <class Vector>
+auto in_units_of_the_period(const orbit_guess<Vector>& guess) {
+    return [&guess](const typename Vector::Scalar& s) {
+        const typename Vector::Scalar t = guess.begin + s * guess.period;
+        return guess.y(t < guess.y.t1() ? t : guess.y.t1());
+    };
+}
+
+/// By how much an orbit y over [0, 1] has to be shifted, y(s + shift), for the mean of g'(s) (y(s + shift) - g(s)) to
+/// vanish, by Newton's iteration from 0.
+template <class Vector, class Guess>
+auto shift_to(const Guess& guess, const solution<Vector>& y) {
+    using scalar = typename Vector::Scalar;
     using std::abs;
-    using dense = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    const int n = static_cast<int>(X[0].rows());
-    dense Q = dense::Identity(n, n), product, turn;
-    scalar before(2);
-    for (int sweep = 0; sweep < 60; ++sweep) {
-        const dense start = Q;
-        product = dense::Identity(n, n);
-        for (const auto& factor : X) {
-            const Eigen::HouseholderQR<dense> qr(dense(factor * Q));
-            const dense R = qr.matrixQR().template triangularView<Eigen::Upper>();
-            Q = qr.householderQ() * dense::Identity(n, n);
-            product = (R * product).eval();
+    using std::floor;
+    constexpr int points = 1000;
+    scalar shift(0);
+    for (int k = 0; k < 20; ++k) {
+        scalar sum(0), slope(0);
+        for (int i = 0; i < points; ++i) {
+            const scalar s = scalar(2 * i + 1) / scalar(2 * points), d = scalar(1) / scalar(2 * points);
+            const Vector rate = (guess(s + d) - guess(s - d)) / (2 * d);
+            const scalar at = s + shift - floor(s + shift);
+            sum += rate.dot(Vector(y(at) - guess(s)));
+            slope += rate.dot(y.derivative(at));
         }
-        turn = start.transpose() * Q;
-        scalar off(0);
-        for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i)
-                if (i != j) off = std::max(off, scalar(abs(turn(i, j))));
-        if (off < 100 * std::numeric_limits<scalar>::epsilon()) break;
-        if (sweep > 10 && off >= before) break;
-        before = off;
+        if (!(slope > scalar(0))) break;
+        const scalar step = std::clamp(scalar(-sum / slope), scalar(-0.1), scalar(0.1));
+        shift += step;
+        if (abs(step) < 100 * std::numeric_limits<scalar>::epsilon()) break;
     }
-    // Blocks that have not settled are those of equal modulus.
-    std::vector<std::complex<scalar>> values;
-    const dense T = turn * product;
-    for (int k = 0; k < n;) {
-        int end = k + 1;
-        for (int j = k; j < end; ++j)
-            for (int i = end; i < n; ++i)
-                if (abs(turn(i, j)) > scalar(1e-6)) end = i + 1;
-        if (end == k + 1) {
-            values.emplace_back(turn(k, k) * product(k, k));
-        } else {
-            const Eigen::EigenSolver<dense> solver(T.block(k, k, end - k, end - k), false);
-            for (int i = 0; i < end - k; ++i) values.push_back(solver.eigenvalues()[i]);
-        }
-        k = end;
-    }
-    std::sort(values.begin(), values.end(),
-              [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
-    return values;
+    return scalar(shift - floor(shift));
 }
 
-template <class Solver>
-auto multipliers_of(Solver& solver) {
-    auto& e = solver.linearised();
-    using scalar = std::decay_t<decltype(solver.solution_on_mesh().t[0])>;
-    using dense = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    std::vector<dense> X;
-    for (int i = 0; i < solver.solution_on_mesh().intervals(); ++i)
-        X.push_back(dense(-e.right_block(i)).partialPivLu().solve(dense(e.left_block(i))));
-    return product_eigenvalues(X);
-}
-
-/// Is the orbit a point, or run through several times?
-template <class Result>
-void judge_orbit(Result& r, const typename Result::scalar& tolerance) {
-    using scalar = typename Result::scalar;
-    const auto start = r.y(scalar(0));
+/// Is the orbit y over [0, 1] a point, or run through several times?
+template <class Vector>
+bvp_status judge_orbit(const solution<Vector>& y, const typename Vector::Scalar& tolerance) {
+    using scalar = typename Vector::Scalar;
+    const Vector start = y(scalar(0));
     scalar size(0);
-    for (int k = 1; k < 64; ++k) size = std::max(size, scalar((r.y(scalar(k) / 64) - start).norm()));
-    if (size <= scalar(1000) * tolerance * (scalar(1) + start.norm())) {
-        r.status = bvp_status::equilibrium;
-        r.message = "the orbit is a point";
-        return;
-    }
+    for (int k = 1; k < 64; ++k) size = std::max(size, scalar((y(scalar(k) / 64) - start).norm()));
+    if (size <= scalar(1000) * tolerance * (scalar(1) + start.norm())) return bvp_status::equilibrium;
     for (int times = 2; times < 8; ++times) {
         scalar gap(0);
         for (int k = 0; k < 8; ++k) {
             const scalar s = scalar(k) / scalar(8 * times);
-            gap = std::max(gap, scalar((r.y(s) - r.y(s + scalar(1) / scalar(times))).norm()));
+            gap = std::max(gap, scalar((y(s) - y(s + scalar(1) / scalar(times))).norm()));
         }
-        if (gap <= scalar(1000) * tolerance * size) {
-            r.status = bvp_status::multiple_period;
-            r.message =
-                "the period is a multiple of the smallest one, at least " + std::to_string(times) + " times";
-        }
+        if (gap <= scalar(1000) * tolerance * size) return bvp_status::multiple_period;
     }
+    return bvp_status::success;
 }
 
 }  // namespace detail
 
 /// A periodic orbit of the autonomous y' = f(y), its period (unknown, in the border of the linear systems) and
-/// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. The
-/// error of a multiplier is its change when every interval is halved the last time (at most four
-/// times, until they settle to seven digits); one of them is 1.
+/// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. One of the
+/// multipliers is 1; for how they and their errors are found see bvp/multipliers.hpp.
 template <class Scalar, int S, class Rhs, class Vector>
 orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
                                     const orbit_options<std::type_identity_t<Scalar>>& o = {}) {
     using std::abs;
-    if (!(guess.period > Scalar(0)) || !(guess.period - guess.period == Scalar(0)))
-        throw std::invalid_argument("periodic_orbit: guess.period must be positive and finite");
+    detail::validate_period(guess, "periodic_orbit");
     const Vector at = guess.y(guess.begin);
     const int n = static_cast<int>(at.size());
     if (o.phase_component >= n)
         throw std::invalid_argument("periodic_orbit: phase_component must be below the size of y");
+    if (o.phase_component >= 0 && o.integral_phase)
+        throw std::invalid_argument("periodic_orbit: phase_component and integral_phase exclude each other");
     Vector normal(n);
     f(guess.begin, at, normal);
     if (!(normal.norm() > Scalar(0))) {
@@ -211,33 +179,40 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
     b.rtol = o.rtol, b.atol = o.atol, b.intervals = o.intervals, b.max_intervals = o.max_intervals;
     b.conditioning = false;
     detail::validate(b, Scalar(0), Scalar(1));
-    detail::bvp_solver<Scalar, S, problem, Vector, parameters, 0> solver(method, scaled, n,
-                                                                         parameters(guess.period), b);
+    using solver_type = detail::bvp_solver<Scalar, S, problem, Vector, parameters, 0>;
+    std::optional<solver_type> solver;
+    bvp_result<Vector, parameters> solved;
+    const auto given = detail::in_units_of_the_period(guess);
+    Scalar shift_of_orbit(0), period = guess.period;
+    solution<Vector> first;
     const auto value = [&](const Scalar& s) {
-        const Scalar t = guess.begin + s * guess.period;
-        return guess.y(t < guess.y.t1() ? t : guess.y.t1());
+        using std::floor;
+        if (first.steps() == 0) return given(s);
+        const Scalar at_time = s + shift_of_orbit;
+        return first(Scalar(at_time - floor(at_time)));
     };
-    auto solved = solver.run(value, Scalar(0), Scalar(1));
+    for (;;) {
+        solver.emplace(method, scaled, n, parameters(period), b);
+        solved = solver->run(value, Scalar(0), Scalar(1));
+        if (!o.integral_phase || first.steps() > 0 || solved.status != bvp_status::success) break;
+        shift_of_orbit = detail::shift_to(given, solved.y);
+        first = std::move(solved.y);
+        period = solved.p[0];
+        scaled.r.at = first(shift_of_orbit), scaled.r.shift = Scalar(0);
+        f(guess.begin, scaled.r.at, scaled.r.normal);
+        scaled.r.normal /= scaled.r.normal.norm();
+    }
     orbit_result<Vector> r;
     r.status = solved.status, r.message = solved.message;
     r.period = solved.p[0];
     r.y = std::move(solved.y);
     r.error = solved.error, r.mesh = solved.mesh, r.report = solved.report;
     if (!r.ok()) return r;
-    detail::judge_orbit(r, o.rtol);
-    // Multipliers far below 1 are found to their last digits only on meshes much finer than the orbit asks for.
-    auto fine = detail::multipliers_of(solver), coarse = fine;
-    bool settled = false;
-    for (int pass = 0; pass < 4 && !settled; ++pass) {
-        solver.halve();
-        coarse = std::exchange(fine, detail::multipliers_of(solver));
-        settled = true;
-        for (int k = 0; k < n; ++k) settled &= std::abs(fine[k] - coarse[k]) <= 1e-7 * std::abs(fine[k]);
-    }
-    for (int k = 0; k < n; ++k) {
-        const Scalar rounding = 100 * std::numeric_limits<Scalar>::epsilon() * std::abs(fine[k]);
-        r.multipliers.push_back({fine[k], std::abs(fine[k] - coarse[k]) + rounding});
-    }
+    r.status = detail::judge_orbit(r.y, o.rtol);
+    if (!r.ok())
+        r.message = r.status == bvp_status::equilibrium ? "the orbit is a point"
+                                                        : "the period is a multiple of the smallest one";
+    r.multipliers = detail::multipliers_with_errors(*solver, n, 4);
     return r;
 }
 

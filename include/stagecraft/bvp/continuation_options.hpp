@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include <stagecraft/bvp/options.hpp>
+
+namespace stagecraft {
+
+/// What a point of a path is. Beside regular points: where the parameter turns back, where two paths cross, and on
+/// paths of periodic orbits where a multiplier passes -1 or a pair of complex ones the unit circle.
+enum class point_kind { regular, fold, branch_point, period_doubling, torus };
+
+/// The kind as words.
+constexpr const char* name(point_kind k) {
+    constexpr const char* names[] = {"regular", "fold", "branch point", "period doubling", "torus"};
+    return names[static_cast<int>(k)];
+}
+
+/// What continuation and orbit_continuation may be told.
+template <class Scalar>
+struct continuation_options {
+    Scalar from{0};               ///< the parameter of the first point
+    Scalar to = Scalar(1e30);     ///< the path ends where the parameter leaves [min(from, to), max(from, to)]
+    Scalar rtol = Scalar(1e-10);  ///< of every point; see bvp_options
+    Scalar step = Scalar(1) / 4;  ///< the first step in arclength; later ones follow from the work
+    Scalar largest_step{1};
+    int max_points = 60;
+    int intervals = 10;
+};
+
+namespace detail {
+
+template <class Scalar>
+void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scalar& b,
+              const std::string& who) {
+    const auto demand = [&](bool good, const char* what) {
+        if (!good) throw std::invalid_argument(who + what);
+    };
+    demand(o.from - o.from == Scalar(0), ": from must be finite");
+    demand(o.step > Scalar(0) && o.largest_step >= o.step, ": step must be positive, largest_step no less");
+    demand(o.max_points > 0, ": max_points must be positive");
+    bvp_options<Scalar> tolerances;
+    tolerances.rtol = o.rtol, tolerances.intervals = o.intervals;
+    validate(tolerances, a, b);
+}
+
+}  // namespace detail
+
+}  // namespace stagecraft

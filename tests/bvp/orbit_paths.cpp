@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSL-1.0
+// Paths of periodic orbits, and multipliers that are known, in two to four dimensions.
+#define BOOST_TEST_MODULE bvp_orbit_paths
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <complex>
+#include <stagecraft/bvp/orbit_continuation.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/last_return.hpp>
+#include <string>
+#include <vector>
+
+namespace sc = stagecraft;
+using Eigen::VectorXd;
+using parameter = Eigen::Matrix<double, 1, 1>;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// planar: r' = r (p + r^2 - r^4), theta' = 1 + r^2.
+/// moebius: the unit circle in the plane of the first two, run through in 2 pi; seen from it, the directions with rates p and
+/// `rate` turn by half a turn: multipliers 1, -e^(2 pi p), -e^(2 pi rate).
+/// spiral: the unit circle again, and two components with rates p +- 0.3 i.
+/// pair: two components with rates p and rate, uncoupled.
+struct family {
+    enum { planar, moebius, spiral, pair, roessler } which = planar;
+    double rate = 0;
+
+    template <class T, class Y, class P>
+    void operator()(const T&, const Y& y, const P& p, Y& f) const {
+        using std::sqrt;
+        const auto square = y[0] * y[0] + y[1] * y[1];
+        if (which == planar) {
+            const auto growth = p[0] + square - square * square, turn = 1 + square;
+            f[0] = growth * y[0] - turn * y[1];
+            f[1] = growth * y[1] + turn * y[0];
+        } else if (which == moebius) {
+            const auto r = sqrt(square), out = r - 1, c = y[0] / r, s = y[1] / r;
+            const auto mean = (p[0] + rate) / 2, difference = (p[0] - rate) / 2;
+            const auto rise = (mean + difference * c) * out + (difference * s - 0.5) * y[2];
+            f[0] = c * rise - y[1];
+            f[1] = s * rise + y[0];
+            f[2] = (difference * s + 0.5) * out + (mean - difference * c) * y[2];
+        } else if (which == roessler) {
+            f[0] = -y[1] - y[2];
+            f[1] = y[0] + 0.2 * y[1];
+            f[2] = 0.2 + y[2] * (y[0] - p[0]);
+        } else {
+            f[0] = (1 - square) * y[0] - y[1];
+            f[1] = (1 - square) * y[1] + y[0];
+            const double swing = which == spiral ? 0.3 : 0;
+            f[2] = p[0] * y[2] - swing * y[3] + y[2] * y[3];
+            f[3] = (which == spiral ? p[0] : p[0] * 0 + rate) * y[3] + swing * y[2];
+        }
+    }
+};
+
+struct at_parameter {
+    family f;
+    parameter p;
+    template <class T, class Y>
+    void operator()(const T& t, const Y& y, Y& out) const {
+        f(t, y, p, out);
+    }
+};
+
+auto guess_for(const family& f, double p, const VectorXd& start, double end) {
+    return sc::last_return(sc::radau_iia<3>(), at_parameter{f, parameter(p)}, start, 0.0, end);
+}
+
+VectorXd on_the_circle(int n) {
+    VectorXd y = VectorXd::Zero(n);
+    y[0] = 1;
+    return y;
+}
+
+template <class Path>
+Path of_kind(const Path& all, sc::point_kind kind) {
+    Path found;
+    for (const auto& point : all)
+        if (point.kind == kind) found.push_back(point);
+    return found;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(cycles_of_a_planar_system_fold) {
+    const auto all =
+        sc::orbit_continuation(sc::gauss<4>(), family{}, guess_for({}, 0.5, on_the_circle(2), 20),
+                               {.from = 0.5, .to = -1, .max_points = 9});
+    for (const auto& point : all) {
+        BOOST_TEST(sc::name(point.status) == std::string("success"));
+        const double square = point.y(0.0).squaredNorm(), p = point.p[0], T = 2 * pi / (1 + square),
+                     multiplier = std::exp(T * (2 * square - 4 * square * square));
+        BOOST_TEST(std::abs(p + square - square * square) < 1e-9);
+        BOOST_TEST(std::abs(point.period - T) < 1e-9);
+        const auto& m = point.multipliers;
+        const bool first = std::abs(m[0].value - multiplier) < std::abs(m[1].value - multiplier);
+        const auto &other = m[first ? 0 : 1], &one = m[first ? 1 : 0];
+        BOOST_TEST(std::abs(one.value - 1.0) <= 10 * one.error);
+        BOOST_TEST(std::abs(other.value - multiplier) <= 10 * other.error + 1e-9 * multiplier);
+        if (point.kind != sc::point_kind::fold)
+            BOOST_TEST(std::abs(other.value - multiplier) <= 1e-8 * multiplier);
+    }
+    const auto folds = of_kind(all, sc::point_kind::fold);
+    BOOST_TEST_REQUIRE(folds.size() == 1U);
+    BOOST_TEST(std::abs(folds[0].p[0] + 0.25) < 1e-11);
+    BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_period_doubles_where_a_multiplier_passes_minus_1) {
+    const family f{family::moebius, -0.5};
+    const auto all = sc::orbit_continuation(sc::gauss<4>(), f, guess_for(f, -0.3, on_the_circle(3), 20),
+                                            {.from = -0.3, .to = 0.3});
+    for (const auto& point : all) {
+        BOOST_TEST(sc::name(point.status) == std::string("success"));
+        for (const double known : {1.0, -std::exp(2 * pi * point.p[0]), -std::exp(-pi)}) {
+            double nearest = 1;
+            for (const auto& m : point.multipliers) nearest = std::min(nearest, std::abs(m.value - known));
+            BOOST_TEST(nearest <= 1e-8 * std::abs(known));
+        }
+    }
+    const auto doublings = of_kind(all, sc::point_kind::period_doubling);
+    BOOST_TEST_REQUIRE(doublings.size() == 1U);
+    BOOST_TEST(std::abs(doublings[0].p[0]) < 1e-9);
+    BOOST_TEST(of_kind(all, sc::point_kind::torus).empty());
+    BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_first_period_doubling_of_roessler_with_a_and_b_0_2) {
+    const family f{family::roessler};
+    VectorXd start(3);
+    start << 1, 1, 0;
+    const auto all = sc::orbit_continuation(sc::gauss<4>(), f, guess_for(f, 2.5, start, 300),
+                                            {.from = 2.5, .to = 3, .rtol = 1e-9});
+    const auto doublings = of_kind(all, sc::point_kind::period_doubling);
+    BOOST_TEST_REQUIRE(doublings.size() == 1U);
+    BOOST_TEST(std::abs(doublings[0].p[0] - 2.83244503) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_torus_where_a_complex_pair_passes_the_unit_circle_and_none_where_real_ones_are_inverse) {
+    const family spiral{family::spiral}, pair{family::pair, 0.2};
+    const auto all = sc::orbit_continuation(
+        sc::gauss<4>(), spiral, guess_for(spiral, -0.3, on_the_circle(4), 20), {.from = -0.3, .to = 0.3});
+    const auto tori = of_kind(all, sc::point_kind::torus);
+    BOOST_TEST_REQUIRE(tori.size() == 1U);
+    BOOST_TEST(std::abs(tori[0].p[0]) < 1e-9);
+    const std::complex<double> known = std::polar(1.0, 0.6 * pi);
+    BOOST_TEST(std::abs(std::complex<double>(tori[0].multipliers[0].value.real(),
+                                             std::abs(tori[0].multipliers[0].value.imag())) -
+                        known) < 1e-8);
+    const auto real = sc::orbit_continuation(
+        sc::gauss<4>(), pair, guess_for(pair, -0.3, on_the_circle(4), 20), {.from = -0.3, .to = -0.1});
+    BOOST_TEST(sc::name(real.back().status) == std::string("success"));
+    BOOST_TEST(of_kind(real, sc::point_kind::torus).empty());
+}
+
+BOOST_AUTO_TEST_CASE(multipliers_1e_5_and_1e_30_keep_their_relative_error) {
+    const double strong = std::log(1e-30) / (2 * pi), weak = std::log(1e-5) / (2 * pi);
+    const at_parameter f{{family::moebius, strong}, parameter(weak)};
+    const auto orbit =
+        sc::periodic_orbit(sc::gauss<5>(), f, guess_for(f.f, weak, on_the_circle(3), 20), {.rtol = 1e-10});
+    BOOST_TEST(orbit.ok());
+    BOOST_TEST_REQUIRE(orbit.multipliers.size() == 3U);
+    const double known[] = {1, -1e-5, -1e-30};
+    for (int k = 0; k < 3; ++k) {
+        const auto& m = orbit.multipliers[static_cast<std::size_t>(k)];
+        BOOST_TEST(std::abs(m.value - known[k]) <= 1e-7 * std::abs(known[k]));
+        BOOST_TEST(std::abs(m.value - known[k]) <= 10 * m.error);
+        BOOST_TEST(m.error <= 1e-6 * std::abs(known[k]));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(eigenvalues_of_products_complex_pairs_far_below_1_and_close_ones) {
+    using Eigen::MatrixXd;
+    constexpr int L = 40;
+    std::vector<MatrixXd> frames, factors;
+    for (int k = 0; k < L; ++k) {
+        MatrixXd a(4, 4);
+        for (int i = 0; i < 16; ++i) a(i / 4, i % 4) = std::sin(17.0 * k + 5 * i * i + i);
+        frames.push_back(a + 2 * MatrixXd::Identity(4, 4));
+    }
+    for (const bool tiny : {false, true}) {
+        // Eigenvalues (e^(4 i), 1e-5, 0.89e-5) or (1, 1e-5, 1e-30 e^(4 i)).
+        factors.clear();
+        for (int k = 0; k < L; ++k) {
+            MatrixXd step = MatrixXd::Zero(4, 4);
+            const int at = tiny ? 2 : 0, rest = 2 - at;
+            const double size = tiny ? std::pow(1e-30, 1.0 / L) : 1;
+            step(at, at) = step(at + 1, at + 1) = size * std::cos(4.0 / L);
+            step(at, at + 1) = size * std::sin(4.0 / L);
+            step(at + 1, at) = -step(at, at + 1);
+            step(rest, rest) = std::pow(tiny ? 1.0 : 1e-5, 1.0 / L);
+            step(rest + 1, rest + 1) = std::pow(tiny ? 1e-5 : 0.89e-5, 1.0 / L);
+            const auto& next = frames[static_cast<std::size_t>((k + 1) % L)];
+            factors.push_back(next * step * frames[static_cast<std::size_t>(k)].inverse());
+        }
+        const auto values = sc::detail::product_eigenvalues(factors);
+        const auto turned = std::polar(tiny ? 1e-30 : 1.0, 4.0);
+        const auto first = values[tiny ? 2 : 0];
+        BOOST_TEST(std::abs(std::complex(first.real(), -std::abs(first.imag())) - turned) <
+                   1e-11 * std::abs(turned));
+        BOOST_TEST(std::abs(values[tiny ? 0 : 2] - (tiny ? 1.0 : 1e-5)) < 1e-11 * (tiny ? 1.0 : 1e-5));
+        BOOST_TEST(std::abs(values[tiny ? 1 : 3] - (tiny ? 1e-5 : 0.89e-5)) < 1e-11 * 1e-5);
+    }
+}
