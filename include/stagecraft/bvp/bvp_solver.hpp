@@ -45,7 +45,7 @@ class bvp_solver {
           system_(problem.f, problem.r, n, static_cast<int>(p.size()), counts_),
           mass_(make_mass<Scalar>(problem.f, n)),
           equations_(method, system_, mass_),
-          estimate_(equations_, rule_),
+          estimate_(equations_, rule_, o.fixed_points),
           newton_(equations_, result_.report, floor_) {
         x_.p = p;
     }

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <stagecraft/bvp/hidden_jumps.hpp>
 #include <stagecraft/bvp/lifting_elimination.hpp>
 #include <stagecraft/bvp/lifting_rule.hpp>
 #include <stagecraft/observe/solution.hpp>
@@ -38,8 +39,9 @@ class error_estimate {
     using matrix = typename Equations::matrix;
     using rule = typename Equations::rule;
 
-    error_estimate(Equations& equations, std::shared_ptr<const rule> r)
-        : equations_(equations), rule_(std::move(r)) {}
+    /// At the `known` points, in increasing order, f may jump.
+    error_estimate(Equations& equations, std::shared_ptr<const rule> r, std::vector<scalar> known = {})
+        : equations_(equations), rule_(std::move(r)), known_(std::move(known)) {}
 
     int nodes() const { return rule_->nodes(); }
     int order() const { return rule_->order; }
@@ -58,6 +60,8 @@ class error_estimate {
         d_.resize(n, m), g_.resize(n, m), hJ_.resize(n, n * m);
         for (int i = 0; i < L; ++i)
             if (!lift(x, i)) return false;
+        if constexpr (std::decay_t<decltype(equations_.mass())>::identity)
+            detail::add_hidden_jumps(*rule_, equations_, x, known_, slopes_, left_over_, delta_);
         solve(x);
         for (int i = 0; i < L; ++i) straighten(x, i);
         return true;
@@ -372,6 +376,7 @@ class error_estimate {
 
     Equations& equations_;
     std::shared_ptr<const rule> rule_;
+    std::vector<scalar> known_;
     wide slopes_, delta_, inner_, raised_, left_over_, scale_, d_, g_, hJ_, zero_, minus_;
     vector stage_, own_, off_, most_;
     Eigen::Matrix<scalar, N, N> small_;

@@ -34,6 +34,7 @@ struct lifting_rule {
     using row = Eigen::Matrix<Scalar, 1, Eigen::Dynamic>;
     struct point {
         Scalar theta, reach;  ///< local errors are about reach times h times the defect
+        Scalar level;         ///< |P_m| there: the defect over that at the ends
         row value, integral, lagrange;
     };
 
@@ -45,6 +46,8 @@ struct lifting_rule {
     matrix lagrange_integrals;    ///< m x s, the integrals of the same polynomials to the Gauss nodes
     matrix to_coefficients;       ///< values at the Gauss nodes to Legendre coefficients
     point check[2];
+    row at_start, at_end;  ///< from values at the Gauss nodes to those at 0 and 1
+    Scalar first, last;    ///< where f is evaluated first and last
 
     explicit lifting_rule(const tableau<Scalar, S>& t)
         : method(t),
@@ -62,8 +65,17 @@ struct lifting_rule {
         for (int k = 0; k < 2; ++k) {
             const Scalar theta =
                 k == 0 ? check_point(Scalar(0), Scalar(3) / 10) : check_point(Scalar(3) / 10, Scalar(1));
-            check[k] = {theta, reach(theta), gauss.value(theta), gauss.integral(theta), lagrange_at(theta)};
+            check[k] = {theta,
+                        reach(theta),
+                        level(theta),
+                        gauss.value(theta),
+                        gauss.integral(theta),
+                        lagrange_at(theta)};
         }
+        at_start = gauss.value(Scalar(0));
+        at_end = gauss.value(Scalar(1));
+        first = std::min(Scalar(method.c.minCoeff()), Scalar(gauss.c[0]));
+        last = std::max(Scalar(method.c.maxCoeff()), Scalar(gauss.c[nodes() - 1]));
     }
 
     int nodes() const { return gauss.size(); }
@@ -101,8 +113,13 @@ struct lifting_rule {
             legendre_integrals(gauss.c[k], m, values.data());
             largest = std::max(largest, Scalar(abs(values[m])));
         }
-        legendre_values(theta, m, values.data());
-        return largest / abs(values[m]);
+        return largest / level(theta);
+    }
+    Scalar level(const Scalar& theta) const {
+        using std::abs;
+        row values(nodes() + 1);
+        legendre_values(theta, nodes(), values.data());
+        return abs(values[nodes()]);
     }
     row lagrange_at(const Scalar& theta) const {
         const auto& c = method.c;
