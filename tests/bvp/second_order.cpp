@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
@@ -23,6 +25,13 @@ struct fast_modes {
 };
 struct of_second_order : fast_modes {
     static constexpr int second_order_components = 1;
+};
+// Not of that form, though its Jacobian is: q' = v + 1.
+struct not_of_second_order : of_second_order {
+    void operator()(double t, const Vector2d& y, Vector2d& f) const {
+        of_second_order::operator()(t, y, f);
+        f[0] += 1;
+    }
 };
 struct ends {
     void operator()(const Vector2d& a, const Vector2d& b, Vector2d& r) const {
@@ -75,4 +84,14 @@ BOOST_AUTO_TEST_CASE(orders_at_mesh_points_and_between_them) {
     }
     BOOST_TEST(std::abs(std::log2(at[0] / at[1]) - 10) < 0.3);
     BOOST_TEST(std::log2(between[0] / between[1]) > 7.5);
+}
+
+BOOST_AUTO_TEST_CASE(a_first_component_whose_derivative_is_not_the_second_is_refused) {
+    const sc::bvp_options<double> o{.rtol = 1e-7};
+    BOOST_CHECK_EXCEPTION(sc::solve_bvp(sc::gauss<5>(), sc::two_point(not_of_second_order{{{1e-4}}}, ends{}),
+                                        -1.0, 1.0, Vector2d(0, 0), o),
+                          std::invalid_argument, [](const std::invalid_argument& e) {
+                              return std::string(e.what()).find("second_order_components does not hold") !=
+                                     std::string::npos;
+                          });
 }

@@ -12,6 +12,7 @@
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/two_point_matrix.hpp>
 #include <stagecraft/problem/make_mass.hpp>
+#include <stagecraft/problem/system.hpp>
 
 namespace stagecraft {
 
@@ -58,7 +59,6 @@ class collocation_equations {
     /// Where f or r was not finite: a time, or an end's conditions.
     const Scalar& place() const { return place_; }
     bool conditions_at_fault() const { return at_conditions_; }
-    bool structure_broken() const { return structure_broken_; }
 
     /// Takes room for a mesh.
     void resize(const iterate& x) {
@@ -168,15 +168,15 @@ class collocation_equations {
                 if (!all_finite(f, n())) return fail_at(t);
                 auto rho = rho_.col(i * s() + j);
                 for (int c = 0; c < n(); ++c) rho[c] = h * f[c];
+                for (int c = 0; c < Positions; ++c)
+                    if (!(f[c] == stage_[c + Positions]))
+                        throw bad_problem(
+                            "solve_bvp: problem.second_order_components does not hold: f_i is not y_{m+i}");
                 add_mass_times(mass_, Scalar(-1), Z.col(j).data(), rho.data(), n());
                 if (!derivatives) continue;
                 auto J = J_.middleCols((i * s() + j) * width, width);
                 J = system_.jacobian(t).topRows(n());
                 if (!(J.sum() - J.sum() == Scalar(0))) return fail_at(t);
-                if constexpr (Positions > 0)
-                    for (int c = 0; c < Positions; ++c)
-                        for (int d = 0; d < width; ++d)
-                            structure_broken_ |= !(J(c, d) == Scalar(d == c + Positions ? 1 : 0));
             }
             gamma_.col(i) = x.y.col(i) - x.y.col(i + 1);
             for (int k = 0; k < s(); ++k) gamma_.col(i) += method_.b[k] * Z.col(k);
@@ -207,7 +207,7 @@ class collocation_equations {
     matrix work_, conditions_;
     Eigen::Matrix<Scalar, N, 1> stage_;
     Scalar place_{0};
-    bool at_conditions_ = false, structure_broken_ = false;
+    bool at_conditions_ = false;
     int replaced_ = 0;
 };
 
