@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include <stagecraft/linear/packet.hpp>
@@ -56,10 +57,10 @@ class coupling {
   private:
     template <class F>
     void for_nonzeros(const Scalar* x, F&& f) const {
-        using pack = packet<Scalar>;
+        using pack = std::conditional_t<built_in<Scalar>, packet<Scalar>, single<Scalar>>;
         int i = 0;
         for (; i + 2 * pack::size <= rows_; i += 2 * pack::size) {
-            const auto zeros =
+            const typename pack::type zeros =
                 pack::one_if_zero(pack::load(x + i)) * pack::one_if_zero(pack::load(x + i + pack::size));
             if (pack::sum(zeros) == Scalar(pack::size)) continue;
             for (int k = i; k < i + 2 * pack::size; ++k)
