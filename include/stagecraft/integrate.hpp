@@ -101,13 +101,24 @@ inline constexpr bool is_checkpoint = false;
 template <class Vector>
 inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 
-/// What `{.tol = 1e-6}` may be taken for, and neither `{}` nor `{1e-6}`.
+/// What tolerances under the names that other programs give them may be taken for, `{.tol = 1e-6}`, say, and neither
+/// `{}` nor `{1e-6}`.
 struct given {
     given(double);
 };
 struct single_tolerance {
     std::nullptr_t unnamed = nullptr;
     given tol;
+};
+struct joined_names {
+    std::nullptr_t unnamed = nullptr;
+    given reltol;
+    double abstol = 0, atol = 0;
+};
+struct parted_names {
+    std::nullptr_t unnamed = nullptr;
+    given rel_tol;
+    double abs_tol = 0, atol = 0;
 };
 template <class>
 inline constexpr bool never = false;
@@ -184,7 +195,10 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
         same_scalar,
         "integrate: method and y0 must have the same scalar type: y0 is Eigen::Vector3d, say, for a "
         "method in double");
-    static_assert(column, "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say");
+    static_assert(
+        column,
+        "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say; a matrix is "
+        "one as Y.reshaped(), and in f an Eigen::Map of y.data() is the matrix again");
     static_assert(const_enough,
                   "integrate: the problem is const and its operator()(t, y, f) is not: write `void "
                   "operator()(...) const`");
@@ -290,13 +304,29 @@ requires(!detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const 
     return {};
 }
 
-/// Tolerances under the name that other programs give them.
+/// Tolerances under the names that other programs give them.
 template <class Method, class Problem, class State, class Observer = no_observer>
 result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
                                   const detail::single_tolerance&, Observer&& = {}) {
     static_assert(detail::never<Method>,
                   "integrate: options have no tol; their tolerances are rtol (relative) and atol (absolute): "
                   "{.rtol = 1e-6, .atol = 1e-9}");
+    return {};
+}
+template <class Method, class Problem, class State, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
+                                  const detail::joined_names&, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: options have no reltol; their tolerances are rtol (relative) and atol "
+                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
+    return {};
+}
+template <class Method, class Problem, class State, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
+                                  const detail::parted_names&, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: options have no rel_tol; their tolerances are rtol (relative) and atol "
+                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
     return {};
 }
 

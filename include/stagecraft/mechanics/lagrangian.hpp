@@ -31,6 +31,18 @@ concept takes_one_scalar = requires {
     &T::operator();
 };
 
+/// Stands in for a kinetic or potential energy that is refused, so that the one sentence that says why is all.
+struct refused_energy {
+    template <class Vector>
+    auto operator()(const Vector&, const Vector& v) const {
+        return v.squaredNorm();
+    }
+    template <class Vector>
+    auto operator()(const Vector& q) const {
+        return q.squaredNorm();
+    }
+};
+
 }  // namespace detail
 
 /// A mechanical model from its energies: the equations of Lagrange,
@@ -196,13 +208,34 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
                       !detail::takes_one_scalar<Constraint> && !detail::takes_one_scalar<Forces>,
                   "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are "
                   "differentiated automatically: [](const auto& q, const auto& v) { ... }");
-    using model = lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>;
-    constexpr bool columns = model::columns_fit, rows = model::rows_fit;
-    static_assert(
-        columns,
-        "lagrangian: the constraint must return a number or a column of position constraints, the matrix G "
-        "of n columns, or (G, b) of n + 1 columns");
-    static_assert(rows, "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
+    using vector = Eigen::Matrix<double, Coordinates, 1>;
+    constexpr bool kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
+                   potential = std::is_invocable_v<const Potential&, const vector&>;
+    static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
+    static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
+    if constexpr (kinetic && potential) {
+        using model = lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>;
+        constexpr bool columns = model::columns_fit, rows = model::rows_fit;
+        static_assert(
+            columns,
+            "lagrangian: the constraint must return a number or a column of position constraints, the matrix "
+            "G of n columns, or (G, b) of n + 1 columns");
+        static_assert(rows, "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
+        return model(std::move(T), std::move(V), std::move(constraint), std::move(Q));
+    } else {
+        using energy = detail::refused_energy;
+        return lagrangian_model<Coordinates, Constraints, energy, energy, Constraint, Forces>(
+            {}, {}, std::move(constraint), std::move(Q));
+    }
+}
+
+/// The number of constraints is missing.
+template <int Coordinates, class Kinetic, class Potential, class Constraint, class Forces = no_forces>
+auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
+    using model = lagrangian_model<Coordinates, 1, Kinetic, Potential, Constraint, Forces>;
+    constexpr bool number_of_constraints = std::is_void_v<model>;
+    static_assert(number_of_constraints,
+                  "lagrangian<n, m>: give m, the number of constraints, as well: lagrangian<2, 1>(T, V, g)");
     return model(std::move(T), std::move(V), std::move(constraint), std::move(Q));
 }
 
