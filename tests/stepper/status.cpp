@@ -7,6 +7,8 @@
 #include <limits>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/linear/banded_blocks.hpp>
+#include <stagecraft/linear/sparse_blocks.hpp>
 #include <stagecraft/problem/with.hpp>
 #include <stdexcept>
 #include <string>
@@ -115,6 +117,34 @@ BOOST_AUTO_TEST_CASE(a_right_hand_side_that_is_never_finite_ends_at_t0) {
     BOOST_TEST(sc::name(r.status) == "non_finite");
     BOOST_TEST(r.t == 0);
     BOOST_TEST(r.y[1] == 2);
+}
+
+// y' = -sqrt(y) has no solution behind its zero at t = 2: differences towards y < 0 give NaN, f(y) > 0 does not.
+BOOST_AUTO_TEST_CASE(a_jacobian_that_is_not_finite_is_not_a_singular_one) {
+    using number = Eigen::Matrix<double, 1, 1>;
+    using numbers = Eigen::VectorXd;
+    struct root {
+        void operator()(double, const number& y, number& f) const { f[0] = -std::sqrt(y[0]); }
+    };
+    struct banded {
+        void operator()(double, const numbers& y, numbers& f) const { f = -y.cwiseSqrt(); }
+        sc::bandwidth bandwidth() const { return {0, 0}; }
+    };
+    struct sparse {
+        void operator()(double, const numbers& y, numbers& f) const { f = -y.cwiseSqrt(); }
+        Eigen::SparseMatrix<double> sparsity() const {
+            Eigen::SparseMatrix<double> J(2, 2);
+            J.setIdentity();
+            return J;
+        }
+    };
+    const auto ends = [](const auto& r) {
+        BOOST_TEST(sc::name(r.status) == "non_finite");
+        BOOST_TEST(r.t == 2, boost::test_tools::tolerance(0.01));
+    };
+    ends(sc::integrate(method, root{}, number(1.0), 0, 3));
+    ends(sc::integrate(method, banded{}, numbers::Ones(2), 0, 3));
+    ends(sc::integrate(method, sparse{}, numbers::Ones(2), 0, 3));
 }
 
 BOOST_AUTO_TEST_CASE(what_a_right_hand_side_throws_is_kept_with_the_last_good_state) {

@@ -39,6 +39,7 @@ class banded_matrix {
     Scalar& operator()(int i, int j) { return entries_(band_.upper + i - j, j); }
     const Scalar& operator()(int i, int j) const { return entries_(band_.upper + i - j, j); }
 
+    bool allFinite() const { return entries_.allFinite(); }
     void set_zero() { entries_.setZero(); }
     void setZero() { entries_.setZero(); }  ///< the same under Eigen's name, for Jacobians written for either
 

@@ -264,6 +264,17 @@ class system
         }
     }
 
+    /// Whether the entries of the Jacobian are finite, on every process; true where they cannot be looked at.
+    bool finite_jacobian() const {
+        scalar bad(0);
+        if constexpr (has_sparsity<Problem> && !opaque)
+            bad = scalar(J_.coeffs().allFinite() ? 0 : 1);
+        else if constexpr (!opaque)
+            bad = scalar(J_.allFinite() ? 0 : 1);
+        sums()(&bad, 1);
+        return bad == scalar(0);
+    }
+
     /// The Jacobian as it is kept (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {

@@ -296,8 +296,9 @@ class integrator {
         obstacle_ = status::newton_failed;
         if (how == newton_end::non_finite) obstacle_ = status::non_finite;
         if (linear == linear_state::singular)
-            obstacle_ =
-                all_finite(f_.value(), n_, system_.sums()) ? status::singular_matrix : status::non_finite;
+            obstacle_ = all_finite(f_.value(), n_, system_.sums()) && system_.finite_jacobian()
+                            ? status::singular_matrix
+                            : status::non_finite;
         ++report_.rejected_newton;
         ++refused_.all;
         ++refused_.by_newton;
