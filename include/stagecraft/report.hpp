@@ -40,7 +40,7 @@ struct report {
     int smallest_stages = 0;
     found_capabilities found{};
     Scalar rtol = Scalar(0), atol = Scalar(0);  ///< of the options; atol is 0 where it was given by component
-    bool default_atol = false;                  ///< atol is that of options nobody has set
+    bool default_atol = false;                  ///< steps are chosen by the atol of options nobody has set
 
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
@@ -57,7 +57,7 @@ struct report {
     void set_tolerances(const Options& o) {
         rtol = o.rtol;
         atol = o.atol_components.size() > 0 ? Scalar(0) : o.atol;
-        default_atol = atol == Options{}.atol;
+        default_atol = atol == Options{}.atol && o.fixed_step == Scalar(0);
     }
     /// Takes in an accepted step of magnitude h by a method of so many stages.
     void count_step(const Scalar& h, int stages) {

@@ -95,8 +95,11 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
             << "rtol " << r.rtol;
         if (r.atol > Scalar(0)) out << ", atol " << r.atol;
         if (r.atol == Scalar(0)) out << ", atol by component";
-        if (r.default_atol && r.rtol < r.atol)
-            out << " (the default: it rules where |y| < " << r.atol / r.rtol << ')';
+        if (r.default_atol) {
+            out << " (the default: components smaller than that are not controlled";
+            if (r.rtol < r.atol) out << ", and it rules where |y| < " << r.atol / r.rtol;
+            out << ')';
+        }
         out << '\n';
     }
     line("steps") << r.steps << "  from " << r.smallest_step << " to " << r.largest_step << ", "
@@ -132,11 +135,30 @@ constexpr const char* advice(status s, const report<Scalar>& r) {
     return "";
 }
 
+/// What the counts of a run give reason to doubt, in a sentence; empty where they do not. Where f is smooth and its
+/// Jacobian right, Newton's iteration fails in few attempts.
+template <class Scalar>
+constexpr const char* doubt(status s, const report<Scalar>& r) {
+    const long attempts = r.steps + r.rejected(), few = 10;
+    if (r.found.jacobian == jacobian_source::member && r.rejected_newton > few &&
+        3 * r.rejected_newton > attempts)
+        return "Newton's iteration failed in more than a third of the attempts: look at problem.jacobian(), "
+               "or "
+               "compare with a run without it";
+    if (s == status::too_many_steps && r.rejected() > few && 3 * r.rejected() > attempts &&
+        1000000 * r.smallest_step < r.largest_step)
+        return "more than a third of the attempts were rejected, and steps became tiny: f may switch in "
+               "every "
+               "step; make the switch an event (observe/event.hpp), or smooth it";
+    return "";
+}
+
 /// Prints how a run ended and what it cost.
 template <class Vector>
 std::ostream& print(std::ostream& out, const result<Vector>& r) {
     out << name(r.status) << " at t = " << r.t << ": " << reason(r.status) << '\n';
-    if (const char* what = advice(r.status, r.report); *what) out << what << '\n';
+    for (const char* what : {advice(r.status, r.report), doubt(r.status, r.report)})
+        if (*what) out << what << '\n';
     return print(out, r.report);
 }
 

@@ -155,6 +155,42 @@ BOOST_AUTO_TEST_CASE(a_failure_with_a_mass_matrix_says_what_to_look_at) {
     BOOST_TEST(!says(sc::status::non_finite, "look at"));
 }
 
+BOOST_AUTO_TEST_CASE(
+    rejections_by_newton_cast_doubt_on_a_jacobian_and_tiny_steps_on_a_right_hand_side_that_switches) {
+    const auto text = [](const auto& problem, const Vector2d& y0, const sc::options<double>& o,
+                         const auto& method) {
+        std::ostringstream out;
+        sc::print(out, sc::integrate(method, problem, y0, 0, 2, o));
+        return out.str();
+    };
+    const auto has = [](const std::string& s, const char* part) { return s.find(part) != std::string::npos; };
+    struct with_jacobian : by_differences {
+        double sign = 1;
+        void jacobian(double, const Vector2d& y, Eigen::Matrix2d& J) const {
+            J << 0, sign, sign * (-2 * y[0] * y[1] - 1) / 1e-4, sign * (1 - y[0] * y[0]) / 1e-4;
+        }
+    };
+    struct relay {
+        void operator()(double, const Vector2d& y, Vector2d& f) const {
+            f << y[1], y[0] + y[1] > 0 ? -1.0 : 1.0;
+        }
+    };
+    const auto wrong = text(with_jacobian{{}, -1}, {2, -0.66}, {}, sc::radau_iia<3>());
+    BOOST_TEST(has(wrong, "look at problem.jacobian()"));
+    BOOST_TEST(!has(wrong, "f may switch"));
+    const auto right = text(with_jacobian{}, {2, -0.66}, {}, sc::radau_iia<3>());
+    BOOST_TEST(has(right, "success"));
+    BOOST_TEST(!has(right, "look at problem.jacobian()"));
+    for (const auto& slides : {text(relay{}, {1, 0.5}, {.max_steps = 20000}, sc::radau_iia<3>()),
+                               text(relay{}, {1, 0.5}, {.max_steps = 20000}, methods::sdirk_4_3())}) {
+        BOOST_TEST(has(slides, "too_many_steps"));
+        BOOST_TEST(has(slides, "f may switch in every step"));
+    }
+    const auto few = text(van_der_pol{}, {2, -0.66}, {.max_steps = 100}, sc::radau_iia<3>());
+    BOOST_TEST(has(few, "too_many_steps"));
+    BOOST_TEST(!has(few, "f may switch"));
+}
+
 BOOST_AUTO_TEST_CASE(a_report_names_the_members_that_were_found_and_the_tolerances) {
     struct problem : by_differences {
         std::array<int, 2> index() const { return {1, 1}; }
@@ -167,7 +203,15 @@ BOOST_AUTO_TEST_CASE(a_report_names_the_members_that_were_found_and_the_toleranc
     };
     BOOST_TEST(lines(problem{}, sc::radau_iia<3>(), {.rtol = 1e-9}) ==
                "problem         f, index; Jacobian by finite differences\n"
-               "tolerances      rtol 1e-09, atol 1e-06 (the default: it rules where |y| < 1e+03)\n");
+               "tolerances      rtol 1e-09, atol 1e-06 (the default: components smaller than that are "
+               "not controlled, and it rules where |y| < 1e+03)\n");
+    BOOST_TEST(lines(problem{}, sc::radau_iia<3>(), {}) ==
+               "problem         f, index; Jacobian by finite differences\n"
+               "tolerances      rtol 1e-06, atol 1e-06 (the default: components smaller than that are "
+               "not controlled)\n");
+    BOOST_TEST(lines(problem{}, sc::radau_iia<3>(), {.fixed_step = 1e-6}) ==
+               "problem         f, index; Jacobian by finite differences\n"
+               "tolerances      rtol 1e-06, atol 1e-06\n");
     BOOST_TEST(lines(van_der_pol{}, sc::radau_iia<3>(), {.rtol = 1e-7, .atol = 1e-7}) ==
                "problem         f; Jacobian by automatic differentiation\n"
                "tolerances      rtol 1e-07, atol 1e-07\n");

@@ -23,7 +23,9 @@ struct options {
     Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, at least 4 epsilon
     Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, a normal number > 0
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> atol_components{};  ///< instead of atol: one per component
-    Scalar fixed_step{0};    ///< > 0: equal steps of at most this size, no error estimate at all
+    Scalar fixed_step{0};  ///< > 0: equal steps of at most this size, no error estimate at all; rtol and atol
+                           ///< still say where Newton's iteration ends, what it leaves drifts in invariants:
+                           ///< take 1e-12 for both in long symplectic runs
     Scalar initial_step{0};  ///< 0: chosen from f(t0, y0) and the tolerances
     Scalar min_step{0};      ///< below it the run ends in status::step_underflow
     Scalar max_step{0};      ///< 0: no bound
