@@ -98,7 +98,9 @@ concept mass_operator = requires(const Mass& m, const Scalar& factor, const Scal
 
 /// Optional: `problem.index()` returns something indexable with size(): the differentiation index 1, 2 or 3
 /// of each component (HLR89, section 7; 0 and 1 mean the same). The norms of Newton's iteration and of the
-/// error estimate weigh a component by |h|^(index - 1).
+/// error estimate weigh a component by |h|^(index - 1). These weights have units: t is to be measured such that the solution
+/// changes in times of about 1. Where it changes within 1e-9, components of index 2 and 3 are hardly controlled,
+/// whatever their atol is.
 template <class Problem>
 concept has_index = requires(Problem& p) {
     { p.index()[0] } -> std::convertible_to<int>;
