@@ -28,6 +28,10 @@ inline std::string in_words(const numerical_order& n) {
            std::to_string(n.digits) + " digits explains";
 }
 
+/// What to try where entries may be off by more than they are taken to be.
+inline constexpr const char* larger_errors =
+    "for entries that were computed, --ulps or --tolerance allows more";
+
 /// What the checker found of one statement on a tableau file. `truth` is the verdict on the statement itself,
 /// `judgement` the one on the claim, which is the negation where the file claims that it does not hold; empty
 /// where nothing is claimed.

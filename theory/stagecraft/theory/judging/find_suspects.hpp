@@ -239,7 +239,7 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
         return;
     }
     if (rounding) {
-        note = "what fails is at the level of rounding: no entry is suspected";
+        note = std::string("what fails is at the level of rounding: no entry is suspected; ") + larger_errors;
         return;
     }
     const auto several = [&](const auto& s) {

@@ -71,6 +71,7 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
         if (found.numerical > facts.value && left > 0) {
             f.numerical = numerical_order{found.numerical, brief(left), matching_digits(left)};
             why += "; " + in_words(*f.numerical);
+            if (found.numerical >= order) why += std::string("; ") + larger_errors;
         }
         judged = verdict::refuted(std::move(why));
     } else if (exact) {
