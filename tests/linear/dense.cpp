@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_what_was_factored_before) {
     const VectorXd x = solve(fresh, A);
     for (const MatrixXd& before : {B, C, MatrixXd(B.transpose())}) {
         solve(used, before);
-        BOOST_TEST(solve(used, A) == x);
+        BOOST_TEST((solve(used, A) == x));
     }
 }
 
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(a_coupling_is_multiplied_with_and_without_zeros) {
         BOOST_TEST((r - (before + C * q)).norm() < 1e-14);
         MatrixXd entries = MatrixXd::Zero(rows, columns);
         coupling.each([&](int i, int j, double v) { entries(i, j) = v; });
-        BOOST_TEST(entries == C);
+        BOOST_TEST((entries == C));
     }
 }
 
