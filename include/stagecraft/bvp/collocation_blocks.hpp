@@ -161,11 +161,13 @@ class collocation_blocks {
             const int at = j * width;
             for (int k = 0; k < s(); ++k) {
                 const Scalar first = h * method_.A(j, k);
+                Scalar second(0);
+                if constexpr (m > 0) second = h * h * twice_(j, k);
                 for (int d = m; d < n(); ++d)
                     for (int c = m; c < n(); ++c) {
                         Scalar sum = first * J(c, at + d);
                         if constexpr (m > 0)
-                            if (d < 2 * m) sum += h * h * twice_(j, k) * J(c, at + d - m);
+                            if (d < 2 * m) sum += second * J(c, at + d - m);
                         a(j * r + c - m, k * r + d - m) = -sum;
                     }
             }

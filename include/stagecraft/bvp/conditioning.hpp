@@ -117,8 +117,10 @@ class conditioning_of {
         return value;
     }
 
-    /// The largest spectral norm of the Phi(t_i) and of P, which says what the conditions do to the parameters:
-    /// dp = P d. `values` are the singular values of that matrix. Matrices of a norm below `least` are passed over.
+    /// What the conditions do to the parameters: dp = P d, n_p x (n + n_p).
+    const Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>& parameters() const { return parameters_; }
+
+    /// The largest spectral norm of the Phi(t_i) and of P. `values` are the singular values of that matrix. Matrices of a norm below `least` are passed over.
     scalar norm(const scalar& least, std::vector<scalar>& values) const {
         scalar most(0);
         std::vector<scalar> found;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <stagecraft/bvp/conditioning.hpp>
 #include <stagecraft/linear/almost_block_diagonal.hpp>
 
 namespace stagecraft::detail {
@@ -29,17 +30,10 @@ class solution_traces {
 
     template <class Equations, class Iterate>
     solution_traces(Equations& e, const Iterate& at) {
-        const int n = e.n(), np = e.np(), L = at.intervals();
-        all_.resize(2 * n + np, n + np);
-        typename Equations::wide y(n, L + 1);
-        const typename Equations::wide none = Equations::wide::Zero(n, L);
-        typename Equations::parameters p(np);
-        for (int k = 0; k < n + np; ++k) {
-            column unit = column::Zero(n + np);
-            unit[k] = Scalar(1);
-            e.factors().solve(none, unit, y, p);
-            all_.col(k) << y.col(0), y.col(L), p;
-        }
+        conditioning_of<Equations> responses(e, at);
+        responses.fundamental();
+        all_.resize(2 * e.n() + e.np(), e.n() + e.np());
+        all_ << responses.phi(0), responses.phi(at.intervals()), responses.parameters();
         basis_ = all_;
         for (Eigen::Index k = 0; k < basis_.cols(); ++k)
             for (int twice = 0; twice < 2; ++twice) {
