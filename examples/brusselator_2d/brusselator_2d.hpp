@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <problems/petsc_counted.hpp>
 #include <stagecraft/linear/petsc.hpp>
 
 // The Brusselator with diffusion on a periodic N x N grid of the unit square (Hairer-Wanner II.IV.10, "BRUSS-2D",
@@ -114,9 +115,4 @@ class brusselator_2d {
     stagecraft::petsc_owned<Vec> state_, around_;
 };
 
-/// The same with one matrix for all its runs, which counts what they cost.
-struct counted_brusselator : brusselator_2d {
-    using brusselator_2d::brusselator_2d;
-    stagecraft::petsc_matrix J = brusselator_2d::matrix();
-    stagecraft::petsc_matrix matrix() const { return J; }
-};
+using counted_brusselator = petsc_counted<brusselator_2d>;

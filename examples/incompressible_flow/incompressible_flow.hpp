@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <problems/petsc_counted.hpp>
 #include <stagecraft/linear/petsc.hpp>
 #include <string>
 #include <utility>
@@ -216,12 +217,7 @@ class incompressible_flow {
     stagecraft::petsc_owned<Vec> state_, around_;
 };
 
-/// The same with one matrix for all its runs, which counts what they cost.
-struct counted_flow : incompressible_flow {
-    using incompressible_flow::incompressible_flow;
-    stagecraft::petsc_matrix J = incompressible_flow::matrix();
-    stagecraft::petsc_matrix matrix() const { return J; }
-};
+using counted_flow = petsc_counted<incompressible_flow>;
 
 /// The preconditioner: PCFIELDSPLIT, an incomplete factorisation for the velocities (on each process its own part) and
 /// multigrid for the pressure's Schur complement, in which their diagonal stands for them. What has been set before stays;
