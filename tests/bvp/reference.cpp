@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE bvp_reference
 #include <boost/test/unit_test.hpp>
 
+#include "end_values.hpp"
 #include "reference.hpp"
 
 // The systems of two equations of data/bvp.json.
@@ -31,30 +32,21 @@ struct equations {
     }
 };
 
-struct ends {
-    double left, right;
-    template <class Y, class R>
-    void operator()(const Y& a, const Y& b, R& r) const {
-        r[0] = a[0] - left;
-        r[1] = b[0] - right;
-    }
-};
-
 auto boundary_values(const std::string& kind, double p) {
     const auto shock = [p](double x) {
         return 1 + p * (std::abs(x) / p + std::log1p(std::exp(-2 * std::abs(x) / p)) - std::log(2.0));
     };
-    if (kind == "troesch") return ends{0, 1};
-    if (kind == "t1") return ends{1, 0};
-    if (kind == "t7") return ends{-1, 1};
-    if (kind == "t20") return ends{shock(0.745), shock(0.255)};
-    if (kind == "t30") return ends{-7.0 / 6, 1.5};
-    if (kind == "sb") return ends{1, 1};
-    return ends{0, 0};
+    if (kind == "troesch") return end_values{0, 1};
+    if (kind == "t1") return end_values{1, 0};
+    if (kind == "t7") return end_values{-1, 1};
+    if (kind == "t20") return end_values{shock(0.745), shock(0.255)};
+    if (kind == "t30") return end_values{-7.0 / 6, 1.5};
+    if (kind == "sb") return end_values{1, 1};
+    return end_values{0, 0};
 }
 
 // The stated guesses: zero, or the line through the boundary values.
-auto guess(const std::string& kind, const ends& e) {
+auto guess(const std::string& kind, const end_values& e) {
     return [line = kind == "troesch" || kind == "t20" || kind == "t30", e](double t) {
         return line ? Eigen::Vector2d(e.left + (e.right - e.left) * t, e.right - e.left)
                     : Eigen::Vector2d(0, 0);
@@ -70,7 +62,7 @@ BOOST_AUTO_TEST_CASE(answers_are_within_the_tolerance_and_their_error_is_known) 
         if (reference.equations != 2) continue;
         if (name == "t20_1e-3") continue;  // not from this guess
         const double p = reference.p;
-        const ends values = boundary_values(kind, p);
+        const end_values values = boundary_values(kind, p);
         BOOST_TEST_CONTEXT(name) {
             // In t7_1e-8 the rounding errors of the sum on the right, times 1e8, leave 1e-8 in y' near the layer (not in y).
             for (const double tolerance : {1e-5, name == "t7_1e-8" ? 1e-7 : 1e-10})

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "end_values.hpp"
+
 namespace sc = stagecraft;
 using Eigen::Vector2d;
 
@@ -29,17 +31,7 @@ struct rhs {
     }
 };
 
-/// u(a) = left, u(b) = right.
-struct ends {
-    double left, right;
-    template <class Y, class R>
-    void operator()(const Y& a, const Y& b, R& r) const {
-        r[0] = a[0] - left;
-        r[1] = b[0] - right;
-    }
-};
-
-auto shoot(const rhs& f, const ends& r, double b, const Vector2d& guess,
+auto shoot(const rhs& f, const end_values& r, double b, const Vector2d& guess,
            const sc::shooting_options<double>& o = {}) {
     return sc::shooting(sc::radau_iia<5>(), sc::two_point(f, r), 0.0, b, guess, o);
 }
@@ -78,8 +70,8 @@ BOOST_AUTO_TEST_CASE(single_and_multiple_shooting_find_both_solutions_of_bratu) 
                 const auto guess = [a](double t) {
                     return Vector2d(a * std::sin(pi * t), a * pi * std::cos(pi * t));
                 };
-                const auto r = sc::shooting(sc::radau_iia<5>(), sc::two_point(rhs{rhs::bratu}, ends{0, 0}),
-                                            0.0, 1.0, guess, o);
+                const auto r = sc::shooting(
+                    sc::radau_iia<5>(), sc::two_point(rhs{rhs::bratu}, end_values{0, 0}), 0.0, 1.0, guess, o);
                 BOOST_TEST(sc::name(r.status) == std::string("success"), r.message);
                 BOOST_TEST(std::abs(r.values[0][1] - exact) < 1e-7 * exact);
             }
