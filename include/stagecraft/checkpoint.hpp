@@ -93,8 +93,7 @@ class luggage {
             static_assert(
                 requires { x.data(); },
                 "checkpoint: the type of problem.matrix() needs `template <class Bag> void carry(Bag& bag)` "
-                "that "
-                "calls bag(...) with the members to be saved: scalars, integers, matrices of Eigen's");
+                "that calls bag(...) with the members to be saved: scalars, integers, matrices of Eigen's");
             several(x.data(), x.size());
         }
     }

@@ -26,9 +26,8 @@ constexpr const char* reason(status s) {
         case status::newton_failed:
             return "the stage equations could not be solved with any admissible step";
         case status::singular_matrix:
-            return "the matrix gamma/h M - J, or what constraints leave of it for small h, was singular for "
-                   "every "
-                   "admissible step";
+            return "the matrix gamma/h M - J, or what constraints leave of it for small h, was singular "
+                   "for every admissible step";
         case status::non_finite:
             return "the right-hand side or the Jacobian gave NaN or infinity for every admissible step";
         case status::size_changed:
@@ -142,14 +141,12 @@ constexpr const char* doubt(status s, const report<Scalar>& r) {
     const long attempts = r.steps + r.rejected(), few = 10;
     if (r.found.jacobian == jacobian_source::member && r.rejected_newton > few &&
         3 * r.rejected_newton > attempts)
-        return "Newton's iteration failed in more than a third of the attempts: look at problem.jacobian(), "
-               "or "
-               "compare with a run without it";
+        return "Newton's iteration failed in more than a third of the attempts: look at "
+               "problem.jacobian(), or compare with a run without it";
     if (s == status::too_many_steps && r.rejected() > few && 3 * r.rejected() > attempts &&
         1000000 * r.smallest_step < r.largest_step)
-        return "more than a third of the attempts were rejected, and steps became tiny: f may switch in "
-               "every "
-               "step; make the switch an event (observe/event.hpp), or smooth it";
+        return "more than a third of the attempts were rejected, and steps became tiny: f may switch "
+               "in every step; make the switch an event (observe/event.hpp), or smooth it";
     return "";
 }
 

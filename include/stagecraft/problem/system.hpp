@@ -175,9 +175,8 @@ class system
                     throw std::invalid_argument("integrate: problem.index() must hold 1, 2 or 3");
                 if (flags[i] > 1 && mass_type::identity)
                     throw std::invalid_argument(
-                        "integrate: problem.index() holds 2 or 3, but there is no problem.mass(): without "
-                        "one "
-                        "all components are of index 1");
+                        "integrate: problem.index() holds 2 or 3, but there is no problem.mass(): "
+                        "without one all components are of index 1");
                 if (flags[i] > 1) raised_.push_back({i, flags[i] - 1});
                 if (flags[i] > largest_index_) largest_index_ = flags[i];
             }

@@ -167,14 +167,12 @@ template <class Step>
 void demand_free_steps(const Step& m, int largest_index, bool continuous) {
     if (largest_index > 1 && !m.forgets())  // HLR89, section 4
         throw std::invalid_argument(
-            "integrate: method must have |R(infinity)| < 1 for problem.index() 2 and 3, whose errors it "
-            "would "
-            "keep for ever; use options.fixed_step");
+            "integrate: method must have |R(infinity)| < 1 for problem.index() 2 "
+            "and 3, whose errors it would keep for ever; use options.fixed_step");
     if (largest_index > 2 && !m.stiffly_accurate())
         throw std::invalid_argument(
-            "integrate: method must be stiffly accurate for problem.index() 3, where the errors of others "
-            "have "
-            "no bound; use options.fixed_step");
+            "integrate: method must be stiffly accurate for problem.index() 3, "
+            "where the errors of others have no bound; use options.fixed_step");
     if (continuous && !m.knows_output_error())
         throw std::invalid_argument(
             "integrate: continuous needs a transformed_tableau of two stages at least, other than Radau IA");

@@ -66,9 +66,8 @@ class tableau_step : public step_defaults<Space> {
         const bool fixed = demands.fixed;
         if (!fixed && known_.power == 0)
             throw std::invalid_argument(
-                "integrate: method has no embedded weights to estimate errors with; use options.fixed_step, "
-                "or "
-                "step_doubling(method) of tableau/step_doubling.hpp");
+                "integrate: method has no embedded weights to estimate errors with; use "
+                "options.fixed_step, or step_doubling(method) of tableau/step_doubling.hpp");
         if constexpr (System::opaque || !has_entries<typename System::mass_type>)
             if (!is_.lower && !coupled_.splits())
                 throw std::invalid_argument(

@@ -25,9 +25,8 @@ inline inverse_form inverse_form_of(const nodal_polynomial& w, construction rule
     if (rule == construction::collocation && !left) return inverse_form::collocation;
     if (rule == construction::collocation)
         throw std::invalid_argument(
-            "method: A of collocation with the node 0 is singular (its first row is 0); use rounded(), the "
-            "plain "
-            "tableau, in place of transformed()");
+            "method: A of collocation with the node 0 is singular (its first row "
+            "is 0); use rounded(), the plain tableau, in place of transformed()");
     if (rule == construction::lobatto_iiic || w.family() == family::radau_ia)
         return inverse_form::first_column;
     throw std::invalid_argument("method: " + w.name() + " has no A^-1 here (D(s) with the node 1 makes A " +

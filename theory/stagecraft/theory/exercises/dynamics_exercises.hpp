@@ -188,9 +188,8 @@ inline exercise find_absorbing_ball(dice& d) {
         e.solution = {
             paragraph(how + " $\\alpha = " + latex(alpha) + "$."),
             paragraph(
-                "From $\\frac{d}{dt} |x|^{2} \\le 2 \\alpha - 2 \\beta |x|^{2}$: every ball of a radius "
-                "above "
-                "$\\sqrt{\\alpha / \\beta} = \\sqrt{" +
+                "From $\\frac{d}{dt} |x|^{2} \\le 2 \\alpha - 2 \\beta |x|^{2}$: "
+                "every ball of a radius above $\\sqrt{\\alpha / \\beta} = \\sqrt{" +
                 latex(alpha / beta) +
                 "}$ is positively invariant and absorbing. The same holds for the implicit Euler method "
                 "with any steps $h_{n}$ of infinite sum.")};

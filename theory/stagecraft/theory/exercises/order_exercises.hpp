@@ -117,8 +117,7 @@ inline exercise missing_entry(dice& d) {
     } else if (which == 2) {
         how =
             "The conditions $\\sum_{i} b_{i} c_{i}^{k} = \\frac{1}{k+1}$, $k = 0, 1, 2$, are a linear system "
-            "with "
-            "Vandermonde's matrix; its solution is below. The fourth condition $b_{3} a_{32} c_{2} = "
+            "with Vandermonde's matrix; its solution is below. The fourth condition $b_{3} a_{32} c_{2} = "
             "\\frac{1}{6}$ holds as well.";
         M.resize(3, 3);
         for (Eigen::Index i = 0; i < 3; ++i)
