@@ -79,6 +79,28 @@ BOOST_AUTO_TEST_CASE(singular_and_non_finite_matrices_are_refused) {
     BOOST_TEST(!factors<sc::umfpack_blocks>(J, 3));
 }
 
+// shift - J is diagonal but for small entries at first; with the second shift its first diagonal entry is 1e-13, with
+// the third one it is zero: the pivots of the first would leave three digits, and none.
+BOOST_AUTO_TEST_CASE(pivots_that_no_longer_serve_are_chosen_anew) {
+    Eigen::SparseMatrix<double> J(3, 3);
+    J.insert(0, 0) = 2, J.insert(0, 1) = 1, J.insert(1, 0) = 1, J.insert(1, 1) = 1, J.insert(1, 2) = 1;
+    J.insert(2, 1) = 1, J.insert(2, 2) = 5;
+    using blocks = sc::klu_blocks;
+    blocks::real real(3);
+    blocks::complex complex(3);
+    const Eigen::Vector3d b(1, 0.3, -0.7);
+    for (const double shift : {1e3, 2 + 1e-13, 2.0, 1e3}) {
+        BOOST_REQUIRE(real.factor_shifted(sc::identity_mass{}, J, shift));
+        BOOST_REQUIRE(complex.factor_shifted(sc::identity_mass{}, J, shift, 0.0));
+        Eigen::Vector3d x = b, re = b, im = Eigen::Vector3d::Zero();
+        real.solve(x.data());
+        complex.solve(re.data(), im.data());
+        BOOST_TEST((shift * x - J * x - b).norm() < 1e-14 * shift);
+        BOOST_TEST((re - x).norm() < 1e-14);
+        BOOST_TEST(im.norm() == 0);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_brusselator_is_the_same_with_klu_umfpack_and_sparse_lu) {
     const problems::sparse_brusselator p{{100}};
     const auto with_klu = sc::with_linear_solver<sc::klu_blocks>(p);
