@@ -6,6 +6,7 @@
 #include <stagecraft/families.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
+#include <stagecraft/linear/preconditioner_life.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
 #include <stagecraft/problem/matrix_free.hpp>
 #include <stagecraft/problem/with.hpp>
@@ -228,24 +229,136 @@ BOOST_AUTO_TEST_CASE(a_right_hand_side_and_a_preconditioner_suffice) {
     BOOST_CHECK_THROW(sc::matrix_free(preconditioned_heat<true>{3}, -1), std::invalid_argument);
 }
 
-// A factorisation costs some forty solves with it and J: the Jacobian is kept longer than by its contraction alone.
-BOOST_AUTO_TEST_CASE(what_a_factorisation_costs_is_told_to_the_step_control) {
-    const sparse_brusselator problem;
-    sparse J = problem.sparsity();
-    problem.jacobian(0, problem.start(), J);
-    const int n = static_cast<int>(J.rows());
-    sc::krylov_blocks::real real(n);
-    BOOST_TEST(real.factor_shifted(sc::identity_mass(), J, 300.0));
-    BOOST_TEST(real.work().step > 5 * real.work().iteration);
-    sc::krylov_blocks::complex pair(n);
-    BOOST_TEST(pair.factor_shifted(sc::identity_mass(), J, 300.0, 200.0));
-    BOOST_TEST(pair.work().iteration > 1.5 * real.work().iteration);
-    const product by_product{&problem, problem.start(), MatrixXd(J).diagonal()};
-    sc::krylov_blocks::real free(n);
-    BOOST_TEST(free.factor_shifted(sc::identity_mass(), by_product, 300.0));
-    BOOST_TEST(free.work().step == 0);
-    const auto r = sc::integrate(sc::radau_iia(3), sc::with_linear_solver<sc::krylov_blocks>(problem),
-                                 problem.start(), 0.0, 0.5, {.rtol = 1e-6, .atol = 1e-6});
+namespace {
+
+// krylov_blocks, and how many factorisations it makes for how many systems. With Lasting false every system has a solver of
+// its own, which can keep nothing.
+template <bool Lasting>
+struct counting_blocks {
+    inline static long setups, systems;
+
+    template <class Solver>
+    class counted {
+      public:
+        explicit counted(int n) : n_(n), solver_(n) {}
+        template <class... Arguments>
+        bool factor_shifted(const Arguments&... arguments) {
+            if (!Lasting) solver_ = Solver(n_);
+            const long before = solver_.setups();
+            const bool done = solver_.factor_shifted(arguments...);
+            setups += solver_.setups() - before;
+            ++systems;
+            return done;
+        }
+        template <class... Parts>
+        void solve(Parts... x) {
+            solver_.solve(x...);
+        }
+
+      private:
+        int n_;
+        Solver solver_;
+    };
+    using real = counted<sc::krylov_blocks::real>;
+    using complex = counted<sc::krylov_blocks::complex>;
+};
+
+// A grid of k x k points with zeros around it: u_t = div((1 + u^2) grad u)/10 + 20 cos 5t, and a rotation around the centre
+// with `speed` radians in a unit of time, upwind.
+struct transported_heat {
+    int k;
+    double speed;
+    double h() const { return 1.0 / (k + 1); }
+    template <class Add>
+    void neighbours(int i, int j, Add add) const {
+        const double a = -speed * ((j + 1) * h() - 0.5), b = speed * ((i + 1) * h() - 0.5);
+        const double along[] = {-a, a, -b, b};
+        const int dx[] = {1, -1, 0, 0}, dy[] = {0, 0, 1, -1};
+        for (int e = 0; e < 4; ++e) {
+            const int x = i + dx[e], y = j + dy[e];
+            add(std::min(x, y) < 0 || std::max(x, y) >= k ? -1 : x + k * y, std::max(along[e], 0.0) / h());
+        }
+    }
+    template <class Visit>
+    void each(Visit visit) const {
+        for (int p = 0; p < k * k; ++p)
+            neighbours(p % k, p / k, [&](int q, double inflow) { visit(p, q, inflow); });
+    }
+    void operator()(double t, const VectorXd& u, VectorXd& f) const {
+        f.setConstant(20 * std::cos(5 * t));
+        each([&](int p, int q, double inflow) {
+            const double beside = q < 0 ? 0 : u[q], mean = (beside + u[p]) / 2;
+            f[p] += (0.1 * (1 + mean * mean) / (h() * h()) + inflow) * (beside - u[p]);
+        });
+    }
+    template <class Add>
+    void entries(const VectorXd& u, Add add) const {
+        each([&](int p, int q, double inflow) {
+            const double beside = q < 0 ? 0 : u[q], mean = (beside + u[p]) / 2, d = 0.1 / (h() * h());
+            const double there = d * (1 + mean * mean) + inflow, slope = d * mean * (beside - u[p]);
+            add(p, p, slope - there);
+            if (q >= 0) add(p, q, slope + there);
+        });
+    }
+    sparse sparsity() const {
+        std::vector<Eigen::Triplet<double>> places;
+        entries(VectorXd::Zero(k * k), [&](int i, int j, double) { places.emplace_back(i, j, 0.0); });
+        sparse J(k * k, k * k);
+        J.setFromTriplets(places.begin(), places.end());
+        return J;
+    }
+    void jacobian(double, const VectorXd& u, sparse& J) const {
+        J.coeffs().setZero();
+        entries(u, [&](int i, int j, double value) { J.coeffRef(i, j) += value; });
+    }
+    VectorXd start() const {
+        VectorXd u(k * k);
+        for (int p = 0; p < k * k; ++p)
+            u[p] = std::sin(3 * M_PI * (p % k + 1) * h()) * std::sin(M_PI * (p / k + 1) * h());
+        return u;
+    }
+};
+
+// What runs with lasting factorisations take beside those with new ones for every system.
+template <class Problem>
+void factorisations_last(const Problem& problem, double tolerance) {
+    using lasting = counting_blocks<true>;
+    using always_new = counting_blocks<false>;
+    const sc::options<double> o{.rtol = tolerance, .atol = tolerance};
+    lasting::setups = lasting::systems = always_new::setups = always_new::systems = 0;
+    const auto run = [&](const auto& p) {
+        return sc::integrate(sc::radau_iia(3), p, p.start(), 0.0, 1.0, o);
+    };
+    const auto r = run(sc::with_linear_solver<lasting>(problem)),
+               beside = run(sc::with_linear_solver<always_new>(problem));
     BOOST_TEST(r.ok());
-    BOOST_TEST(2 * r.report.jacobians <= r.report.steps);
+    BOOST_TEST(always_new::setups == always_new::systems);
+    BOOST_TEST(2 * lasting::setups <= always_new::setups);
+    BOOST_TEST(double(r.report.solves) <= 1.05 * double(beside.report.solves) + 1);
+    BOOST_TEST((r.y - beside.y).template lpNorm<Eigen::Infinity>() <= tolerance);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(at_most_half_of_the_factorisations_are_made) {
+    factorisations_last(sparse_brusselator{{24}}, 1e-4);
+    factorisations_last(sparse_brusselator{{24}}, 1e-7);
+    for (const double speed : {0.0, 50.0}) factorisations_last(transported_heat{30, speed}, 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(a_preconditioner_serves_until_it_has_cost_as_much_as_a_new_one) {
+    sc::preconditioner_life life;
+    BOOST_TEST(!life.serves(1));
+    life.made(100, 5);
+    BOOST_TEST(!life.serves(100));  // it has not been tried
+    life.used(3);
+    for (const double shift : {51.0, 100.0, 199.0}) BOOST_TEST(life.serves(shift));
+    for (const double shift : {50.0, 200.0, 1e6}) BOOST_TEST(!life.serves(shift));
+    for (const double iterations : {3, 1, 5, 5}) life.used(iterations);
+    BOOST_TEST(life.serves(100));
+    life.used(4);
+    BOOST_TEST(!life.serves(100));
+    life.made(100, 5);
+    life.used(40);
+    BOOST_TEST(life.serves(100));
 }

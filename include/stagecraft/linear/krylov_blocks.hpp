@@ -13,6 +13,7 @@
 
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/preconditioner_life.hpp>
 #include <stagecraft/linear/shifted_sparse.hpp>
 
 namespace stagecraft {
@@ -101,21 +102,8 @@ struct counted_ilut : Eigen::IncompleteLUT<double> {
     Eigen::Index entries() const { return m_lu.nonZeros(); }
 };
 
-/// How many iterations a solve has taken in the mean; a few before the first.
-class mean_iterations {
-  public:
-    void add(int iterations) {
-        sum_ += iterations;
-        ++solves_;
-    }
-    double value() const { return solves_ > 0 ? sum_ / solves_ : 5; }
-
-  private:
-    double sum_ = 0, solves_ = 0;
-};
-
-/// shift M - J and a preconditioner for it: an incomplete factorisation of the matrix where J is sparse, else
-/// J.precondition(shift, x).
+/// shift M - J and a preconditioner for it: where J is sparse an incomplete factorisation, which may be that of an
+/// earlier shift and J (preconditioner_life.hpp), else J.precondition(shift, x).
 class shifted_operator {
   public:
     using vector = Eigen::VectorXd;
@@ -147,14 +135,10 @@ class shifted_operator {
     void precondition(const in& x, out r) const { precondition_(x, r); }
     /// r := r + factor M x.
     void add_mass(double factor, const in& x, out r) const { add_mass_(factor, x, r); }
-    /// In nanoseconds, of a factorisation, and of a product with one application of the preconditioner; zeros where no
-    /// matrix is formed. (Measured for ILUT with 1 to 10 entries a row.)
-    block_work<double> work() const {
-        const double kept = static_cast<double>(factors_.entries()),
-                     given = static_cast<double>(matrix_.matrix().nonZeros()),
-                     rows = static_cast<double>(matrix_.matrix().rows());
-        return {80 * given + 50 * kept, 0.7 * given + 1.5 * kept + 5 * rows};
-    }
+    /// A solve has applied the preconditioner so often.
+    void used(int applications) { life_.used(applications); }
+    /// Factorisations that have been made.
+    long setups() const { return setups_; }
 
   private:
     template <class Mass>
@@ -166,14 +150,26 @@ class shifted_operator {
         if (!matrix_.finite()) return false;
         multiply_ = [this](const in& x, out r) { r.noalias() = matrix_.matrix() * x; };
         precondition_ = [this](const in& x, out r) { r = factors_.solve(x); };
+        if (life_.serves(shift)) return true;
         factors_.setDroptol(1e-2);
         factors_.setFillfactor(3);
         factors_.compute(matrix_.matrix());
+        ++setups_;
+        life_.made(shift, setup_cost());
         return factors_.info() == Eigen::Success;
+    }
+    /// Of a factorisation, in iterations of a real system: nanoseconds as measured for ILUT with 1 to 10 entries a row.
+    double setup_cost() const {
+        const double kept = static_cast<double>(factors_.entries()),
+                     given = static_cast<double>(matrix_.matrix().nonZeros()),
+                     rows = static_cast<double>(matrix_.matrix().rows());
+        return (80 * given + 50 * kept) / (0.7 * given + 1.5 * kept + 11 * rows);
     }
 
     shifted_sparse<double> matrix_;
     counted_ilut factors_;
+    preconditioner_life life_;
+    long setups_ = 0;
     std::function<void(double, const in&, out)> add_mass_;
     std::function<void(const in&, out)> multiply_, precondition_;
 };
@@ -184,9 +180,9 @@ class shifted_operator {
 /// preconditioned from the right, in memory that is a multiple of n. A complex pair is solved as a real system of twice
 /// the size with PRESB (Axelsson-Neytcheva), two applications of one real preconditioner, for the sum of the real and
 /// imaginary parts of its shift. The preconditioner is an incomplete LU factorisation of shift M - J for a problem with
-/// sparsity(). For a problem with matrix() it is that object's: with add_times(factor, x, r), which adds factor J x to r,
-/// and precondition(shift, x), which replaces x by about (shift M - J)^-1 x, on n contiguous numbers; no matrix need then
-/// ever be formed. Used as linear/klu.hpp is:
+/// sparsity(); it outlives its Jacobian and its step while it serves (preconditioner_life.hpp). For a problem with matrix()
+/// it is that object's: with add_times(factor, x, r), which adds factor J x to r, and precondition(shift, x), which
+/// replaces x by about (shift M - J)^-1 x, on n contiguous numbers; no matrix need then ever be formed. Used as linear/klu.hpp is:
 ///
 ///     using linear_solver = stagecraft::krylov_blocks;
 ///
@@ -201,18 +197,17 @@ struct krylov_blocks {
         }
         void solve(double* x) {
             if (n_ == 0) return;
-            iterations_.add(gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
-                                         [&](const auto& in, auto&& out) { system_->precondition(in, out); },
-                                         Eigen::Map<Eigen::VectorXd>(x, n_), bound, most));
+            system_->used(gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
+                                       [&](const auto& in, auto&& out) { system_->precondition(in, out); },
+                                       Eigen::Map<Eigen::VectorXd>(x, n_), bound, most));
         }
-        /// Of a factorisation, and of a solve by the iterations that solves have taken.
-        block_work<double> work() const { return whole_work(*system_, n_, 1, iterations_); }
+        /// Incomplete factorisations that have been made.
+        long setups() const { return system_->setups(); }
 
       private:
         int n_;
         std::unique_ptr<detail::shifted_operator> system_;  // its functions refer to it
         detail::restarted_gmres gmres_;
-        detail::mean_iterations iterations_;
     };
 
     class complex {
@@ -229,13 +224,13 @@ struct krylov_blocks {
             if (n_ == 0) return;
             Eigen::Map<Eigen::VectorXd> u(x, n_), v(y, n_);
             both_ << u, sign_ * v;
-            iterations_.add(gmres_.solve([&](const auto& in, auto&& out) { multiply(in, out); },
-                                         [&](const auto& in, auto&& out) { precondition(in, out); }, both_,
-                                         bound, most));
+            system_->used(2 * gmres_.solve([&](const auto& in, auto&& out) { multiply(in, out); },
+                                           [&](const auto& in, auto&& out) { precondition(in, out); }, both_,
+                                           bound, most));
             u = both_.head(n_);
             v = sign_ * both_.tail(n_);
         }
-        block_work<double> work() const { return whole_work(*system_, n_, 2, iterations_); }
+        long setups() const { return system_->setups(); }
 
       private:
         /// With P = (re + beta) M - J and B = beta M: [A -B; B A] with A = P - B.
@@ -264,7 +259,6 @@ struct krylov_blocks {
         double beta_ = 0, sign_ = 1;
         std::unique_ptr<detail::shifted_operator> system_;
         detail::restarted_gmres gmres_;
-        detail::mean_iterations iterations_;
         Eigen::VectorXd h_, w_, both_;
     };
 
@@ -272,12 +266,6 @@ struct krylov_blocks {
     static block_work<double> work(int n) { return {500.0 * n, 600.0 * n}; }
 
   private:
-    /// `width`: 1 for a real system, 2 for a pair. Of an iteration's vectors GMRES passes over some ten, a pair over more.
-    static block_work<double> whole_work(const detail::shifted_operator& system, int n, int width,
-                                         const detail::mean_iterations& iterations) {
-        const block_work<double> one = system.work();
-        return {one.step, iterations.value() * width * (one.iteration + 6.0 * n)};
-    }
     static constexpr double bound = 1e-2;
     static constexpr int most = 100;
 };

@@ -14,6 +14,7 @@
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/petsc_matrix.hpp>
 #include <stagecraft/linear/petsc_multigrid.hpp>
+#include <stagecraft/linear/preconditioner_life.hpp>
 
 // Distributed linear systems by PETSc (real scalars; Debian: libpetsc-real-dev). A problem that uses them has
 //
@@ -50,13 +51,12 @@ class petsc_shifted {
         PetscReal size = 0;
         petsc_check(MatNorm(matrix_.get(), NORM_FROBENIUS, &size));
         if (!std::isfinite(size)) return false;
-        const bool kept = serves(shift);
+        const bool kept = life_.serves(shift);
         petsc_check(PCSetReusePreconditioner(pc_.get(), kept ? PETSC_TRUE : PETSC_FALSE));
         petsc_check(PCSetOperators(pc_.get(), matrix_.get(), matrix_.get()));
         if (kept) return true;
         ++counts_->setups;
-        shift_ = shift;
-        usual_ = excess_ = 0;
+        life_.made(shift, setup_cost);
         petsc_check(PCSetUp(pc_.get()));
         PCFailedReason failed = PC_NOERROR;
         petsc_check(PCGetFailedReason(pc_.get(), &failed));
@@ -69,10 +69,7 @@ class petsc_shifted {
         return petsc_made<Vec>([&](Vec* v) { return MatCreateVecs(matrix(), v, nullptr); });
     }
     /// A solve has taken so many cycles.
-    void used(long cycles) {
-        if (usual_ == 0) usual_ = cycles;
-        if (cycles > usual_) excess_ += cycles - usual_;
-    }
+    void used(long cycles) { life_.used(static_cast<double>(cycles)); }
     /// out := one cycle on in.
     void cycle(Vec in, Vec out) const {
         ++counts_->cycles;
@@ -92,18 +89,11 @@ class petsc_shifted {
         petsc_check(PCSetFromOptions(pc_.get()));
     }
 
-    /// True if the hierarchy is good enough for another shift and J: until what it has cost beyond its first solve is what
-    /// a new one costs. (A shift that is far from its own would show at once.)
-    bool serves(double shift) const {
-        return usual_ > 0 && excess_ < setup_cost && shift < 2 * shift_ && shift_ < 2 * shift;
-    }
-
-    static constexpr long setup_cost = 5;  // in cycles
+    static constexpr double setup_cost = 5;  // in cycles
     petsc_owned<Mat> matrix_;
     petsc_owned<PC> pc_;
     petsc_counts* counts_ = nullptr;
-    double shift_ = 0;             // that of the hierarchy
-    long usual_ = 0, excess_ = 0;  // cycles of its first solve; those of later solves beyond as many
+    preconditioner_life life_;
 };
 
 /// Flexible GMRES, from the right and from zero, to a hundredth of the residual.
@@ -340,8 +330,8 @@ class petsc_single {
 /// (-stage_real_ksp_rtol 1e-3), -stage_pc_ that of the preconditioner (-stage_pc_pc_type hypre), and
 /// -stage_pair_scheme triangular takes another preconditioner of pairs, with two hierarchies.
 ///
-/// A hierarchy outlives the Jacobian and the step it was made for while it serves: until the cycles that it has cost
-/// beyond those of its first solve are as many as a setup is worth, about five.
+/// A hierarchy outlives the Jacobian and the step it was made for while it serves, a setup counted as five cycles
+/// (preconditioner_life.hpp).
 ///
 /// Inexact solves are Newton's business: what they leave shows in its contraction. An error that PETSc reports is a
 /// std::runtime_error on the process where it does.
