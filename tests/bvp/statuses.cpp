@@ -197,6 +197,8 @@ BOOST_AUTO_TEST_CASE(bad_arguments_are_named) {
     names("mesh", [&] { with({.mesh = {0, 0.5}}); });
     names("fixed_points", [&] { with({.fixed_points = {1.5}}); });
     names("intervals", [&] { with({.intervals = 0}); });
+    names("max_intervals", [&] { with({.intervals = 20, .max_intervals = 5}); });
+    names("max_intervals", [&] { with({.mesh = {0, 0.25, 0.5, 1}, .max_intervals = 2}); });
     names("newton_iterations", [&] { with({.newton_iterations = 0}); });
     names("guess", [&] {
         sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{}, ends{0, 1}), 0.0, 1.0, Vector2d(nan, 0));

@@ -84,5 +84,6 @@ BOOST_AUTO_TEST_CASE(methods_that_do_not_know_the_error_between_the_ends_say_so)
     for (const auto& message :
          {refusal(sc::radau_iia<1>()), refusal(sc::radau_ia<3>()), refusal(methods::dormand_prince())})
         BOOST_TEST(message.find("continuous") != std::string::npos);
-    BOOST_TEST(refusal(sc::radau_iia<1>(), 0.1) == "accepted");  // equal steps have no tolerance
+    const auto equal_steps = refusal(sc::radau_iia<2>(), 0.1);  // have no estimate that could hold anywhere
+    BOOST_TEST(equal_steps.find("continuous") != std::string::npos);
 }

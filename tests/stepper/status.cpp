@@ -60,6 +60,13 @@ BOOST_AUTO_TEST_CASE(a_bad_argument_is_named) {
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = 0.1, .max_step = 0.2}), "max_step"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.initial_step = -0.1}), "initial_step"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.min_step = 1, .max_step = 0.1}), "max_step"));
+    // What contradicts itself is not taken in silence, and what is said of NaN is true of it.
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.initial_step = 0.05, .min_step = 0.1}), "initial_step"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.initial_step = 0.5, .max_step = 0.1}), "initial_step"));
+    BOOST_TEST(refusal(decay, y0, 0, 1, {.initial_step = 0.1, .max_step = 0.1}) == "accepted");
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.fixed_step = nan}), "fixed_step must be finite"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.max_step = nan}), "max_step must be a number"));
+    BOOST_TEST(names(refusal(decay, y0, 0, 1, {.newton_factor = nan}), "newton_factor must be finite"));
     BOOST_TEST(names(refusal(decay, y0, 0, 1, {.max_steps = 0}), "max_steps"));
     BOOST_TEST(names(refusal(decay, y0, nan, 1, {}), "t0"));
     BOOST_TEST(names(refusal(decay, y0, 0, std::numeric_limits<double>::infinity(), {}), "t1"));

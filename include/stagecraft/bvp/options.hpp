@@ -40,6 +40,9 @@ void validate(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b) {
     demand_bvp(o.atol == Scalar(0) || o.atol >= 4 * std::numeric_limits<Scalar>::epsilon() * o.rtol,
                "atol must be zero (that of rtol) or not negligible beside rtol");
     demand_bvp(o.intervals > 0 && o.max_intervals > 0, "intervals and max_intervals must be positive");
+    demand_bvp((o.mesh.empty() ? o.intervals : static_cast<int>(o.mesh.size()) - 1) <= o.max_intervals,
+               std::string(o.mesh.empty() ? "intervals" : "the intervals of mesh") +
+                   " must not be more than max_intervals");
     demand_bvp(o.newton_iterations > 0, "newton_iterations must be positive");
     if (!o.mesh.empty()) {
         demand_bvp(o.mesh.size() > 1 && o.mesh.front() == a && o.mesh.back() == b,

@@ -66,17 +66,26 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
             demand(o.atol_components[i] >= least, too_small);
         }
     }
-    demand(finite(o.fixed_step) && o.fixed_step >= Scalar(0), "fixed_step must not be negative");
-    demand(finite(o.initial_step) && o.initial_step >= Scalar(0), "initial_step must not be negative");
-    demand(finite(o.min_step) && o.min_step >= Scalar(0), "min_step must not be negative");
-    demand(o.max_step >= Scalar(0), "max_step must not be negative");
-    demand(o.max_step == Scalar(0) || o.max_step >= o.min_step, "max_step must not be below min_step");
-    demand(o.fixed_step == Scalar(0) ||
-               (o.initial_step == Scalar(0) && o.min_step == Scalar(0) && o.max_step == Scalar(0)),
-           "fixed_step leaves nothing to initial_step, min_step and max_step: give it alone");
+    demand(finite(o.fixed_step) && o.fixed_step >= Scalar(0), "fixed_step must be finite and not negative");
+    demand(finite(o.initial_step) && o.initial_step >= Scalar(0),
+           "initial_step must be finite and not negative");
+    demand(finite(o.min_step) && o.min_step >= Scalar(0), "min_step must be finite and not negative");
+    demand(o.max_step >= Scalar(0), "max_step must be a number and not negative");
+    const bool bounded = o.max_step > Scalar(0);
+    demand(!bounded || o.max_step >= o.min_step, "max_step must not be below min_step");
+    if (o.initial_step > Scalar(0)) {
+        demand(o.initial_step >= o.min_step, "initial_step must not be below min_step");
+        demand(!bounded || o.initial_step <= o.max_step, "initial_step must not be above max_step");
+    }
+    if (o.fixed_step > Scalar(0)) {
+        demand(o.initial_step == Scalar(0) && o.min_step == Scalar(0) && !bounded,
+               "fixed_step leaves nothing to initial_step, min_step and max_step: give it alone");
+        demand(!o.continuous, "continuous asks for an error estimate, which fixed_step does without");
+    }
     demand(o.max_steps > 0, "max_steps must be positive");
     demand(o.newton_iterations >= 0, "newton_iterations must not be negative");
-    demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0), "newton_factor must not be negative");
+    demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0),
+           "newton_factor must be finite and not negative");
 }
 
 /// Throws std::invalid_argument that names t0, t1 or y0 if it is not finite.
