@@ -28,11 +28,16 @@ bool is_family(const std::string& name) {
 }
 
 tableaux::rational number(const char* argument, const std::string& text) {
-    const auto e = tableaux::read_entry(text, tableaux::exact_decimals::all());
-    if (!e.exact || !e.exact->is_rational() || e.exact->rational_part() < 0)
-        throw std::invalid_argument(std::string(argument) + ": '" + text +
-                                    "', allowed: a number that is not negative");
-    return e.exact->rational_part();
+    const std::invalid_argument refused(std::string(argument) + ": '" + text +
+                                        "', allowed: a number that is not negative");
+    try {
+        const auto e = tableaux::read_entry(text, tableaux::exact_decimals::all());
+        if (e.exact && e.exact->is_rational() && e.exact->rational_part() >= 0)
+            return e.exact->rational_part();
+    } catch (const std::invalid_argument&) {
+        throw refused;
+    }
+    throw refused;
 }
 
 void certify_family(const options& o) {
@@ -99,7 +104,7 @@ const tool::command certify{[](CLI::App& app) {
                     "stages, one of: " +
                         tableaux::family_names())
         ->required();
-    sub->add_flag("--json", o.files.json, "print JSON instead of text");
+    sub->add_flag("--json", o.files.json, "print JSON instead of text; of several files a line each");
     sub->add_option("--from", o.from, "json (default), or text: arrays A, b, c as a program has them");
     sub->add_option("--decimals", o.decimals,
                     "exact, rounded, or auto (default): rounded, but exact where much shorter than usual");

@@ -26,7 +26,7 @@ namespace plot = theory::plot;
 struct arguments {
     std::string kind, method, stages, output;
     std::vector<double> window;
-    double implicit = 0;
+    std::optional<double> implicit;
     bool script_only = false;
 };
 
@@ -54,10 +54,11 @@ std::optional<plot::window> window_of(const arguments& a) {
 /// The region of the explicit part of an additive pair, the implicit one being at a fixed point.
 plot::script coupled_picture(const arguments& a, const tableaux::partitioned_file& file) {
     if (a.kind != "region") throw std::invalid_argument("kind: of several tableaux only region is drawn");
-    const auto r = plot::coupled_stability_function(file, a.implicit);
+    const double z = a.implicit.value_or(0);
+    const auto r = plot::coupled_stability_function(file, z);
     const auto view = window_of(a);
     char at[64];
-    std::snprintf(at, sizeof at, "explicit part, implicit part at z = %g", a.implicit);
+    std::snprintf(at, sizeof at, "explicit part, implicit part at z = %g", z);
     return plot::region_picture(file.name, r, view ? *view : plot::region_window(r), at);
 }
 
@@ -82,6 +83,7 @@ void run(const arguments& a) {
         if (auto* pair = std::get_if<tableaux::partitioned_file>(&file)) return std::move(*pair);
         return std::nullopt;
     }();
+    if (a.implicit && !several) throw std::invalid_argument("implicit: only an additive pair has that part");
     const plot::script picture = several ? coupled_picture(a, *several) : picture_of(a, subject_of(a));
     if (a.script_only) {
         std::ofstream out(a.output);

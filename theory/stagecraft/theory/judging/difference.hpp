@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <string>
@@ -18,6 +19,13 @@ struct certified_file {
 inline std::string in_brief(const finding& f) {
     if (f.value) return std::to_string(*f.value);
     return f.truth ? std::string(name(f.truth->standing())) : "open";
+}
+
+/// Is every entry of the tableau known exactly?
+inline bool all_exact(const tableaux::tableau_file& t) {
+    const auto places = places_of(t, false, false);
+    return std::all_of(places.begin(), places.end(),
+                       [&](const place& p) { return entry_at(t, p).exact.has_value(); });
 }
 
 /// The differences of two tableaux, a line each: entries (exact numbers that differ, others whose enclosures
