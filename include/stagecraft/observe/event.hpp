@@ -48,6 +48,13 @@ struct occurrence {
     crossing direction;  ///< rising or falling
 };
 
+namespace detail {
+template <class Function, class Vector>
+constexpr bool returns_bool = requires(Function& g, const typename Vector::Scalar& t, const Vector& y) {
+    { g(t, y) } -> std::same_as<bool>;
+};
+}  // namespace detail
+
 /// An observer that locates events on the continuous solution. Made by events(), which says how.
 template <class Vector>
 class event_watch {
@@ -341,7 +348,12 @@ event_watch<Vector> events(event_function<Functions>... list) {
         callable,
         "events: g in event(g) must be callable as g(t, y), y const or by value and of the type named in "
         "events<Vector>, and return a number");
-    if constexpr (callable)
+    constexpr bool numbers = !(detail::returns_bool<Functions, Vector> || ...);
+    static_assert(
+        numbers,
+        "events: g in event(g) returns a bool, whose change of sign is none: return the number that "
+        "passes zero, y[0] - 1 for y[0] > 1");
+    if constexpr (callable && numbers)
         return event_watch<Vector>({event_function<function>{function(std::move(list.g)), list.options}...});
     else
         return event_watch<Vector>({});

@@ -62,6 +62,18 @@ concept takes_copy = requires(Problem& p, const typename Vector::Scalar& t, cons
     p(t, y, f);
 };
 
+/// Problem's jacobian(t, y, J) takes J by value: what it writes is lost, and J stays zero.
+template <class Problem, class Vector, class Matrix>
+concept jacobian_takes_copy = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y) {
+    p.jacobian(t, y, std::declval<Matrix>());
+}
+&&(
+    !requires(Problem & p, const typename Vector::Scalar& t, const Vector& y,
+              passed_by_reference<Matrix>& J) { p.jacobian(t, y, J); } ||
+    requires {
+        requires std::is_same_v<typename third_parameter<decltype(&Problem::jacobian)>::type, Matrix>;
+    });
+
 /// Problem may be called as problem(t, y) and returns a vector of the scalar of Vector (Eigen's matrices convert
 /// to those of other scalars by what they declare).
 template <class Problem, class T, class Y, class Vector>
@@ -99,7 +111,8 @@ template <class Problem, class Vector>
 struct checked_call {
     template <class Matrix>
     static constexpr bool usable_in =
-        !detail::has_member_named<Problem, detail::jacobian_member> || has_jacobian<Problem, Vector, Matrix>;
+        !detail::has_member_named<Problem, detail::jacobian_member> ||
+        (has_jacobian<Problem, Vector, Matrix> && !detail::jacobian_takes_copy<Problem, Vector, Matrix>);
     static constexpr bool column = Vector::ColsAtCompileTime == 1;
     static constexpr bool const_enough =
         !column || detail::callable_right_hand_side<Problem, Vector> ||
