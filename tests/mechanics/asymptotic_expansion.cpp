@@ -41,6 +41,19 @@ struct van_der_pol {
     }
 };
 
+// z' = g_z z with a large entry off the diagonal; y rests on it.
+struct sheared {
+    static constexpr int slow = 1, fast = 2;
+    template <class S>
+    Eigen::Matrix<S, 1, 1> f(const Eigen::Matrix<S, 1, 1>&, const Eigen::Matrix<S, 2, 1>& z) const {
+        return Eigen::Matrix<S, 1, 1>(z[0]);
+    }
+    template <class S>
+    Eigen::Matrix<S, 2, 1> g(const Eigen::Matrix<S, 1, 1>&, const Eigen::Matrix<S, 2, 1>& z) const {
+        return {S(6) * z[1] - z[0], -z[1]};
+    }
+};
+
 // The full problem by brute force: one integrator for all of them.
 template <class Problem>
 Eigen::VectorXd full(const Problem& problem, const Eigen::VectorXd& start, double eps, double t) {
@@ -182,6 +195,21 @@ BOOST_AUTO_TEST_CASE(theorem_6_is_refused_where_its_hypothesis_fails) {
     BOOST_CHECK_THROW(asymptotic_expansion<growing>({}, repeat<1>(1), repeat<1>(1)), std::domain_error);
     BOOST_CHECK_THROW(asymptotic_expansion<van_der_pol>({}, repeat<1>(0.5), repeat<1>(0.1)),
                       std::domain_error);
+}
+
+BOOST_AUTO_TEST_CASE(theorem_6_takes_the_norm_in_which_its_hypothesis_holds) {
+    // g_z = ((-1, 6), (0, -1)): mu is 2 in the Euclidean norm and -0.4 in that of D = diag(1, 100), where the off-diagonal
+    // entry is 0.6.
+    using plane = Eigen::Vector2d;
+    const plane z(1, 1);
+    BOOST_CHECK_THROW(asymptotic_expansion<sheared>({}, repeat<1>(1), z), std::domain_error);
+    const Eigen::Matrix2d D = plane(1, 100).asDiagonal();
+    const asymptotic_expansion<sheared> expansion({}, repeat<1>(1), z, 60, 1e-11, D);
+    // zeta_0 = exp(g_z xi) z = e^-xi (1 + 6 xi, 1), as z_0 = 0.
+    for (const double xi : {0.0, 0.5, 3.0})
+        BOOST_TEST((expansion.layer(xi).zeta0 - std::exp(-xi) * plane(1 + 6 * xi, 1)).norm() < 1e-8);
+    BOOST_CHECK_THROW(asymptotic_expansion<sheared>({}, repeat<1>(1), z, 60, 1e-11, -D),
+                      std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(the_error_of_regularisation_in_closed_form) {

@@ -41,17 +41,22 @@ class asymptotic_expansion {
 
     /// `layer_end` is a xi at which the layer has died out to `tolerance` (exp(-layer_end |mu(g_z)|) is
     /// small). Throws std::runtime_error if 0 = g(y(0), z) has no solution near z(0), or if a run fails, and
-    /// std::domain_error where the hypothesis mu(g_z) < 0 fails in the Euclidean norm: at the initial values,
-    /// at the end of the layer, or where `outer` is asked for. Another scalar product is another choice of z.
+    /// std::domain_error where the hypothesis mu(g_z) < 0 fails in the norm sqrt(z^T D z), D symmetric positive
+    /// definite, the Euclidean one unless D is given: at the initial values, at the end of the layer, or where
+    /// `outer` is asked for. A g_z whose eigenvalues lie to the left of 0 satisfies it with the D of
+    /// D g_z + g_z^T D = -I.
     asymptotic_expansion(Problem problem, const slow_vector& y, const fast_vector& z, double layer_end = 40,
-                         double tolerance = 1e-11)
+                         double tolerance = 1e-11, const fast_matrix& D = fast_matrix::Identity())
         : asymptotic_expansion(std::move(problem), std::array<slow_vector, 2>{y, slow_vector::Zero()},
-                               std::array<fast_vector, 2>{z, fast_vector::Zero()}, layer_end, tolerance) {}
+                               std::array<fast_vector, 2>{z, fast_vector::Zero()}, layer_end, tolerance, D) {}
 
     /// The same from y(0) = y[0] + eps y[1], z(0) = z[0] + eps z[1].
     asymptotic_expansion(Problem problem, const std::array<slow_vector, 2>& y,
-                         const std::array<fast_vector, 2>& z, double layer_end = 40, double tolerance = 1e-11)
-        : problem_(std::move(problem)), tolerance_(tolerance), y_(y[0]), z_(z[0]) {
+                         const std::array<fast_vector, 2>& z, double layer_end = 40, double tolerance = 1e-11,
+                         const fast_matrix& D = fast_matrix::Identity())
+        : problem_(std::move(problem)), tolerance_(tolerance), D_(D), y_(y[0]), z_(z[0]) {
+        if (D != D.transpose() || !positive(D))
+            throw std::invalid_argument("asymptotic_expansion: D must be symmetric positive definite");
         check_hypothesis(y_, z_);
         for (int k = 0;; ++k) {
             const fast_vector step = g_z(y_, z_).lu().solve(problem_.g(y_, z_));
@@ -142,17 +147,22 @@ class asymptotic_expansion {
             result.col(j) = g_along(y, z, slow_vector::Zero(), fast_vector(fast_matrix::Identity().col(j)));
         return result;
     }
-    /// mu(g_z) < 0 in the Euclidean norm is -(g_z + g_z^T) > 0.
+    static bool positive(const fast_matrix& A) {
+        const small_ldlt<double, m> factors(A);
+        for (int i = 0; i < m; ++i)
+            if (!(factors.pivot(i) > 0)) return false;
+        return true;
+    }
+    /// mu(g_z) < 0 in the norm of D is -(D g_z + g_z^T D) > 0.
     void check_hypothesis(const slow_vector& y, const fast_vector& z) const {
-        const fast_matrix A = g_z(y, z), symmetric = -(A + A.transpose());
-        const small_ldlt<double, m> factors(symmetric);
-        for (int i = 0; i < m; ++i) {
-            if (factors.pivot(i) > 0) continue;
-            std::ostringstream text;
-            text << "asymptotic_expansion: mu(g_z) must be negative in the Euclidean norm, and is not at y = "
-                 << y.transpose() << ", z = " << z.transpose();
-            throw std::domain_error(text.str());
-        }
+        const fast_matrix A = D_ * g_z(y, z);
+        if (positive(-(A + A.transpose()))) return;
+        std::ostringstream text;
+        text << "asymptotic_expansion: mu(g_z) must be negative in the norm of D (Euclidean if none is "
+                "given), and "
+                "is not at y = "
+             << y.transpose() << ", z = " << z.transpose();
+        throw std::domain_error(text.str());
     }
     /// z_0' on 0 = g(y_0, z_0).
     fast_vector slope_of_z(const slow_vector& y, const fast_vector& z) const {
@@ -188,6 +198,7 @@ class asymptotic_expansion {
 
     Problem problem_;
     double tolerance_;
+    fast_matrix D_;
     slow_vector y_, y1_ = slow_vector::Zero(), slope_y_ = slow_vector::Zero(), total_ = slow_vector::Zero();
     fast_vector z_, zeta_ = fast_vector::Zero(), z1_ = fast_vector::Zero(), zeta1_ = fast_vector::Zero(),
                     slope_z_ = fast_vector::Zero();
