@@ -33,8 +33,10 @@ struct regularisation_conditions {
                 << ", infinity-norm: " << mu.infinity << verdict(mu.infinity) << limit << ")\n";
             return out.str();
         };
-        return line("mu(g_lambda) < 0", g_lambda, 0, strong_damping()) +
-               line("(3.61) mu(-G M^-1 G^T) < -c/d^2", constraint, -bound, principal_damping());
+        return line("strong damping (Hairer-Wanner II, Theorem VI.3.2): mu(g_lambda) < 0", g_lambda, 0,
+                    strong_damping()) +
+               line("principal damping, the same in the transformed form: mu(-G M^-1 G^T) < -c/d^2",
+                    constraint, -bound, principal_damping());
     }
 };
 
