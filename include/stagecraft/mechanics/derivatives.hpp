@@ -84,6 +84,7 @@ template <class S, class Model>
 struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
     using constraint = velocity_constraint_jacobian<S, Model>;
     using constraint::n, constraint::m, constraint::G;
+    using typename constraint::dual;
     coordinate_vector<S, Model> a;
     Eigen::Matrix<S, n, n> a_q, a_v;
     Eigen::Matrix<S, n, m> a_lambda;
@@ -93,7 +94,6 @@ struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
                           const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
                           const S& t)
         : constraint(model, q, v, t) {
-        using dual = typename constraint::dual;
         using dual_vector = Eigen::Matrix<dual, n, 1>;
         const mass_inverse<S, Model> solve(model, q);
         a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
@@ -123,6 +123,7 @@ template <class S, class Model>
 struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
     using acceleration_jacobian<S, Model>::n;
     using acceleration_jacobian<S, Model>::m;
+    using typename acceleration_jacobian<S, Model>::dual;
     Eigen::Matrix<S, m, n> phi_q, phi_v;
     multiplier_matrix<S, Model> phi_lambda;  ///< -G M^-1 G^T
 
@@ -130,7 +131,6 @@ struct hidden_constraint_jacobian : acceleration_jacobian<S, Model> {
                                const coordinate_vector<S, Model>& v,
                                const multiplier_vector<S, Model>& lambda, const S& t)
         : acceleration_jacobian<S, Model>(model, q, v, lambda, t) {
-        using dual = dual_number<S, n>;
         const dual time = detail::constant<dual>(t);
         const multiplier_vector<dual, Model> c_q =
             constraint_curvature<dual>(model, detail::variables<dual>(q), detail::constants<dual>(v), time);

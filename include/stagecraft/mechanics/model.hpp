@@ -278,6 +278,28 @@ std::string singular_position(const Model& model, const coordinate_vector<double
     return {};
 }
 
+namespace detail {
+
+/// The factors of G M^-1 G^T. Throws std::domain_error that names the first constraint that depends on those before it,
+/// to working precision, or whose row of G vanishes.
+template <class S, int m>
+small_ldlt<S, m> independent_constraints(const Eigen::Matrix<S, m, m>& inertia) {
+    small_ldlt<S, m> factors(inertia);
+    for (int k = 0; k < m; ++k) {
+        if (factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * inertia(k, k)) continue;
+        const std::string which = "mechanical: constraint " + std::to_string(k);
+        if (inertia(k, k) > S(0))
+            throw std::domain_error(which + " depends on those before it here: G has not full rank");
+        if (inertia(k, k) == S(0)) throw std::domain_error(which + " has a row of zeros in G here");
+        throw std::domain_error(
+            which +
+            " has a G M^-1 G^T that is not positive, or not finite, here: is M(q) positive definite?");
+    }
+    return factors;
+}
+
+}  // namespace detail
+
 /// The multiplier consistent with (q, v) at time t: lambda of G M^-1 G^T lambda = G M^-1 F + (dG/dt) v, the
 /// once differentiated constraint (thesis (3.17); the factor c belongs to G v only, and G v = 0 here). Throws
 /// std::domain_error that names the position if M(q) is singular there, or the constraint that depends on others.
@@ -293,13 +315,7 @@ multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coor
     const multiplier_vector<S, Model> rhs =
         constraint_gradient<S>(model, q, t) * solve(force<S>(model, q, v, t)) +
         constraint_curvature<S>(model, q, v, t);
-    const multiplier_matrix<S, Model> inertia = constraint_inertia<S>(model, q, t);
-    const small_ldlt<S, Model::constraints> factors(inertia);
-    for (int k = 0; k < Model::constraints; ++k)
-        if (!(factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * inertia(k, k)))
-            throw std::domain_error("mechanical: constraint " + std::to_string(k) +
-                                    " depends on those before it here: G has not full rank");
-    return factors.solve(rhs);
+    return detail::independent_constraints(constraint_inertia<S>(model, q, t)).solve(rhs);
 }
 
 /// Kinetic energy v^T M(q) v / 2.

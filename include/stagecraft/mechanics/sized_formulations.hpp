@@ -56,16 +56,10 @@ inline constexpr bool only_fixed_size = false;
 /// The smallest x with G x = r.
 template <class Matrix>
 Eigen::VectorXd smallest_change(const Matrix& G, const Eigen::VectorXd& r) {
-    const int n = static_cast<int>(G.cols()), m = static_cast<int>(G.rows());
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1);
-    append(entries, G, n, 0, 1);
-    append(entries, G, 0, n, 1, true);
-    Eigen::SparseMatrix<double> K(n + m, n + m);
-    K.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + m);
-    right.tail(m) = r;
-    return Eigen::SparseLU<Eigen::SparseMatrix<double>>(K).solve(right).head(n);
+    const Eigen::DiagonalMatrix<double, Eigen::Dynamic> metric(Eigen::VectorXd::Ones(G.cols()));
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(G.cols() + G.rows());
+    right.tail(G.rows()) = r;
+    return saddle_point(metric, G, right).head(G.cols());
 }
 
 }  // namespace sized
@@ -207,7 +201,7 @@ class sized_formulation
         look("velocity", sized::velocity_constraint(model_, q, v, t), 1e-9 * (1 + v.cwiseAbs().maxCoeff()));
         if (const std::string text = violated.str(); !text.empty())
             throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" +
-                                        text);
+                                        text + " (assemble(model, q, v) finds such q and v nearby)");
     }
 
     Model model_;

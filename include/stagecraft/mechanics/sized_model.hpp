@@ -6,8 +6,10 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -121,38 +123,6 @@ void append(std::vector<Eigen::Triplet<double>>& entries, const Matrix& m, int r
     }
 }
 
-/// Acceleration and multiplier that belong to (q, v) at t: M a + G^T lambda = F, G a = -d/dt (G v + b) with v
-/// held fixed, solved as one sparse system. The derivative of G along the motion is a central difference, good to
-/// about ten digits. Throws std::domain_error if the system is singular: G has not full rank (see
-/// independent_constraints) or M is singular.
-template <class Model>
-std::pair<Eigen::VectorXd, Eigen::VectorXd> acceleration(const Model& model, const Eigen::VectorXd& q,
-                                                         const Eigen::VectorXd& v, double t) {
-    const int n = model.coordinates(), m = model.constraints();
-    const double step = 6e-6 / (1 + v.cwiseAbs().maxCoeff());  // eps^(1/3) of a position of size 1
-    Eigen::VectorXd right(n + m);
-    right.head(n) = F(model, q, v, t);
-    right.tail(m) = (velocity_constraint(model, q - step * v, v, t - step) -
-                     velocity_constraint(model, q + step * v, v, t + step)) /
-                    (2 * step);
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto gradient = G(model, q, t);
-    append(entries, M(model, q), 0, 0, 1);
-    append(entries, gradient, n, 0, 1);
-    append(entries, gradient, 0, n, 1, true);
-    Eigen::SparseMatrix<double> K(n + m, n + m);
-    K.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(K);
-    Eigen::VectorXd x(n + m);
-    if (lu.info() == Eigen::Success) x = lu.solve(right);
-    if (lu.info() != Eigen::Success || !x.allFinite() ||
-        !((K * x - right).norm() <= 1e-6 * (1 + right.norm())))
-        throw std::domain_error(
-            "mechanical: M or the constraints are singular at the initial position (independent_constraints "
-            "finds which rows of G depend on others)");
-    return {x.head(n), x.tail(m)};
-}
-
 }  // namespace sized
 
 /// Which rows of a matrix of constraints are independent: QR decomposition of G^T with column pivoting, rank to
@@ -174,6 +144,88 @@ constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10) {
     std::sort(r.independent.begin(), r.independent.end());
     std::sort(r.dependent.begin(), r.dependent.end());
     return r;
+}
+
+namespace sized {
+
+/// (x, y) of M x + G^T y = a, G x = b with (a, b) = right. Throws std::domain_error that names the constraints that
+/// depend on others, or says that M is singular: found by solving for a vector that is known.
+template <class Mass, class Gradient>
+Eigen::VectorXd saddle_point(const Mass& M, const Gradient& G, const Eigen::VectorXd& right) {
+    const Eigen::Index m = G.rows(), n = G.cols();
+    std::vector<Eigen::Triplet<double>> entries;
+    append(entries, M, 0, 0, 1);
+    double heaviest = 0, steepest = 0;
+    for (const auto& e : entries) heaviest = std::max(heaviest, std::abs(e.value()));
+    const std::size_t gradient = entries.size();
+    append(entries, G, static_cast<int>(n), 0, 1);
+    for (std::size_t k = gradient; k < entries.size(); ++k)
+        steepest = std::max(steepest, std::abs(entries[k].value()));
+    append(entries, G, 0, static_cast<int>(n), 1, true);
+    Eigen::SparseMatrix<double> K(n + m, n + m);
+    K.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(K);
+    if (lu.info() == Eigen::Success) {
+        Eigen::VectorXd known = Eigen::VectorXd::Ones(n + m);
+        known.tail(m) *= heaviest / steepest;
+        const Eigen::VectorXd product = K * known, found = lu.solve(product), error = found - known;
+        if ((error.array().abs() <= 1e-3 * known.array()).all()) return lu.solve(right);
+    }
+    std::string rows;
+    for (const int k : independent_rows(G, 1e-6).dependent)
+        rows += (rows.empty() ? "" : ", ") + std::to_string(k);
+    if (rows.empty()) throw std::domain_error("mechanical: M is singular here, or M or G is not finite");
+    throw std::domain_error("mechanical: G has not full rank, constraints that depend on others here: " +
+                            rows + " (independent_constraints(model, q) leaves such constraints out)");
+}
+
+/// Acceleration and multiplier that belong to (q, v) at t: M a + G^T lambda = F, G a = -d/dt (G v + b) with v
+/// held fixed, solved as one sparse system. The derivative of G along the motion is a central difference, good to
+/// about ten digits. Throws as saddle_point does.
+template <class Model>
+std::pair<Eigen::VectorXd, Eigen::VectorXd> acceleration(const Model& model, const Eigen::VectorXd& q,
+                                                         const Eigen::VectorXd& v, double t) {
+    const int n = model.coordinates(), m = model.constraints();
+    const double step = 6e-6 / (1 + v.cwiseAbs().maxCoeff());  // eps^(1/3) of a position of size 1
+    Eigen::VectorXd right(n + m);
+    right.head(n) = F(model, q, v, t);
+    right.tail(m) = (velocity_constraint(model, q - step * v, v, t - step) -
+                     velocity_constraint(model, q + step * v, v, t + step)) /
+                    (2 * step);
+    const Eigen::VectorXd x = saddle_point(M(model, q), G(model, q, t), right);
+    return {x.head(n), x.tail(m)};
+}
+
+}  // namespace sized
+
+/// A position and a velocity of a model of a size known at run time.
+struct sized_assembly {
+    Eigen::VectorXd q, v;
+};
+
+/// The position near q and the velocity near v that satisfy the constraints at time t; see `assemble` for models of fixed
+/// size. Throws std::invalid_argument if q or v has not coordinates() entries.
+template <sized_mechanical_model Model>
+sized_assembly assemble(const Model& model, Eigen::VectorXd q, Eigen::VectorXd v, double t = 0) {
+    const Eigen::Index n = model.coordinates();
+    if (q.size() != n || v.size() != n)
+        throw std::invalid_argument("assemble: q and v must have coordinates() entries");
+    const auto change = [&](const Eigen::VectorXd& r) -> Eigen::VectorXd {
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(n + r.size());
+        right.tail(r.size()) = r;
+        return sized::saddle_point(sized::M(model, q), sized::G(model, q, t), right).head(n);
+    };
+    if constexpr (sized::has_position<Model>) {
+        constexpr int most = 50;
+        for (int k = 0;; ++k) {
+            const Eigen::VectorXd left = sized::g(model, q, t), d = change(left);
+            if (k == most || !d.allFinite()) throw std::runtime_error(detail::no_position(left));
+            q -= d;
+            if (d.cwiseAbs().maxCoeff() <= 2e-15 * (1 + q.cwiseAbs().maxCoeff())) break;
+        }
+    }
+    for (int k = 0; k < 2; ++k) v -= change(sized::velocity_constraint(model, q, v, t));
+    return {std::move(q), std::move(v)};
 }
 
 /// A model with redundant constraints without those that depend on others at the position where it was made: the

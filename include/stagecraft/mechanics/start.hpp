@@ -65,6 +65,14 @@ void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
                                     " (assemble(model, q, v) finds such q and v nearby)");
 }
 
+template <class Vector>
+std::string no_position(const Vector& left) {
+    std::ostringstream text;
+    text << "assemble: no position near q satisfies the constraints; max |g| is still "
+         << left.cwiseAbs().maxCoeff();
+    return text.str();
+}
+
 }  // namespace detail
 
 /// A position and a velocity.
@@ -77,8 +85,8 @@ struct assembly {
 /// formulation: a mechanism assembled from rough coordinates, or the moment at which a constraint begins to act (v
 /// then changes by the impulse along G^T that stops G v + b, as in a plastic impact). Distances are measured by M.
 /// Newton's iteration; one factorisation of M each. Throws std::runtime_error with the violation that is left if
-/// there is no such position near q.
-template <class Model, class DerivedQ, class DerivedV>
+/// there is no such position near q, std::domain_error that names the constraint where one depends on others.
+template <mechanical_model Model, class DerivedQ, class DerivedV>
 assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Eigen::MatrixBase<DerivedQ>& q,
                                                     const Eigen::MatrixBase<DerivedV>& v,
                                                     const typename DerivedQ::Scalar& t = 0) {
@@ -93,19 +101,16 @@ assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Ei
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model, at.q, t);
         Eigen::Matrix<S, n, m> W;
         for (int k = 0; k < m; ++k) W.col(k) = solve(coordinate_vector<S, Model>(G.row(k).transpose()));
-        return coordinate_vector<S, Model>(W * small_ldlt<S, m>(multiplier_matrix<S, Model>(G * W)).solve(r));
+        const multiplier_matrix<S, Model> inertia = G * W;
+        return coordinate_vector<S, Model>(W * detail::independent_constraints(inertia).solve(r));
     };
     if constexpr (holonomic_model<Model>) {
         constexpr int most = 50;
         for (int k = 0;; ++k) {
             left = position_constraint<S>(model, at.q, t);
             const coordinate_vector<S, Model> d = change(left);
-            if (k == most || !(d.squaredNorm() - d.squaredNorm() == S(0))) {
-                std::ostringstream text;
-                text << "assemble: no position near q satisfies the constraints; max |g| is still "
-                     << left.cwiseAbs().maxCoeff();
-                throw std::runtime_error(text.str());
-            }
+            if (k == most || !(d.squaredNorm() - d.squaredNorm() == S(0)))
+                throw std::runtime_error(detail::no_position(left));
             at.q -= d;
             if (d.cwiseAbs().maxCoeff() <= S(8) * eps * (S(1) + at.q.cwiseAbs().maxCoeff())) break;
         }
