@@ -72,6 +72,8 @@ BOOST_AUTO_TEST_CASE(the_rolling_disc_from_T_and_V_has_the_corrected_forces) {
         BOOST_TEST((model.M(q) - body.M(q)).cwiseAbs().maxCoeff() < 1e-45);
         BOOST_TEST((model.F(q, v, wide(0)) - body.F(q, v)).cwiseAbs().maxCoeff() < 1e-45);
         BOOST_TEST((model.F(q, v, wide(0)) - printed.F(q, v)).cwiseAbs().maxCoeff() > 1e-3);
+        const vector defect = model.balance(q, v, q, wide(0)) - body.F(q, v) + body.M(q) * q;
+        BOOST_TEST(defect.cwiseAbs().maxCoeff() < 1e-45);
     }
 }
 

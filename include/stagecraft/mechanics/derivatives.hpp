@@ -94,19 +94,16 @@ struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
                           const coordinate_vector<S, Model>& v, const multiplier_vector<S, Model>& lambda,
                           const S& t)
         : constraint(model, q, v, t) {
-        using dual_vector = Eigen::Matrix<dual, n, 1>;
         const mass_inverse<S, Model> solve(model, q);
         a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
         const dual time = detail::constant<dual>(t);
         const dual_vector q_moving = detail::variables<dual>(q), q_fixed = detail::constants<dual>(q);
         const dual_vector v_moving = detail::variables<dual>(v), v_fixed = detail::constants<dual>(v);
-        const dual_vector F_q = force<dual>(model, q_moving, v_fixed, time);
+        const dual_vector F_q = balance(model, q_moving, v_fixed, a, time);
         const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
-        const Eigen::Matrix<dual, n, n> M = model.M(q_moving);
         a_q = -this->force_derivative(lambda);
         for (int i = 0; i < n; ++i) {
             a_q.row(i) += F_q[i].derivatives().transpose();
-            for (int j = 0; j < n; ++j) a_q.row(i) -= a[j] * M(i, j).derivatives().transpose();
             a_v.row(i) = F_v[i].derivatives().transpose();
         }
         for (int j = 0; j < n; ++j) {
@@ -115,6 +112,22 @@ struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
         }
         for (int k = 0; k < m; ++k) a_lambda.col(k) = -solve(G.row(k).transpose());
         Ga_q = this->derivative(a);
+    }
+
+  private:
+    using dual_vector = Eigen::Matrix<dual, n, 1>;
+    /// F - M a.
+    static dual_vector balance(const Model& model, const dual_vector& q, const dual_vector& v,
+                               const coordinate_vector<S, Model>& acceleration, const dual& t) {
+        if constexpr (has_balance<Model>) {
+            return model.balance(q, v, detail::constants<dual>(acceleration), t);
+        } else {
+            dual_vector r = force<dual>(model, q, v, t);
+            const Eigen::Matrix<dual, n, n> M = model.M(q);
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) r[i] -= M(i, j) * acceleration[j];
+            return r;
+        }
     }
 };
 

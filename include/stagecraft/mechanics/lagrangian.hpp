@@ -99,24 +99,32 @@ class lagrangian_model {
 
     template <class S>
     vector<S> F(const vector<S>& q, const vector<S>& v, const S& t) const {
-        using dual = dual_number<S, Coordinates>;
+        return balance<S>(q, v, vector<S>::Constant(S(0)), t);
+    }
+
+    /// F(q, v) - M(q) a at the cost of F: the equations of Lagrange along q' = v, v' = a. Derivatives of the motion
+    /// need no derivative of M where a model has this member.
+    template <class S>
+    vector<S> balance(const vector<S>& q, const vector<S>& v, const vector<S>& a, const S& t) const {
         using rate = dual_number<S, 1>;
+        using dual = dual_number<S, Coordinates>;
         const Eigen::Matrix<dual, Coordinates, 1> moving = detail::variables<dual>(q);
         const dual lagrange = T_(moving, detail::constants<dual>(v)) - V_(moving);
         vector<S> F = lagrange.derivatives();
-        // d/dt of dT/dv along q' = v: dT/dv_i = (T(v + e_i) - T(v - e_i)) / 2.
-        Eigen::Matrix<rate, Coordinates, 1> along, w = detail::constants<rate>(v);
+        // d/dt of dT/dv along q' = v, v' = a: dT/dv_i = (T(v + e_i) - T(v - e_i)) / 2.
+        Eigen::Matrix<rate, Coordinates, 1> along, w;
         for (int i = 0; i < Coordinates; ++i) {
             along[i].value() = q[i];
             along[i].derivatives()[0] = v[i];
+            w[i].value() = v[i];
+            w[i].derivatives()[0] = a[i];
         }
         for (int i = 0; i < Coordinates; ++i) {
-            const rate speed = w[i];
-            w[i] = detail::constant<rate>(S(v[i] + S(1)));
+            w[i].value() = v[i] + S(1);
             const rate up = T_(along, w);
-            w[i] = detail::constant<rate>(S(v[i] - S(1)));
+            w[i].value() = v[i] - S(1);
             const rate down = T_(along, w);
-            w[i] = speed;
+            w[i].value() = v[i];
             F[i] -= (up.derivatives()[0] - down.derivatives()[0]) / S(2);
         }
         if constexpr (!std::is_same_v<Forces, no_forces>) {

@@ -29,6 +29,7 @@ namespace stagecraft {
 ///     b(q, t) or b(q)     // affine and moving constraints 0 = G(q, t) v + b(q, t): a turntable, a driven wheel
 ///     solve_mass(q, r)    // M(q)^-1 r in closed form, in place of a factorisation of M(q)
 ///     G_rate(q, v)        // dG/dt along q' = v, in place of automatic differentiation
+///     balance(q, v, a, t) // F - M(q) a, where the two together cost less than each: derivatives take this one
 ///     potential(q)        // the potential energy
 ///     singularity(q), singular_position   // a function that vanishes where M(q) is singular, and those
 ///                                         // positions in words
@@ -75,6 +76,10 @@ template <class Model>
 concept has_constraint_rate = requires(const Model& m, const coordinate_vector<double, Model>& q) {
     m.G_rate(q, q);
 };
+template <class Model>
+concept has_balance = requires(const Model& m, const coordinate_vector<double, Model>& q, double t) {
+    m.balance(q, q, q, t);
+};
 /// True if the velocity constraint is affine, 0 = G v + b.
 template <class Model>
 concept has_prescribed_velocity = requires(const Model& m, const coordinate_vector<double, Model>& q) {
@@ -105,6 +110,13 @@ struct constraint_rate_member {
     template <class T>
     static constexpr bool visible_in = requires {
         &T::G_rate;
+    };
+};
+struct balance_member {
+    int balance;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::balance;
     };
 };
 struct potential_member {
@@ -150,6 +162,8 @@ struct checked_model {
                   "model.solve_mass must be callable as solve_mass(q, r) on a const model, in any scalar");
     static_assert(absent<detail::constraint_rate_member> || has_constraint_rate<Model>,
                   "model.G_rate must be callable as G_rate(q, v) on a const model, in any scalar");
+    static_assert(absent<detail::balance_member> || has_balance<Model>,
+                  "model.balance must be callable as balance(q, v, a, t) on a const model, in any scalar");
     static_assert(absent<detail::potential_member> || has_potential<Model>,
                   "model.potential must be callable as potential(q) on a const model, in any scalar");
     static_assert((absent<detail::singularity_member> && absent<detail::singular_position_member>) ||
