@@ -60,7 +60,10 @@ inline constexpr bool observes<true, Method, Problem, Vector, Observer> =
 template <class Run, class Vector, class Observer>
 result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Scalar& t1,
                               Observer& observer) {
-    announce(observer, run.t(), start, t1);
+    run.between_steps([&] {
+        announce(observer, run.t(), start, t1);
+        return true;
+    });
     std::exception_ptr thrown;
     stagecraft::status ended = status::success;
     try {

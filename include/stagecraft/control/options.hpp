@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -96,6 +98,19 @@ void validate_interval(const Vector& y0, const Scalar& t0, const Scalar& t1) {
     if (!finite(t1) || !finite(t1 - t0)) throw std::invalid_argument("integrate: t1 must be finite");
     for (Eigen::Index i = 0; i < y0.size(); ++i)
         if (!finite(y0[i])) throw std::invalid_argument("integrate: y0 must be finite");
+}
+
+/// Thirty-two bits of a run's interval, options and number of stages, which differ where these do. Left out are
+/// atol_components, which belong to the components.
+template <class Scalar>
+std::uint32_t fingerprint(const options<Scalar>& o, const Scalar& t0, const Scalar& t1, int stages) {
+    std::uint64_t mixed = 14695981039346656037U;  // FNV-1a, by numbers
+    for (const Scalar& x :
+         {t0, t1, o.rtol, o.atol, o.fixed_step, o.initial_step, o.min_step, o.max_step, o.newton_factor,
+          Scalar(static_cast<int>(o.control)), Scalar(o.continuous ? 1 : 0), Scalar(o.jumps ? 1 : 0),
+          Scalar(o.max_steps), Scalar(o.newton_iterations), Scalar(stages)})
+        mixed = (mixed ^ std::bit_cast<std::uint64_t>(static_cast<double>(x))) * 1099511628211U;
+    return static_cast<std::uint32_t>(mixed >> 32);
 }
 
 /// The absolute tolerance of component i: its own where there are such, otherwise atol.

@@ -71,8 +71,9 @@ concept has_matrix = requires(Problem& p) {
 /// Optional: `problem.add_up(x, k)` makes the problem a distributed one: y is the part of the state that belongs to
 /// this process, every process calls integrate() with its own, and add_up replaces k numbers at x by their sums over
 /// all processes, the same bits on each. All that a run decides it decides from such sums, so that the
-/// processes stay in step; options, method and times must be the same on all. jacobian(), linear_solver and f may
-/// communicate as long as all processes do so together; what throws must complete its communication first.
+/// processes stay in step; options (but for atol_components), method and times must be the same on all, and are compared.
+/// jacobian(), linear_solver and f may communicate as long as all processes do so together; what throws must complete its
+/// communication first. A factorisation that fails on one process has failed on all.
 /// An exception on one process ends the run on all: there with status::function_threw, on the others with
 /// status::non_finite. (Arguments refused on one, y0 say, are std::invalid_argument on all.)
 template <class Problem, class Scalar>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <stdexcept>
 #include <utility>
@@ -89,20 +90,31 @@ class joint_start {
     ~joint_start() {
         if (!agreed_) add(Scalar(1), {});
     }
-    /// From what is known here; std::invalid_argument if another process has left.
-    joint_state agree(const joint_state& here) {
+    /// From what is known here; std::invalid_argument where another process has left, or where `same`, of which
+    /// fingerprint(same...) makes thirty-two bits, is not the same on all.
+    template <class... Same>
+    joint_state agree(const joint_state& here, const Same&... same) {
+        const std::uint32_t bits = fingerprint(same...);
         agreed_ = true;
-        return add(Scalar(0), here);
+        return add(Scalar(0), here, bits);
     }
 
   private:
-    joint_state add(const Scalar& failed, const joint_state& here) {
-        Scalar part[4] = {failed, Scalar(here.largest_index == 2 ? 1 : 0),
-                          Scalar(here.largest_index == 3 ? 1 : 0), Scalar(here.size)};
-        sums_(part, 4);
-        if (agreed_ && part[0] > Scalar(0))
+    static constexpr int bits_begin = 5, bits_end = bits_begin + 32;
+
+    joint_state add(const Scalar& failed, const joint_state& here, std::uint32_t bits = 0) {
+        Scalar part[bits_end] = {failed, Scalar(1), Scalar(here.largest_index == 2 ? 1 : 0),
+                                 Scalar(here.largest_index == 3 ? 1 : 0), Scalar(here.size)};
+        for (int k = bits_begin; k < bits_end; ++k) part[k] = Scalar((bits >> (k - bits_begin)) & 1U ? 1 : 0);
+        sums_(part, bits_end);
+        if (!agreed_) return here;
+        if (part[0] > Scalar(0))
             throw std::invalid_argument("integrate: an argument has been refused on another process");
-        return {part[2] > Scalar(0) ? 3 : part[1] > Scalar(0) ? 2 : 1, static_cast<int>(part[3])};
+        for (int k = bits_begin; k < bits_end; ++k)
+            if (part[k] > Scalar(0) && part[k] < part[1])
+                throw std::invalid_argument(
+                    "integrate: the method, t0, t1 and the options must be the same on all processes");
+        return {part[3] > Scalar(0) ? 3 : part[2] > Scalar(0) ? 2 : 1, static_cast<int>(part[4])};
     }
     Sums sums_;
     bool agreed_ = false;
@@ -111,7 +123,10 @@ template <class Scalar>
 class joint_start<Scalar, complete_sums> {
   public:
     explicit joint_start(const complete_sums&) {}
-    static constexpr joint_state agree(const joint_state& here) { return here; }
+    template <class... Same>
+    static constexpr joint_state agree(const joint_state& here, const Same&...) {
+        return here;
+    }
 };
 
 }  // namespace stagecraft

@@ -222,6 +222,27 @@ class system
         if constexpr (structured && finite_difference) engine_.group(J_);
     }
 
+    /// Does what `f` does. What it throws is kept in a distributed run: this process takes part in what follows.
+    template <class F>
+    void keep(F&& f) const {
+        failure_.keep(f);
+    }
+    /// True if f() is, on every process. Where it throws on one process it is false.
+    template <class F>
+    bool succeeds(F&& f) const {
+        scalar failed(1);
+        keep([&] { failed = scalar(f() ? 0 : 1); });
+        sums()(&failed, 1);
+        return failed == scalar(0);
+    }
+    /// Whether y is finite on every process, and nothing has been thrown that not all know of.
+    bool finite(const Vector& y) const {
+        if (!failure_.here()) return all_finite(y, n_, sums());
+        scalar failed = std::numeric_limits<scalar>::quiet_NaN();
+        sums()(&failed, 1);
+        return false;
+    }
+
     /// Does what `f` does, timed if the problem asks for it.
     template <class F>
     decltype(auto) measure([[maybe_unused]] work kind, F&& f) const {
@@ -346,7 +367,7 @@ class system
     matrix J_;
     std::vector<raised> raised_;
     int largest_index_ = 1, all_ = n_;
-    [[no_unique_address]] shared_failure<scalar, sums_type> failure_;
+    [[no_unique_address]] mutable shared_failure<scalar, sums_type> failure_;
     [[no_unique_address]] std::conditional_t<has_index<Problem>, Vector, no_engine> followed_{n_};
 };
 

@@ -64,7 +64,7 @@ class coupled_stages {
                 if (v.by_value) fi_ -= v.carry[i] * v.left;
                 for (int r = 0; r < n_; ++r) x_[(i - first_) * n_ + r] = fi_[r];
             }
-            system.measure(work::solve, [&] { systems_.solve(x_, v.mass); });
+            system.measure(work::solve, [&] { systems_.solve(system, x_, v.mass); });
             ++solves;
             for (int i = first_; i < s; ++i)
                 for (int r = 0; r < n_; ++r) v.k(r, i) += x_[(i - first_) * n_ + r];
@@ -85,7 +85,7 @@ class coupled_stages {
         add_mass_times(system.mass(), Scalar(1), x.data(), yi_.data(), n_);
         for (int i = 0; i < count_; ++i)
             for (int r = 0; r < n_; ++r) x_[i * n_ + r] = yi_[r];
-        system.measure(work::solve, [&] { systems_.solve(x_, v.mass); });
+        system.measure(work::solve, [&] { systems_.solve(system, x_, v.mass); });
         for (int r = 0; r < n_; ++r) x[r] = x_[(count_ - 1) * n_ + r];
     }
 

@@ -11,6 +11,7 @@
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/split_complex.hpp>
+#include <stagecraft/stages/together.hpp>
 
 namespace stagecraft {
 
@@ -85,20 +86,19 @@ class coupled_systems {
         for (std::size_t k = 0; k < real_.size(); ++k) {
             if (real_[k] == Scalar(0)) continue;
             real_shift_[k] = Scalar(1) / (h * real_[k]);
-            if (!factor_shifted(real_blocks_[k], system.mass(), system.jacobian(), real_shift_[k]))
-                return false;
+            if (!factor_together(system, real_blocks_[k], real_shift_[k])) return false;
         }
         for (std::size_t k = 0; k < pairs_.size(); ++k) {
             auto& [re, im] = pair_shift_[k];
             reciprocal(Scalar(h * pairs_[k][0]), Scalar(-h * pairs_[k][1]), re, im);
-            if (!factor_shifted(pair_blocks_[k], system.mass(), system.jacobian(), re, im)) return false;
+            if (!factor_together(system, pair_blocks_[k], re, im)) return false;
         }
         return true;
     }
 
     /// Solves in place, stage by stage n numbers; `mass` solves with M.
-    template <class Mass>
-    void solve(std::vector<Scalar>& x, Mass& mass) {
+    template <class System, class Mass>
+    void solve(const System& system, std::vector<Scalar>& x, Mass& mass) {
         if (!split_) {
             lu_.solve(x.data());
             return;
@@ -111,7 +111,7 @@ class coupled_systems {
                 continue;
             }
             for (int i = 0; i < n_; ++i) w[i] *= real_shift_[k];
-            real_blocks_[k].solve(w);
+            solve_together(system, [&] { real_blocks_[k].solve(w); });
         }
         for (std::size_t k = 0; k < pairs_.size(); ++k, w += 2 * n_) {
             const auto& [re, im] = pair_shift_[k];
@@ -120,7 +120,7 @@ class coupled_systems {
                 w[i] = a * re - b * im;
                 w[i + n_] = a * im + b * re;
             }
-            pair_blocks_[k].solve(w, w + n_);
+            solve_together(system, [&] { pair_blocks_[k].solve(w, w + n_); });
         }
         mix(T_, work_, x);
     }

@@ -64,7 +64,8 @@ class lane_blocks {
         return lu_.factor();
     }
 
-    void solve(Scalar* x) {
+    template <class System>
+    void solve(const System&, Scalar* x) {
         std::array<Scalar, N> zero{};
         std::array<Scalar*, lanes> re, im;
         for (int l = 0; l < used; ++l) {
@@ -78,8 +79,8 @@ class lane_blocks {
         for (int l = 0; l < used; ++l) recover(re[l] - m, im[l] - m, l);
     }
 
-    template <class Vector>
-    void solve_first(Vector& x, Vector& y) {
+    template <class System, class Vector>
+    void solve_first(const System&, Vector& x, Vector& y) {
         if constexpr (real == 1) y.setZero();
         eliminate(x.data(), y.data(), 0);
         if constexpr (real == 1) {
@@ -90,10 +91,10 @@ class lane_blocks {
         recover(x.data(), y.data(), 0);
     }
 
-    template <class Vector>
-    void filter(Vector& x, Vector& scratch) {
+    template <class System, class Vector>
+    void filter(const System& system, Vector& x, Vector& scratch) {
         scratch.setZero();
-        solve_first(x, scratch);
+        solve_first(system, x, scratch);
         if constexpr (real == 0) {
             for (int i = 0; i < N; ++i) x[i] = modulus(x[i], scratch[i]);
         }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/stages/together.hpp>
 
 namespace stagecraft {
 
@@ -22,41 +22,44 @@ class separate_blocks {
     template <class System>
     bool factor(const System& system, const Scalar* shift) {
         for (auto& block : real_)
-            if (!factor_shifted(block, system.mass(), system.jacobian(), *shift++)) return false;
+            if (!factor_together(system, block, *shift++)) return false;
         for (auto& block : complex_) {
-            if (!factor_shifted(block, system.mass(), system.jacobian(), shift[0], shift[1])) return false;
+            if (!factor_together(system, block, shift[0], shift[1])) return false;
             shift += 2;
         }
         return true;
     }
 
     /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
-    void solve(Scalar* x) {
+    template <class System>
+    void solve(const System& system, Scalar* x) {
         for (auto& block : real_) {
-            block.solve(x);
+            solve_together(system, [&] { block.solve(x); });
             x += n_;
         }
         for (auto& block : complex_) {
-            block.solve(x, x + n_);
+            solve_together(system, [&] { block.solve(x, x + n_); });
             x += 2 * n_;
         }
     }
 
     /// Solves with the first block alone: the real one (y is not touched), else the first complex one for x
     /// + i y.
-    template <class Vector>
-    void solve_first(Vector& x, Vector& y) {
-        if (!real_.empty())
-            real_.front().solve(x.data());
-        else
-            complex_.front().solve(x.data(), y.data());
+    template <class System, class Vector>
+    void solve_first(const System& system, Vector& x, Vector& y) {
+        solve_together(system, [&] {
+            if (!real_.empty())
+                real_.front().solve(x.data());
+            else
+                complex_.front().solve(x.data(), y.data());
+        });
     }
 
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
-    template <class Vector>
-    void filter(Vector& x, Vector& scratch) {
+    template <class System, class Vector>
+    void filter(const System& system, Vector& x, Vector& scratch) {
         scratch.setZero();
-        solve_first(x, scratch);
+        solve_first(system, x, scratch);
         if (real_.empty()) {
             for (int i = 0; i < n_; ++i) x[i] = modulus(x[i], scratch[i]);
         }

@@ -13,6 +13,7 @@
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
+#include <stagecraft/stages/together.hpp>
 #include <stagecraft/work.hpp>
 
 namespace stagecraft {
@@ -74,7 +75,7 @@ class sequential_stages {
         return system.measure(work::factorisation, [&] {
             set_shifts(h);
             for (std::size_t k = 0; k < blocks_.size(); ++k) {
-                if (!factor_shifted(blocks_[k], system.mass(), system.jacobian(), shift_[k])) return false;
+                if (!factor_together(system, blocks_[k], shift_[k])) return false;
             }
             return true;
         });
@@ -145,7 +146,7 @@ class sequential_stages {
     /// x := (M/(h a) - J)^-1 x, a the first non-zero diagonal entry.
     template <class System>
     void solve_first(const System& system, vector& x) {
-        system.measure(work::solve, [&] { blocks_[0].solve(x.data()); });
+        system.measure(work::solve, [&] { solve_together(system, [&] { blocks_[0].solve(x.data()); }); });
     }
     /// x := (M - h a J)^-1 (M x + factor value): the filter of an embedded estimate. It leaves the estimate
     /// unchanged where h J is small and keeps it bounded where h J is large.
@@ -267,7 +268,8 @@ class sequential_stages {
             d_ = r_ - z_;
             add_mass_times(system.mass(), shift_[b], d_.data(), fi_.data(), n_);
             if (v.by_value) fi_ -= v.carry[i] * v.left;
-            system.measure(work::solve, [&] { blocks_[b].solve(fi_.data()); });
+            system.measure(work::solve,
+                           [&] { solve_together(system, [&] { blocks_[b].solve(fi_.data()); }); });
             ++solves;
             z_ += fi_;
             if (monitor.over(weighted_norm(fi_, weights, n_, system.sums()))) break;

@@ -143,7 +143,7 @@ class transformed_stages {
                 D_.col(i) = fi_;
             }
             residual(system.mass(), Z, h);
-            system.measure(work::solve, [&] { blocks_.solve(F_.data()); });
+            system.measure(work::solve, [&] { blocks_.solve(system, F_.data()); });
             ++solves;
             if (monitor.over(add_increment(Z, weights, system.sums()))) break;
         }
@@ -151,7 +151,10 @@ class transformed_stages {
     }
 
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
-    void filter(vector& x, vector& scratch) { blocks_.filter(x, scratch); }
+    template <class System>
+    void filter(const System& system, vector& x, vector& scratch) {
+        blocks_.filter(system, x, scratch);
+    }
 
     /// x := x - (gamma/h M - J)^-1 gamma/h M x = -(gamma/h M - J)^-1 J x, the real part of it where gamma is
     /// complex: the part of x in stiff components. In a mode of eigenvalue lambda the factor is z / (z -
@@ -162,7 +165,7 @@ class transformed_stages {
         im.setZero();
         add_mass_times(system.mass(), shift_[0], x.data(), re.data(), size());
         if (real_blocks() == 0) add_mass_times(system.mass(), shift_[1], x.data(), im.data(), size());
-        system.measure(work::solve, [&] { blocks_.solve_first(re, im); });
+        system.measure(work::solve, [&] { blocks_.solve_first(system, re, im); });
         x -= re;
     }
 

@@ -149,7 +149,7 @@ class collocation_step : public step_defaults<Space> {
             return 0;
         }
         defect(system, h, left_, f0, now, error);
-        system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         return 1;
     }
 
@@ -171,7 +171,7 @@ class collocation_step : public step_defaults<Space> {
                        vector& error) {
         if (stiffly_accurate_) return 0;
         defect(system, h, right_, f1, now, error);
-        system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         return 1;
     }
     /// The same once more filtered: f(t, y + error) in place of f(t, y), which damps what stiff components
@@ -185,7 +185,7 @@ class collocation_step : public step_defaults<Space> {
         error += y;
         system(t, error, f);
         defect(system, h, left_, f, now, error);
-        system.measure(work::solve, [&] { stages_.filter(error, scratch_); });
+        system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         if (stiffly_accurate_) system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
         return 1;
     }

@@ -59,7 +59,7 @@ class integrator {
           f_(n_),
           outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())},
           keeps_output_(keeps_output) {
-        system_.set_extent(start_.agree(system_.extent()));
+        system_.set_extent(start_.agree(system_.extent(), o, t0, t1, largest_columns()));
         report_.set_tolerances(o);
         set_weights(options_, y_, scale_);
         h_ = plan_.equal().h;
@@ -333,7 +333,7 @@ class integrator {
     template <class Step>
     progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
         using std::abs;
-        if (!all_finite(y1_, n_, system_.sums())) return give_up(status::non_finite);
+        if (!system_.finite(y1_)) return give_up(status::non_finite);
         if (method.ends_with_value()) {
             const Vector& f1 = f_.right(system_, plan.t_next, y1_);
             if (all_finite(f1, n_, system_.sums()))
