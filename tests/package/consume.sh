@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# consume.sh SOURCE BUILD installed|run_component|subdirectory|fetched: builds and runs the consumer project the named
-# way. Without git, or where SOURCE is no clone, the last one is left out (exit code 77).
+# consume.sh SOURCE BUILD installed|run_component|subdirectory|own_eigen|fetched: builds and runs the consumer project the
+# named way. Without git, or where SOURCE is no clone, the last one is left out (exit code 77).
 set -euo pipefail
 source=$1 build=$2 way=$3
 work=$build/package/$way
@@ -30,6 +30,12 @@ case $way in
         ;;
     subdirectory)
         consume consumer -DSTAGECRAFT_SOURCE="$source"
+        ;;
+    own_eigen)  # Eigen is a part of the consumer's project, in no export set; what is installed is the consumer's affair
+        consume consumer -DSTAGECRAFT_SOURCE="$source" -DPART=run -DOWN_EIGEN=ON -DCMAKE_UNITY_BUILD=ON \
+            -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON
+        cmake --install "$work/consumer" --prefix "$work/prefix"
+        [ ! -e "$work/prefix/include" ]
         ;;
     fetched)
         git -C "$source" rev-parse HEAD || exit 77
