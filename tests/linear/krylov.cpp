@@ -133,8 +133,10 @@ struct preconditioned_heat {
     }
 };
 template <bool Generic>
-struct with_matrix : preconditioned_heat<Generic> {
-    void jacobian(double, const VectorXd& u, MatrixXd& J) const { J = this->jacobian_at(u); }
+struct with_matrix {
+    preconditioned_heat<Generic> heat;
+    void operator()(double t, const VectorXd& u, VectorXd& f) const { heat(t, u, f); }
+    void jacobian(double, const VectorXd& u, MatrixXd& J) const { J = heat.jacobian_at(u); }
 };
 
 // The product of its J with a vector beside that of the matrix, and a run beside one with the matrix.

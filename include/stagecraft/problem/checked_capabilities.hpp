@@ -78,6 +78,13 @@ struct matrix_member {
         &T::matrix;
     };
 };
+struct precondition_member {
+    int precondition;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::precondition;
+    };
+};
 template <class T>
 concept has_type_named_matrix = requires {
     typename T::matrix;
@@ -133,6 +140,11 @@ struct checked_capabilities {
         "problem.matrix must be a member function `auto matrix() const` that returns what jacobian(t, "
         "y, J) writes into, with rows() and cols(); give a member that means something else another "
         "name");
+    static_assert(
+        absent<detail::precondition_member> || has_matrix<Problem> || has_linear_solver<Problem>,
+        "problem.precondition is used without a Jacobian only: leave jacobian out and give "
+        "matrix_free(problem, n) (stagecraft/problem/matrix_free.hpp) in place of the problem; give a "
+        "member that means something else another name");
     static_assert(absent<detail::measure_member> || has_stopwatch<Problem>,
                   "problem.measure must be a member function `auto measure(stagecraft::work) const`");
 };

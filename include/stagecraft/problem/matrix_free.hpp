@@ -9,6 +9,7 @@
 
 #include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
+#include <stagecraft/problem/checked_capabilities.hpp>
 
 namespace stagecraft {
 
@@ -107,11 +108,18 @@ class matrix_free_problem : public Problem {
 /// moves no component by more than it may. Each product costs one call of f (about two in dual numbers), which
 /// result.report does not count: an iteration takes one for a real system and two for a pair. f and precondition must be
 /// const. Memory: 5 n numbers beside those of krylov_blocks. std::invalid_argument for a negative n.
+///
+/// A problem with precondition is not solved in this way unasked, as it could be: a program that uses no preconditioner would
+/// include those solvers, and every entrance (integrate, steps, checkpoints) would make copies of the problem. Given without
+/// matrix_free it does not compile; nor does a problem with a jacobian here, which would not be used.
 template <class Problem>
 auto matrix_free(Problem problem, Eigen::Index n) {
     static_assert(
         requires(const Problem& p, double* x) { p.precondition(1.0, x); },
         "matrix_free: the problem needs a member precondition(shift, x) const");
+    static_assert(!detail::has_member_named<Problem, detail::jacobian_member>,
+                  "matrix_free: the problem has a member jacobian, which would not be used: leave it out, or "
+                  "use krylov_blocks with sparsity() and that Jacobian");
     if (n < 0) throw std::invalid_argument("matrix_free: n must not be negative");
     return detail::matrix_free_problem<Problem>(std::move(problem), n);
 }

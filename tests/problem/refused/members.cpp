@@ -10,6 +10,7 @@
 // says: problem.measure must be a member function
 // says: problem.add_up must be a member function
 // says: problem.matrix must be a member function
+// says: problem.precondition is used without a Jacobian only
 #include <array>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
@@ -55,6 +56,10 @@ struct opaque {
 struct not_opaque {
     using matrix = Matrix2d;
 };
+struct preconditioned {
+    void precondition(double, double*) const;
+    Matrix2d matrix() const;
+};
 #else
 struct massive {
     Matrix2d mass();
@@ -92,6 +97,10 @@ struct opaque {
     Matrix2d matrix;
 };
 struct not_opaque {};
+struct preconditioned {
+    void precondition(double, double*) const;
+    void jacobian(double, const Vector2d&, Matrix2d&) const;
+};
 #endif
 
 template struct stagecraft::checked_capabilities<const massive, Vector2d, Matrix2d>;
@@ -106,3 +115,4 @@ template struct stagecraft::checked_capabilities<const stopwatch, Vector2d, Matr
 template struct stagecraft::checked_capabilities<const distributed, Vector2d, Matrix2d>;
 template struct stagecraft::checked_capabilities<const opaque, Vector2d, Matrix2d>;
 template struct stagecraft::checked_capabilities<const not_opaque, Vector2d, Matrix2d>;
+template struct stagecraft::checked_capabilities<const preconditioned, Vector2d, Matrix2d>;
