@@ -174,6 +174,22 @@ BOOST_AUTO_TEST_CASE(too_few_digits_are_inconclusive_with_an_exit_code_of_their_
     BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 1);
 }
 
+BOOST_AUTO_TEST_CASE(bounds_are_compared_with_the_1_over_gamma_of_their_condition) {
+    // b^T c = 0.500 +- 0.0005 is to be 1/2: a thousandth of it. The first row has nothing to round.
+    const auto c = certify_once::certify(
+        R"({"A":[["0","0"],["0.500","0"]],"b":["0","1"],"c":["0","0.500"],"claims":{"order":2}})");
+    BOOST_TEST(c.find("order")->relative_bound == "0.001");
+    BOOST_TEST(c.find("order")->judgement->bound() == "0.0005");
+    BOOST_TEST(c.find("row_sums")->truth->bound() == "0.001");
+    const auto exact = certify_once::certify(
+        R"({"A":[["0","0"],["1/2","0"]],"b":["0.0","1.00"],"c":["0","1/2"],"claims":{"order":1}})");
+    BOOST_TEST(exact.find("row_sums")->truth->is_proved());
+    // Of several rows the one with the largest residual is reported.
+    const auto rows = certify_once::certify(
+        R"({"A":[["0.3333","0"],["0.5000","0.1667"]],"b":["0.5000","0.5000"],"c":["0.3333","0.6666"]})");
+    BOOST_TEST(rows.find("row_sums")->truth->residual() == "0.0001");
+}
+
 BOOST_AUTO_TEST_CASE(tables_computed_in_floating_point_have_a_numerical_order_and_no_suspects) {
     // Doubles with errors of several units in the last place, as a program's output has.
     json table = as_printed(method("dormand_prince_5_4"), 16);

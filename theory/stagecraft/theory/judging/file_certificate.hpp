@@ -42,6 +42,9 @@ struct finding {
     std::optional<verdict> truth;
     std::optional<verdict> judgement;
     std::optional<numerical_order> numerical;  ///< for orders, where it exceeds the exact one
+    /// For orders of data known by enclosures: the largest bound in parts of the 1/gamma (stage order: of the
+    /// right-hand side) of its condition; from 1/10 the claim is inconclusive.
+    std::string relative_bound;
 };
 
 /// A condition that fails.
@@ -132,6 +135,7 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
             entry["numerical"] = {{"order", f.numerical->order},
                                   {"residual", f.numerical->residual},
                                   {"digits", f.numerical->digits}};
+        if (!f.relative_bound.empty()) entry["relative_bound"] = f.relative_bound;
         if (f.claimed) {
             entry["claimed"] = nlohmann::ordered_json::parse(*f.claimed);
             entry["claim"] = name(f.judgement->standing());

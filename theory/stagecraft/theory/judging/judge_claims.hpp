@@ -78,11 +78,13 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
         std::string why = "every condition up to order " + std::to_string(order) + " holds";
         if (facts.value > order) why += ", and the order is " + std::to_string(facts.value);
         judged = verdict::proved(std::move(why));
-    } else if (order > found.tested) {
+    } else if (f.relative_bound = brief(size.relative_bound); order > found.tested) {
         judged = verdict::inconclusive(brief(size.residual), brief(size.bound),
                                        "too few digits to refute order " + std::to_string(found.tested + 1));
     } else {
-        judged = verdict::consistent(brief(size.residual), brief(size.bound), data_reason);
+        judged = verdict::consistent(
+            brief(size.residual), brief(size.bound),
+            data_reason + (", no bound above " + f.relative_bound) + " of the 1/gamma of its condition");
     }
     return f;
 }
@@ -125,8 +127,10 @@ finding judge_high_order(const subject<K>& s, const Weights& weights, const std:
         f.judgement = verdict::inconclusive("not computed", "none", assumptions + " alone do not prove it");
     else if constexpr (exact_scalar<K>)
         f.judgement = verdict::proved(assumptions + " hold");
-    else
+    else {
+        f.relative_bound = brief(size.bound);  // k B(k) is 1, and so on
         f.judgement = open_case(size.residual, size.bound, 1, data_reason);
+    }
     return f;
 }
 
@@ -165,23 +169,38 @@ template <class K>
 finding judge_row_sums(const subject<K>& s, const tableaux::claims& claims, std::vector<failure>& failures) {
     const auto defects = row_sum_defects(s);
     verdict v = verdict::proved("A*1 = c");
+    tableaux::bound largest = 0;  // of the rows that may hold
     for (int i = 0; i < s.stages(); ++i) {
         const K& defect = defects[static_cast<std::size_t>(i)];
         const std::string row = std::to_string(i + 1);
         tableaux::bound scale = size_of(K(s.t.c(i)));
         for (int j = 0; j < s.stages(); ++j) scale = std::max(scale, size_of(K(s.t.A(i, j))));
-        v = both(v, vanishes(defect, scale, "row " + row + " of A*1 = c", data_reason));
-        if (certainly_nonzero(defect))
+        const verdict one = vanishes(defect, scale, "row " + row + " of A*1 = c", data_reason);
+        if (certainly_nonzero(defect)) {
+            v = both(v, one);
             failures.push_back(
                 {"sum(A[" + row + "]) == c[" + row + "]", "", shown(defect), in_words(defect)});
+        } else {
+            v = size_of(defect) > largest ? both(one, v) : both(v, one);
+            largest = std::max(largest, size_of(defect));
+        }
     }
     if (v.is_proved()) v = verdict::proved("A*1 = c");
-    finding f{"row_sums", std::nullopt, std::nullopt, v, std::nullopt, {}};
+    finding f{"row_sums", std::nullopt, std::nullopt, v, std::nullopt, {}, {}};
     if (claims_row_sums(s, claims)) {
         f.claimed = "true";
         f.judgement = v;
     }
     return f;
+}
+
+/// The judgement on a stage order that enclosures do not refute.
+inline void set_open_stage_order(finding& f, tableaux::bound residual, tableaux::bound bound,
+                                 tableaux::bound relative_bound) {
+    f.relative_bound = brief(relative_bound);
+    f.judgement = says_nothing(relative_bound, 1)
+                      ? verdict::inconclusive(brief(residual), brief(bound), "too few digits")
+                      : verdict::consistent(brief(residual), brief(bound), data_reason);
 }
 
 template <class K>
@@ -206,10 +225,8 @@ finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::
         f.judgement = verdict::refuted(failures.back().condition + " leaves " + failures.back().in_words);
     } else if constexpr (exact_scalar<K>) {
         f.judgement = verdict::proved("B(" + *f.claimed + ") and C(" + *f.claimed + ") hold");
-    } else if (says_nothing(found.relative_bound, 1)) {
-        f.judgement = verdict::inconclusive(brief(found.residual), brief(found.bound), "too few digits");
     } else {
-        f.judgement = verdict::consistent(brief(found.residual), brief(found.bound), data_reason);
+        set_open_stage_order(f, found.residual, found.bound, found.relative_bound);
     }
     return f;
 }
@@ -289,7 +306,7 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
     if (s.t.b_embedded.size() > 0) {
         certificate.findings.push_back(detail::judge_order(
             s, s.t.b_embedded, "b_embedded", claims.embedded_order, row_sums_fail, certificate));
-        certificate.findings.push_back({"jumps_seen", {}, {}, jumps_seen(s.t), {}, {}});
+        certificate.findings.push_back({"jumps_seen", {}, {}, jumps_seen(s.t), {}, {}, {}});
     }
     certificate.findings.push_back(detail::judge_stage_order(s, claims.stage_order, failures));
     for (const auto& [property, member] : tableaux::yes_no_claims) {

@@ -45,7 +45,8 @@ inline tableaux::ball to_ball(const tableaux::range& r) {
     const tableaux::integer m = floor(scaled(middle, k));
     const bool whole = scaled(middle, k) == tableaux::rational(m);
     const auto rounding = whole ? tableaux::bound(0) : std::ldexp(tableaux::bound(1), -k);
-    return ball(ball::mantissa(m), -k, tableaux::upward(up(half) + rounding), checker_bits);
+    const auto radius = half == 0 && whole ? tableaux::bound(0) : tableaux::upward(up(half) + rounding);
+    return ball(ball::mantissa(m), -k, radius, checker_bits);
 }
 
 /// The interval of a ball.
@@ -88,14 +89,15 @@ inline verdict open_case(tableaux::bound residual, tableaux::bound bound, tablea
 }
 
 /// Verdict on "defect = 0", the difference of quantities of size `scale`. Over an exact field it is decided;
-/// an enclosure refutes it or leaves it open for `reason`. `name` says what the defect is.
+/// an enclosure refutes it or leaves it open for `reason`, unless it is the point 0. `name` says what the defect is.
 template <class K>
 verdict vanishes(const K& defect, tableaux::bound scale, const std::string& name, const std::string& reason) {
     if (certainly_nonzero(defect)) return verdict::refuted(name + " leaves " + in_words(defect));
     if constexpr (exact_scalar<K>)
         return verdict::proved(name);
     else
-        return open_case(defect.magnitude(), defect.radius(), scale, reason);
+        return defect.exactly_zero() ? verdict::proved(name)
+                                     : open_case(defect.magnitude(), defect.radius(), scale, reason);
 }
 
 /// The conjunction: refuted where one part is, proved where all are, otherwise the weakest open one.
