@@ -254,6 +254,23 @@ BOOST_AUTO_TEST_CASE(a_misprint_in_one_tableau_of_a_pair_is_refuted_and_named) {
     BOOST_TEST(10 * named >= 9 * tried);
 }
 
+BOOST_AUTO_TEST_CASE(a_node_that_is_no_row_sum_of_its_tableau_is_named) {
+    // Midpoint rules on common nodes; the conditions to order 2 do not look at c.
+    const auto pair = [](const std::string& node) {
+        return certify_method(R"({"form":"additive","partners":[
+            {"name":"explicit","c":["0",")" +
+                              node + R"("],"A":[["0","0"],["1/2","0"]],"b":["0","1"]},
+            {"name":"implicit","c":["0","1/2"],"A":[["0","0"],["0","1/2"]],"b":["0","1"]}],
+            "claims":{"order":2}})");
+    };
+    BOOST_TEST(pair("1/2").exit_code() == 0);
+    const auto c = pair("1/7");
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_REQUIRE(!c.suspects.empty());
+    BOOST_TEST(c.suspects[0].entry == "explicit: c[2]");
+    BOOST_TEST(c.suspects[0].suggest == "1/2");
+}
+
 BOOST_AUTO_TEST_CASE(the_symplectic_pairs_are_those_of_the_books) {
     const auto verdict_of = [](const char* name) {
         return certify_method(tableaux::text_of_file(folder + "/" + name + ".json"), folder)

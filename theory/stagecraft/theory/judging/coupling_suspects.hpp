@@ -43,8 +43,7 @@ struct coupled_place {
     theory::place place;
 };
 
-/// The entries whose change leaves the kind of each tableau alone. The nodes count in Nystrom methods, where both
-/// formulas share them; elsewhere only the tableau itself sees them.
+/// The entries whose change leaves the kind of each tableau alone. Both formulas of a Nystrom method share the nodes.
 inline std::vector<coupled_place> coupled_places(const tableaux::partitioned_file& file) {
     const bool nystrom = file.coupling == tableaux::coupling::nystrom;
     std::vector<coupled_place> all;
@@ -53,8 +52,8 @@ inline std::vector<coupled_place> coupled_places(const tableaux::partitioned_fil
         const auto shape = make_subject<int>(partner, [](const tableaux::entry&) { return 0; });
         for (const place& p : places_of(partner, shape.strictly_lower, shape.lower)) {
             const bool absent = nystrom && k == 1 && p.part == part::A && !file.uses_velocity;
-            const bool nodes = p.part == part::c && !(nystrom && k == 0);
-            if (!absent && !nodes) all.push_back({k, p});
+            const bool shared = nystrom && k == 1 && p.part == part::c;
+            if (!absent && !shared) all.push_back({k, p});
         }
     }
     return all;
@@ -71,7 +70,8 @@ inline std::string name(const coupled_place& p, const tableaux::partitioned_file
 template <class K>
 void put(coupled_subject<K>& s, const coupled_place& p, const K& value) {
     theory::put(s.partners[p.partner], p.place, value);
-    if (p.place.part == part::c) theory::put(s.partners[1 - p.partner], p.place, value);
+    const bool shared = p.place.part == part::c && s.nystrom();
+    if (shared) theory::put(s.partners[1 - p.partner], p.place, value);
 }
 
 template <class To, class K, class Convert>
@@ -139,9 +139,12 @@ template <class K, class Quick>
 std::optional<K> restoring_value(const coupled_subject<K>& s, const Quick& quick, const coupled_place& p,
                                  const coupled_trees_claimed& trees) {
     const auto& partner = s.partners[p.partner];
-    if (p.place.part == part::A && partner.nodes_given && !s.nystrom())
-        return K(value_at(partner, p.place) -
-                 row_sum_defects(partner)[static_cast<std::size_t>(p.place.row)]);
+    const bool in_row_sum = p.place.part == part::A || p.place.part == part::c;
+    if (in_row_sum && partner.nodes_given && !s.nystrom()) {
+        const K defect = row_sum_defects(partner)[static_cast<std::size_t>(p.place.row)];
+        const K& written = value_at(partner, p.place);
+        return p.place.part == part::A ? K(written - defect) : K(written + defect);
+    }
     const bool embedded = p.place.part == part::b_embedded;
     const auto& view = embedded ? trees.embedded.view() : trees.order.view();
     const auto condition = affine_coupled_condition(quick, p, embedded, view);
