@@ -267,17 +267,43 @@ BOOST_AUTO_TEST_CASE(weights_that_are_all_zero_are_judged_too) {
     BOOST_TEST(suspected(c, "b[1]", "1"));
 }
 
-BOOST_AUTO_TEST_CASE(several_surds_are_enclosed_refuted_or_consistent_but_never_proved) {
-    // SDIRK with gamma = 1 - sqrt(2)/2 and an idle stage with another surd.
-    const auto file = [](const std::string& weight) {
-        return judged(R"x({"A":[["1-sqrt(2)/2","0","0"],["sqrt(2)/2","1-sqrt(2)/2","0"],["sqrt(3)","0","0"]],
-            "b":[")x" +
-                      weight + R"x(","1-sqrt(2)/2","0"],"claims":{"order":2}})x");
+BOOST_AUTO_TEST_CASE(two_surds_are_proved_and_three_are_enclosed_refuted_or_consistent) {
+    // SDIRK with gamma = 1 - sqrt(2)/2 and idle stages with other surds.
+    const auto file = [](const std::string& weight, const std::string& third) {
+        return judged(R"x({"A":[["1-sqrt(2)/2","0","0"],["sqrt(2)/2","1-sqrt(2)/2","0"],["sqrt(7)",")x" +
+                      third + R"x(","0"]],"b":[")x" + weight +
+                      R"x(","1-sqrt(2)/2","0"],"claims":{"order":2,"L_stable":true}})x");
     };
-    BOOST_TEST((file("sqrt(2)/2").overall() == standing::consistent));
-    const auto wrong = file("sqrt(2)/2+10^-60");
+    BOOST_TEST((file("sqrt(2)/2", "0").overall() == standing::proved));
+    const auto wrong = file("sqrt(2)/2+10^-60", "0");
     BOOST_TEST((wrong.overall() == standing::refuted));
-    BOOST_TEST(wrong.data == "exact, enclosed");
+    BOOST_TEST(wrong.data == "exact, quadratic surds");
+    BOOST_TEST(suspected(wrong, "b[1]", "1/2*sqrt(2)"));
+    BOOST_TEST((file("sqrt(2)/2", "sqrt(3)").overall() == standing::consistent));
+    const auto enclosed = file("sqrt(2)/2+10^-60", "sqrt(3)");
+    BOOST_TEST((enclosed.overall() == standing::refuted));
+    BOOST_TEST(enclosed.data == "exact, enclosed");
+}
+
+BOOST_AUTO_TEST_CASE(a_method_over_two_surds_that_meet_is_decided) {
+    // Half a step of Gauss-2 (sqrt 3) and half a step of Kutta's family of order 4 with w = sqrt(7)/6
+    // (Hairer-Norsett-Wanner I.II.1): order 4, and Q(sqrt 3, sqrt 7) is needed to see it.
+    const auto composed = [](const std::string& entry, int order) {
+        return judged(
+            R"x({"A":[["1/8","1/8-sqrt(3)/12","0","0","0","0"],[")x" + entry +
+            R"x(","1/8","0","0","0","0"],["1/4","1/4","0","0","0","0"],["1/4","1/4","1/4","0","0","0"],
+            ["1/4","1/4","1/4-1/(2*sqrt(7))","1/(2*sqrt(7))","0","0"],
+            ["1/4","1/4","0","1/2-sqrt(7)/4","sqrt(7)/4","0"]],
+            "b":["1/4","1/4","1/12","1/3-sqrt(7)/12","sqrt(7)/12","1/12"],"claims":{"order":)x" +
+            std::to_string(order) + "}}");
+    };
+    const auto good = composed("1/8+sqrt(3)/12", 4);
+    BOOST_TEST(good.find("order")->judgement->is_proved());
+    BOOST_TEST(
+        good.find("A_stable")->truth->is_refuted());  // R(z) is that of Gauss-2 times a polynomial, at z/2
+    BOOST_TEST(composed("1/8+sqrt(3)/12", 5).exit_code() == 1);
+    BOOST_TEST(composed("1/8+sqrt(3)/12+10^-200", 4).exit_code() == 1);
+    BOOST_TEST(suspected(composed("1/8-sqrt(3)/12", 4), "A[2][1]", "1/8+1/12*sqrt(3)"));
 }
 
 BOOST_AUTO_TEST_CASE(a_lone_wrong_surd_or_decimal_is_repaired_exactly) {

@@ -80,12 +80,16 @@ BOOST_AUTO_TEST_CASE(a_double_is_uncertain_by_half_an_ulp) {
     BOOST_CHECK_THROW(entry_from_double(std::nan("")), std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(several_or_nested_surds_are_enclosed_to_a_hundred_digits) {
+BOOST_AUTO_TEST_CASE(three_or_nested_surds_are_enclosed_to_a_hundred_digits_and_two_are_exact) {
+    BOOST_TEST(exact("sqrt(3)+sqrt(2)") == "sqrt(2)+sqrt(3)");
+    BOOST_TEST(exact("1/(sqrt(7)-sqrt(5))") == "1/2*sqrt(5)+1/2*sqrt(7)");
+    BOOST_TEST(exact("sqrt(5+2*sqrt(6))") == "sqrt(2)+sqrt(3)");
     using wide = boost::multiprecision::cpp_bin_float_100;
     for (const auto& [text, value] :
-         {std::pair("sqrt(2)+sqrt(3)", wide(sqrt(wide(2)) + sqrt(wide(3)))),
+         {std::pair("sqrt(2)+sqrt(3)+sqrt(5)", wide(sqrt(wide(2)) + sqrt(wide(3)) + sqrt(wide(5)))),
           std::pair("sqrt(3/7-2/7*sqrt(6/5))", wide(sqrt(wide(3) / 7 - wide(2) / 7 * sqrt(wide(6) / 5)))),
-          std::pair("1/(sqrt(5)-sqrt(7))", wide(1 / (sqrt(wide(5)) - sqrt(wide(7)))))}) {
+          std::pair("1/(sqrt(5)-sqrt(7)+sqrt(2))",
+                    wide(1 / (sqrt(wide(5)) - sqrt(wide(7)) + sqrt(wide(2)))))}) {
         const entry x = read_entry(text);
         BOOST_TEST(!x.exact);
         BOOST_TEST(!x.rounded);
@@ -96,7 +100,7 @@ BOOST_AUTO_TEST_CASE(several_or_nested_surds_are_enclosed_to_a_hundred_digits) {
 
 BOOST_AUTO_TEST_CASE(a_long_product_of_surds_keeps_a_narrow_enclosure) {
     std::string text = "1";
-    for (int i = 0; i < 60; ++i) text += "*(sqrt(2)+sqrt(3))/(sqrt(3)+sqrt(2))";
+    for (int i = 0; i < 60; ++i) text += "*(sqrt(2)+sqrt(3)+sqrt(5))/(sqrt(5)+sqrt(3)+sqrt(2))";
     const range r = read_entry(text).enclosure;
     BOOST_TEST(r.contains(1));
     BOOST_TEST(r.width() < scaled(1, -380));

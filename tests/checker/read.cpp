@@ -39,7 +39,11 @@ BOOST_AUTO_TEST_CASE(the_kind_is_that_of_the_least_exact_entry) {
     };
     BOOST_TEST((kind("1/2", "1") == number_kind::rational));
     BOOST_TEST((kind("sqrt(2)", "\"sqrt(8)\"") == number_kind::quadratic));
-    BOOST_TEST((kind("sqrt(2)", "\"sqrt(3)\"") == number_kind::enclosed));
+    BOOST_TEST((kind("sqrt(2)", "\"sqrt(3)\"") == number_kind::quadratic));
+    BOOST_TEST((kind("sqrt(2)+sqrt(3)", "\"sqrt(6)\"") == number_kind::quadratic));
+    BOOST_TEST((kind("sqrt(2)+sqrt(3)", "\"sqrt(5)\"") == number_kind::enclosed));
+    // Two radicands whose product is too large for arithmetic in their field.
+    BOOST_TEST((kind("sqrt(281474976710597)", "\"sqrt(3)\"") == number_kind::enclosed));
     BOOST_TEST((kind("sqrt(2)", "0.707106781186548") == number_kind::rounded));
     BOOST_TEST((kind("sqrt(2)+sqrt(3)", "\"1.00000000001\"") == number_kind::rounded));
     BOOST_TEST((kind("sqrt(2)", "0.5") == number_kind::quadratic));  // alone, so short a decimal is exact

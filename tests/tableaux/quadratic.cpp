@@ -6,6 +6,7 @@
 #include <random>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
+#include <utility>
 
 using stagecraft::tableaux::exact_sqrt;
 using stagecraft::tableaux::mixed_surds;
@@ -33,13 +34,47 @@ BOOST_AUTO_TEST_CASE(prints_what_the_reader_reads) {
     BOOST_TEST(quadratic(half).str() == "1/2");
 }
 
-BOOST_AUTO_TEST_CASE(two_different_surds_do_not_mix) {
-    const quadratic r2(0, 1, 2), r3(0, 1, 3);
-    BOOST_CHECK_THROW(r2 + r3, mixed_surds);
-    BOOST_CHECK_THROW(r2 * r3, mixed_surds);
-    BOOST_CHECK_THROW((void)(r2 < r3), mixed_surds);
+BOOST_AUTO_TEST_CASE(two_surds_make_a_field_and_a_third_has_no_place_in_it) {
+    const quadratic r2(0, 1, 2), r3(0, 1, 3), r5(0, 1, 5);
+    BOOST_TEST((r2 + r3).str() == "sqrt(2)+sqrt(3)");
+    BOOST_TEST((r2 * r3) == quadratic(0, 1, 6));
+    BOOST_TEST((quadratic(0, 1, 6) * quadratic(0, 1, 10)).str() == "2*sqrt(15)");
+    BOOST_TEST((r2 < r3));
     BOOST_TEST((r2 == r3) == false);
-    BOOST_TEST((r2 - r2 + r3) == r3);  // a difference that vanished is rational again
+    BOOST_TEST((r2 - r2 + r3) == r3);                // a difference that vanished is rational again
+    const quadratic square = (r2 + r3) * (r2 + r3);  // 5 + 2 sqrt(6), a zero of x^2 - 10 x + 1
+    BOOST_TEST(square * square - quadratic(10) * square + quadratic(1) == quadratic(0));
+    BOOST_CHECK_THROW(r2 + r3 + r5, mixed_surds);
+    BOOST_TEST(((r2 + r3) * r5).str() == "sqrt(10)+sqrt(15)");
+    BOOST_CHECK_THROW((r2 + r3) * r5 + r2, mixed_surds);
+    BOOST_CHECK_THROW((void)(r2 + r3 < r5), mixed_surds);
+    const quadratic large(0, 1, 281474976710597ull), other(0, 1, 281474976710591ull);  // primes below 2^48
+    BOOST_CHECK_THROW(large * other, mixed_surds);
+}
+
+BOOST_AUTO_TEST_CASE(field_axioms_and_order_with_two_surds_agree_with_fifty_digits) {
+    using wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>,
+                                               boost::multiprecision::et_off>;
+    std::mt19937 random(11);
+    const auto number = [&] {
+        return random() % 4 == 0 ? rational(0) : rational(int(random() % 41) - 20, int(random() % 12) + 1);
+    };
+    for (const auto& [first, second] : {std::pair(3u, 7u), std::pair(6u, 10u), std::pair(2u, 6u)}) {
+        const std::uint64_t d = first, e = second;
+        const auto element = [&] {
+            return quadratic(number(), number(), d) + quadratic(0, number(), e) +
+                   quadratic(0, number(), d * e);
+        };
+        for (int i = 0; i < 200; ++i) {
+            const quadratic x = element(), y = element(), z = element();
+            BOOST_TEST(x * (y + z) == x * y + x * z);
+            BOOST_TEST((x * y) * z == x * (y * z));
+            BOOST_TEST((x - y) + y == x);
+            if (y != 0) BOOST_TEST(x / y * y == x);
+            BOOST_TEST((x < y) == (x != y && x.to<wide>() < y.to<wide>()));
+            BOOST_TEST(abs((x * y).to<wide>() - x.to<wide>() * y.to<wide>()) < wide("1e-45"));
+        }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(field_axioms_and_order_agree_with_fifty_digits) {
@@ -73,7 +108,9 @@ BOOST_AUTO_TEST_CASE(sign_sees_what_a_double_does_not) {
                boost::test_tools::tolerance(1e-14));
 }
 
-BOOST_AUTO_TEST_CASE(nested_roots_denest_only_within_the_field) {
+BOOST_AUTO_TEST_CASE(nested_roots_denest_where_the_norm_is_a_square) {
+    BOOST_TEST(exact_sqrt(quadratic(5, 2, 6)).value() == quadratic(0, 1, 2) + quadratic(0, 1, 3));
+    BOOST_TEST(exact_sqrt(quadratic(5, -2, 6)).value() == quadratic(0, 1, 3) - quadratic(0, 1, 2));
     BOOST_TEST(exact_sqrt(quadratic(3, 2, 2)).value() == quadratic(1, 1, 2));
     BOOST_TEST(exact_sqrt(quadratic(3, -2, 2)).value() == quadratic(-1, 1, 2));
     BOOST_TEST(!exact_sqrt(quadratic(1, 1, 2)).has_value());

@@ -45,7 +45,7 @@ tableaux::nodal_polynomial from_nodes(const std::string& list) {
                 throw std::invalid_argument("--nodes: must be distinct, " + text + " is repeated");
             w *= poly{-*c.exact, tableaux::quadratic(1)};
         } catch (const tableaux::mixed_surds&) {
-            throw std::invalid_argument("--nodes: surds of two fields; give --polynomial");
+            throw std::invalid_argument("--nodes: three independent surds; give --polynomial");
         }
     }
     if (count == 0) throw std::invalid_argument("--nodes: at least one node needed");

@@ -38,14 +38,15 @@ std::string latex(const tableaux::rational& x) {
            x.denominator().str() + "}";
 }
 
-/// a + b sqrt(d) with fractions in front.
+/// a + b sqrt(d) + ... with fractions in front.
 std::string latex(const tableaux::quadratic& x) {
-    if (x.is_rational()) return latex(x.rational_part());
-    const tableaux::rational b = x.surd_part();
-    const std::string root = "\\sqrt{" + std::to_string(x.radicand()) + "}";
-    const std::string factor = b == 1 ? "" : b == -1 ? "-" : latex(b);
-    if (x.rational_part() == 0) return factor + root;
-    return latex(x.rational_part()) + (b > 0 ? "+" : "") + factor + root;
+    std::string text = x.rational_part() == 0 && !x.is_rational() ? "" : latex(x.rational_part());
+    for (const auto& [b, d] : x.surds()) {
+        if (b > 0 && !text.empty()) text += "+";
+        text += b == 1 ? "" : b == -1 ? "-" : latex(b);
+        text += "\\sqrt{" + std::to_string(d) + "}";
+    }
+    return text;
 }
 
 /// The tableau as a LaTeX array; number(i, j) is A, c and b are j = -1 and i = s.

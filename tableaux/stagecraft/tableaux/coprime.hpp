@@ -39,7 +39,7 @@ bool coprime_by_residues(const polynomial<K>& p, const polynomial<K>& q) {
     try {
         static_cast<void>(residue(1) / a->leading());
         return gcd(*a, *b).degree() == 0;
-    } catch (const std::domain_error&) {  // a zero divisor of F_p[sqrt d] in the way
+    } catch (const std::domain_error&) {  // the leading coefficient vanishes modulo p
         return false;
     }
 }

@@ -19,12 +19,12 @@
 
 namespace stagecraft::tableaux {
 
-/// One number of a tableau file. Three kinds: exact in a quadratic field (`exact` is set); exact but outside
-/// (several or nested surds, or very long fractions), known by an enclosure of about 120 digits; and rounded
+/// One number of a tableau file. Three kinds: exact in a field of at most two surds (`exact` is set); exact but outside
+/// (three or nested surds, or very long fractions), known by an enclosure of about 120 digits; and rounded
 /// data, uncertain by half a unit of the last digit written.
 struct entry {
     std::string text;                ///< as written
-    std::optional<quadratic> exact;  ///< the value, where it lies in a quadratic field
+    std::optional<quadratic> exact;  ///< the value, where two surds suffice
     range enclosure{0, 0};           ///< contains the value; a point for a rational one
     bool rounded = false;            ///< some part is a decimal that is not exact
     int digits = 0;                  ///< significant digits of the longest decimal in it; 0: there is none
@@ -228,7 +228,7 @@ template <class Operation>
 entry combine(const entry& x, const entry& y, Operation operation) {
     if (x.exact && y.exact) try {
             return from_exact(operation(*x.exact, *y.exact));
-        } catch (const mixed_surds&) {  // leaves the quadratic fields: enclose
+        } catch (const mixed_surds&) {  // a third surd: enclose
         }
     return from_parts(x, y, std::nullopt, operation(x.enclosure, y.enclosure));
 }

@@ -115,11 +115,11 @@ inline tableau<quadratic>::matrix exact_inverse(tableau<quadratic>::matrix m) {
     return x;
 }
 
-/// A quadratic number as a ball of about `bits` bits.
+/// A sum of surds as a ball of about `bits` bits.
 inline ball to_ball(const quadratic& x, int bits) {
-    const ball a(x.rational_part(), bits);
-    if (x.is_rational()) return a;
-    return a + ball(x.surd_part(), bits) * sqrt(ball(x.radicand()).with_bits(bits));
+    ball sum(x.rational_part(), bits);
+    for (const auto& [factor, d] : x.surds()) sum += ball(factor, bits) * sqrt(ball(d).with_bits(bits));
+    return sum;
 }
 
 }  // namespace stagecraft::tableaux

@@ -5,17 +5,20 @@
 #include <concepts>
 #include <cstdint>
 #include <iosfwd>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <stagecraft/tableaux/number_traits.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace stagecraft::tableaux {
 
-/// Thrown by arithmetic between elements of two different fields Q(sqrt d1), Q(sqrt d2): the result has no
-/// place in a quadratic field, and a caller that meets it must turn to enclosures.
+/// Thrown by arithmetic whose result needs a third surd, independent of two others: it has no place in a
+/// `quadratic`, and a caller that meets it must turn to enclosures.
 struct mixed_surds : std::domain_error {
     using std::domain_error::domain_error;
 };
@@ -51,12 +54,39 @@ inline square_split split_square(std::uint64_t n) {
     return s;
 }
 
+/// sqrt(d) sqrt(e) = root sqrt(core) for squarefree d and e. Throws mixed_surds where core exceeds
+/// largest_radicand.
+inline square_split product_of_surds(std::uint64_t d, std::uint64_t e) {
+    const std::uint64_t g = std::gcd(d, e);
+    if (d / g > largest_radicand / (e / g)) throw mixed_surds("quadratic: too large a radicand");
+    return {g, (d / g) * (e / g)};
+}
+
+/// Whether all these squarefree radicands > 1, increasing, lie in one field Q(sqrt d, sqrt e) that `quadratic` can
+/// hold: at most two, or three of which the last is the product of the others but for squares.
+inline bool in_one_field(const std::vector<std::uint64_t>& radicands) {
+    if (radicands.size() < 2) return true;
+    if (radicands.size() > 3) return false;
+    const std::uint64_t g = std::gcd(radicands[0], radicands[1]);
+    if (radicands[0] / g > largest_radicand / (radicands[1] / g)) return false;
+    return radicands.size() == 2 || product_of_surds(radicands[0], radicands[1]).core == radicands[2];
+}
+
 /// An element a + b sqrt(d) of the real quadratic field Q(sqrt d), d squarefree and known at run time: the
-/// field of Gauss-2, Gauss-3, Radau IIA-3, Crouzeix' SDIRK and other tableaux with one surd. A rational (b =
-/// 0, stored with d = 0) belongs to every such field and adapts to its partner; mixing two surds throws
-/// mixed_surds. Always canonical, so == compares components; ordered by exact sign. No float converts to it.
+/// field of Gauss-2, Gauss-3, Radau IIA-3, Crouzeix' SDIRK and other tableaux with one surd; or of a field
+/// Q(sqrt d, sqrt e) with the basis 1, sqrt(d), sqrt(e), sqrt(d e), which two surds that meet generate. A rational (b =
+/// 0, stored with d = 0) belongs to every such field and adapts to its partner; a third surd throws
+/// mixed_surds. Always canonical, so == compares components (square roots of different squarefree numbers are
+/// linearly independent over Q); ordered by exact sign. No float converts to it.
 class quadratic {
   public:
+    /// factor * sqrt(radicand), the radicand squarefree.
+    struct surd {
+        rational factor;
+        std::uint64_t radicand;
+        friend bool operator==(const surd&, const surd&) = default;
+    };
+
     quadratic() = default;
     template <std::integral I>
     quadratic(I n) : a_(n) {}                    // NOLINT: integers are elements
@@ -78,47 +108,71 @@ class quadratic {
     quadratic(F) = delete;
 
     const rational& rational_part() const { return a_; }
-    const rational& surd_part() const { return b_; }
-    /// The squarefree d, or 0 for a rational number.
+    const rational& surd_part() const { return b_; }  ///< the factor of the surd with the least radicand
+    /// The least squarefree d, or 0 for a rational number.
     std::uint64_t radicand() const { return d_; }
     bool is_rational() const { return d_ == 0; }
-    /// The least common denominator of a and b.
-    integer denominator() const { return lcm(a_.denominator(), b_.denominator()); }
+    bool has_one_surd() const { return d_ != 0 && more_.empty(); }
+    /// All of them, radicands increasing.
+    std::vector<surd> surds() const {
+        std::vector<surd> all;
+        if (d_ != 0) all.push_back({b_, d_});
+        all.insert(all.end(), more_.begin(), more_.end());
+        return all;
+    }
+    /// The least common denominator of its rational components.
+    integer denominator() const {
+        integer n = lcm(a_.denominator(), b_.denominator());
+        for (const surd& x : more_) n = lcm(n, x.factor.denominator());
+        return n;
+    }
 
-    /// a - b sqrt(d).
-    quadratic conjugate() const { return {a_, -b_, d_, canonical{}}; }
-    /// a^2 - d b^2, the field norm.
-    rational norm() const { return a_ * a_ - rational(d_) * b_ * b_; }
+    /// The sign of the surd with the second radicand changed (with a single one, of that), and of the third with it.
+    quadratic conjugate() const {
+        if (more_.empty()) return {a_, -b_, d_, {}};
+        quadratic x = *this;
+        for (surd& y : x.more_) y.factor = -y.factor;
+        return x;
+    }
+    /// x times its conjugate: rational for one surd, in Q(sqrt d) for two.
+    quadratic norm() const {
+        if (more_.empty()) return a_ * a_ - rational(d_) * b_ * b_;
+        return *this * conjugate();
+    }
 
-    quadratic operator-() const { return {-a_, -b_, d_, canonical{}}; }
+    quadratic operator-() const {
+        quadratic x{-a_, -b_, d_, more_};
+        for (surd& y : x.more_) y.factor = -y.factor;
+        return x;
+    }
     quadratic& operator+=(const quadratic& o) {
-        const std::uint64_t d = common(o);
+        if (!one_field(o)) return *this = from_terms(sum(terms(), o.terms()));
         a_ += o.a_;
         if (o.d_ == 0) return *this;
         b_ += o.b_;
-        d_ = b_ == 0 ? 0 : d;
+        d_ = b_ == 0 ? 0 : o.d_;
         return *this;
     }
     quadratic& operator-=(const quadratic& o) {
-        const std::uint64_t d = common(o);
+        if (!one_field(o)) return *this += -o;
         a_ -= o.a_;
         if (o.d_ == 0) return *this;
         b_ -= o.b_;
-        d_ = b_ == 0 ? 0 : d;
+        d_ = b_ == 0 ? 0 : o.d_;
         return *this;
     }
     quadratic& operator*=(const quadratic& o) {
-        const std::uint64_t d = common(o);
+        if (!one_field(o)) return *this = from_terms(product(terms(), o.terms()));
         if (o.d_ == 0) {  // rational numbers pay for rational arithmetic only
             a_ *= o.a_;
             if (d_ != 0) b_ *= o.a_;
             d_ = b_ == 0 ? 0 : d_;
             return *this;
         }
-        rational a = a_ * o.a_ + rational(d) * b_ * o.b_;
+        rational a = a_ * o.a_ + (d_ == 0 ? rational(0) : rational(d_) * b_ * o.b_);
         b_ = a_ * o.b_ + b_ * o.a_;
         a_ = std::move(a);
-        d_ = b_ == 0 ? 0 : d;
+        d_ = b_ == 0 ? 0 : o.d_;
         return *this;
     }
     /// Throws std::domain_error for o = 0.
@@ -126,18 +180,19 @@ class quadratic {
         if (o.is_rational()) {
             a_ /= o.a_;
             if (d_ != 0) b_ /= o.a_;
+            for (surd& x : more_) x.factor /= o.a_;
             return *this;
         }
-        const rational n = o.norm();
+        const quadratic n = o.norm();
         *this *= o.conjugate();
-        return *this /= quadratic(n);
+        return *this /= n;
     }
     friend quadratic operator+(quadratic a, const quadratic& b) { return a += b; }
     friend quadratic operator-(quadratic a, const quadratic& b) { return a -= b; }
     friend quadratic operator*(quadratic a, const quadratic& b) { return a *= b; }
     friend quadratic operator/(quadratic a, const quadratic& b) { return a /= b; }
     friend bool operator==(const quadratic&, const quadratic&) = default;
-    /// Order of the real numbers, exact. Throws mixed_surds for two different surds.
+    /// Order of the real numbers, exact. Throws mixed_surds for more than two independent surds.
     friend std::strong_ordering operator<=>(const quadratic& a, const quadratic& b) {
         if (a.d_ == 0 && b.d_ == 0) return a.a_ <=> b.a_;
         return (a - b).sign_() <=> 0;
@@ -147,15 +202,17 @@ class quadratic {
 
     /// "a+b*sqrt(d)" without empty parts: "1/2-1/6*sqrt(3)", "-sqrt(5)", "2/3". The tableau reader reads it.
     std::string str() const {
-        if (is_rational()) return a_.str();
-        const std::string surd = "sqrt(" + std::to_string(d_) + ")";
-        const rational size = abs(b_);
-        std::string s = a_ == 0 ? "" : a_.str();
-        if (b_ < 0)
-            s += "-";
-        else if (!s.empty())
-            s += "+";
-        return s + (size == 1 ? surd : size.str() + "*" + surd);
+        std::string s = a_ == 0 && d_ != 0 ? "" : a_.str();
+        for (const surd& x : surds()) {
+            const std::string root = "sqrt(" + std::to_string(x.radicand) + ")";
+            const rational size = abs(x.factor);
+            if (x.factor < 0)
+                s += "-";
+            else if (!s.empty())
+                s += "+";
+            s += size == 1 ? root : size.str() + "*" + root;
+        }
+        return s;
     }
     template <class Traits>
     friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
@@ -164,41 +221,98 @@ class quadratic {
         return out;
     }
 
-    /// Value in a floating type, free of cancellation: with a and b sqrt(d) of opposite signs it is taken as
+    /// Value in a floating type, free of cancellation: with u and v sqrt(d) of opposite signs it is taken as
     /// norm / conjugate. A few units in the last place.
     template <class Real>
-    Real to() const {
-        using std::sqrt;
-        if (is_rational()) return a_.to<Real>();
-        const Real root = sqrt(static_cast<Real>(d_));
-        const bool opposite = stagecraft::tableaux::sign(a_) * stagecraft::tableaux::sign(b_) < 0;
-        if (!opposite) return a_.to<Real>() + b_.to<Real>() * root;
-        return norm().to<Real>() / (a_.to<Real>() - b_.to<Real>() * root);
-    }
+    Real to() const;
 
   private:
-    struct canonical {};
-    quadratic(rational a, rational b, std::uint64_t d, canonical)
-        : a_(std::move(a)), b_(std::move(b)), d_(d) {}
+    using components = std::map<std::uint64_t, rational>;  // by radicand, 1 for the rational part
 
-    std::uint64_t common(const quadratic& o) const {
-        if (d_ != 0 && o.d_ != 0 && d_ != o.d_)
-            throw mixed_surds("quadratic: sqrt(" + std::to_string(d_) + ") meets sqrt(" +
-                              std::to_string(o.d_) + ")");
-        return d_ != 0 ? d_ : o.d_;
+    quadratic(rational a, rational b, std::uint64_t d, std::vector<surd> more)
+        : a_(std::move(a)), b_(std::move(b)), d_(d), more_(std::move(more)) {}
+
+    bool one_field(const quadratic& o) const {
+        return more_.empty() && o.more_.empty() && (d_ == 0 || o.d_ == 0 || d_ == o.d_);
     }
-    int sign_() const {
-        const int sa = stagecraft::tableaux::sign(a_);
-        const int sb = stagecraft::tableaux::sign(b_);
-        if (sa == 0 || sb == 0 || sa == sb) return sa != 0 ? sa : sb;
-        return sa *
-               stagecraft::tableaux::sign(norm());  // |a| > |b| sqrt(d) exactly when the norm is positive
+    components terms() const {
+        components all{{1, a_}};
+        for (const surd& x : surds()) all[x.radicand] = x.factor;
+        return all;
     }
+    static components sum(components x, const components& y) {
+        for (const auto& [radicand, factor] : y) x[radicand] += factor;
+        return x;
+    }
+    static components product(const components& x, const components& y) {
+        components all;
+        for (const auto& [d, p] : x)
+            for (const auto& [e, q] : y) {
+                const auto [root, core] = product_of_surds(d, e);
+                all[core] += rational(root) * p * q;
+            }
+        return all;
+    }
+    static quadratic from_terms(const components& all) {
+        quadratic x;
+        std::vector<std::uint64_t> radicands;
+        for (const auto& [radicand, factor] : all) {
+            if (factor == 0) continue;
+            if (radicand == 1) {
+                x.a_ = factor;
+                continue;
+            }
+            radicands.push_back(radicand);
+            if (x.d_ == 0)
+                x.b_ = factor, x.d_ = radicand;
+            else
+                x.more_.push_back({factor, radicand});
+        }
+        if (!in_one_field(radicands)) throw mixed_surds("quadratic: three independent surds meet");
+        return x;
+    }
+    struct step_of_tower;
+    /// x = u + v sqrt(d): u and v rational for one surd; u and v in Q(sqrt d1) and d = d2 for two.
+    step_of_tower tower() const;
+    int sign_() const;
 
     rational a_;
     rational b_;
     std::uint64_t d_ = 0;
+    std::vector<surd> more_;  // those with larger radicands: one or two, or none in a quadratic field
 };
+
+struct quadratic::step_of_tower {
+    quadratic u, v;
+    std::uint64_t d;
+};
+
+inline quadratic::step_of_tower quadratic::tower() const {
+    if (more_.empty()) return {a_, b_, d_};
+    const auto [factor, e] = more_.front();
+    quadratic v = factor;
+    if (more_.size() == 2)  // sqrt(d) sqrt(e) = root sqrt(core)
+        v += quadratic(0, more_.back().factor / rational(product_of_surds(d_, e).root), d_);
+    return {{a_, b_, d_, {}}, std::move(v), e};
+}
+
+template <class Real>
+Real quadratic::to() const {
+    using std::sqrt;
+    if (is_rational()) return a_.to<Real>();
+    const auto [u, v, d] = tower();
+    const Real left = u.to<Real>(), right = v.to<Real>() * sqrt(static_cast<Real>(d));
+    if (u.sign_() * v.sign_() >= 0) return left + right;
+    return norm().to<Real>() / (left - right);
+}
+
+inline int quadratic::sign_() const {
+    if (is_rational()) return stagecraft::tableaux::sign(a_);
+    const auto [u, v, d] = tower();
+    const int su = u.sign_(), sv = v.sign_();
+    if (su == 0 || sv == 0 || su == sv) return su != 0 ? su : sv;
+    return su * norm().sign_();  // |u| > |v| sqrt(d) exactly when the norm is positive
+}
 
 /// sqrt(r) as an element of a quadratic field; empty for r < 0 and when the radicand exceeds
 /// largest_radicand.
@@ -214,21 +328,17 @@ inline std::optional<quadratic> exact_sqrt(const rational& r) {
     return quadratic(0, rational(integer(1), q), static_cast<std::uint64_t>(n));
 }
 
-/// sqrt(x) when it lies in a quadratic field: for a rational x as above, and for x = a + b sqrt(d) within
-/// Q(sqrt d) itself (denesting: the norm must be a square n^2 and (a +- n)/2 too). Empty otherwise.
+/// sqrt(x) where it is a sum of surds: for a rational x as above, and for x = a + b sqrt(d) whose norm is a
+/// square n^2, when it is sqrt((a + n)/2) + sqrt((a - n)/2) or the difference (denesting). Empty otherwise.
 inline std::optional<quadratic> exact_sqrt(const quadratic& x) {
     if (x.is_rational()) return exact_sqrt(x.rational_part());
-    if (sign(x) < 0) return std::nullopt;
-    const auto n = exact_sqrt(x.norm());
+    if (!x.has_one_surd() || sign(x) < 0) return std::nullopt;
+    const auto n = exact_sqrt(x.norm().rational_part());
     if (!n || !n->is_rational()) return std::nullopt;
-    for (const rational& root : {n->rational_part(), -n->rational_part()}) {
-        const auto u = exact_sqrt((x.rational_part() + root) / rational(2));
-        if (!u || !u->is_rational() || *u == 0) continue;
-        const quadratic y(u->rational_part(), x.surd_part() / (rational(2) * u->rational_part()),
-                          x.radicand());
-        return abs(y);
-    }
-    return std::nullopt;
+    const auto p = exact_sqrt((x.rational_part() + n->rational_part()) / rational(2));
+    const auto q = exact_sqrt((x.rational_part() - n->rational_part()) / rational(2));
+    if (!p || !q) return std::nullopt;
+    return x.surd_part() > 0 ? *p + *q : *p - *q;
 }
 
 }  // namespace stagecraft::tableaux

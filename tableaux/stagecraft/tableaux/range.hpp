@@ -11,7 +11,7 @@
 namespace stagecraft::tableaux {
 
 /// A closed interval [lower, upper] with rational ends: what a file says of a number that it does not give
-/// exactly (decimals), or that lies outside every quadratic field (nested or several surds). Operations
+/// exactly (decimals), or that needs nested surds or more than two. Operations
 /// enclose; ends longer than working_bits are rounded outwards, so numbers do not grow. Meant for reading
 /// entries, a few operations each; heavy evaluation uses tableaux::ball.
 struct range {
@@ -39,7 +39,9 @@ inline int bit_size(const rational& x) {
 }
 
 inline int bit_size(const quadratic& x) {
-    return std::max(bit_size(x.rational_part()), bit_size(x.surd_part()));
+    int most = bit_size(x.rational_part());
+    for (const auto& surd : x.surds()) most = std::max(most, bit_size(surd.factor));
+    return most;
 }
 
 /// floor(x).
@@ -110,12 +112,12 @@ inline range sqrt(const range& x) {
     return {root(x.lower).lower, root(x.upper).upper};
 }
 
-/// Enclosure of a + b sqrt(d), the point itself for a rational.
+/// Enclosure of a + b sqrt(d) + ..., the point itself for a rational.
 inline range to_range(const quadratic& x) {
-    if (x.is_rational()) return {x.rational_part(), x.rational_part()};
-    const range root = sqrt(range{rational(x.radicand()), rational(x.radicand())});
-    const range surd = root * range{x.surd_part(), x.surd_part()};
-    return surd + range{x.rational_part(), x.rational_part()};
+    range sum{x.rational_part(), x.rational_part()};
+    for (const auto& [factor, d] : x.surds())
+        sum = sum + sqrt(range{rational(d), rational(d)}) * range{factor, factor};
+    return sum;
 }
 
 }  // namespace stagecraft::tableaux

@@ -11,8 +11,9 @@
 
 namespace stagecraft::tableaux {
 
-/// An element a + b sqrt(d) of the ring F_p[sqrt d], p = 2^61 - 1: the image of a number of Q(sqrt d) under
-/// reduction modulo p. The map respects + - *, so a polynomial expression in the entries of a tableau whose
+/// An element a + b i of the field F_p(i), p = 2^61 - 1, i^2 = -1: the image of a number of Q(sqrt d, sqrt e)
+/// under reduction modulo p, where every square root exists: p = 3 modulo 4, so of q and -q one is a square in F_p.
+/// The map respects + - *, so a polynomial expression in the entries of a tableau whose
 /// residue is not zero is not zero: a *refutation* that costs nanoseconds. A zero residue proves nothing.
 class residue {
   public:
@@ -22,23 +23,26 @@ class residue {
     template <std::integral I>
     constexpr residue(I n)  // NOLINT: integers have residues
         : a_(reduce_signed(static_cast<std::int64_t>(n))) {}
-    constexpr residue(std::uint64_t a, std::uint64_t b, std::uint64_t d)
-        : a_(a % modulus), b_(b % modulus), d_(b_ == 0 ? 0 : d) {}
-
-    constexpr std::uint64_t rational_part() const { return a_; }
-    constexpr std::uint64_t surd_part() const { return b_; }
+    /// sqrt(q) for a prime q < p: one of both, always the same.
+    static constexpr residue root_of_prime(std::uint64_t q) {
+        constexpr std::uint64_t quarter = (modulus + 1) / 4;
+        residue r;
+        r.a_ = power(q, quarter);
+        if (product(r.a_, r.a_) == q) return r;
+        r.b_ = power(modulus - q, quarter);
+        r.a_ = 0;
+        return r;
+    }
 
     constexpr residue operator-() const { return residue(0) - *this; }
     constexpr residue& operator+=(const residue& o) {
         a_ = fold(a_ + o.a_);
         b_ = fold(b_ + o.b_);
-        d_ |= o.d_;  // one field at a time: equal, or zero where rational
         return *this;
     }
     constexpr residue& operator-=(const residue& o) {
         a_ = fold(a_ + modulus - o.a_);
         b_ = fold(b_ + modulus - o.b_);
-        d_ |= o.d_;
         return *this;
     }
     constexpr residue& operator*=(const residue& o) {
@@ -46,19 +50,20 @@ class residue {
             a_ = product(a_, o.a_);
             return *this;
         }
-        d_ |= o.d_;
-        const std::uint64_t a = fold(product(a_, o.a_) + product(d_ % modulus, product(b_, o.b_)));
+        const std::uint64_t a = fold(product(a_, o.a_) + modulus - product(b_, o.b_));
         b_ = fold(product(a_, o.b_) + product(b_, o.a_));
         a_ = a;
         return *this;
     }
-    /// Throws std::domain_error where o has no inverse.
+    /// Throws std::domain_error for o = 0.
     constexpr residue& operator/=(const residue& o) {
-        const std::uint64_t norm =
-            fold(product(o.a_, o.a_) + modulus - product(o.d_ % modulus, product(o.b_, o.b_)));
+        const std::uint64_t norm = fold(product(o.a_, o.a_) + product(o.b_, o.b_));
         if (norm == 0) throw std::domain_error("residue: not invertible");
-        const std::uint64_t inverse = power(norm, modulus - 2);
-        return *this *= residue(product(o.a_, inverse), product(fold(modulus - o.b_), inverse), o.d_);
+        residue inverse;
+        inverse.a_ = power(norm, modulus - 2);
+        inverse.b_ = product(fold(modulus - o.b_), inverse.a_);
+        inverse.a_ = product(o.a_, inverse.a_);
+        return *this *= inverse;
     }
     friend constexpr residue operator+(residue x, const residue& y) { return x += y; }
     friend constexpr residue operator-(residue x, const residue& y) { return x -= y; }
@@ -88,7 +93,6 @@ class residue {
 
     std::uint64_t a_ = 0;
     std::uint64_t b_ = 0;
-    std::uint64_t d_ = 0;
 };
 
 /// The residue of r; empty where p divides the denominator.
@@ -98,14 +102,27 @@ inline std::optional<residue> residue_of(const rational& r) {
     if (n < 0) n += p;
     const integer d = r.denominator() % p;
     if (d == 0) return std::nullopt;
-    return residue(static_cast<std::uint64_t>(n), 0, 0) / residue(static_cast<std::uint64_t>(d), 0, 0);
+    return residue(static_cast<std::uint64_t>(n)) / residue(static_cast<std::uint64_t>(d));
+}
+
+/// The residue of sqrt(d), the product of those of the prime factors of d; empty where trial division up to 4096
+/// does not find them.
+inline std::optional<residue> residue_of_root(std::uint64_t d) {
+    residue root(1);
+    for (std::uint64_t q = 2; q < 4096 && q * q <= d; ++q)
+        for (; d % q == 0; d /= q) root *= residue::root_of_prime(q);
+    if (d >= 4096 * 4096) return std::nullopt;
+    return d == 1 ? root : root * residue::root_of_prime(d);
 }
 
 inline std::optional<residue> residue_of(const quadratic& x) {
-    const auto a = residue_of(x.rational_part());
-    const auto b = residue_of(x.surd_part());
-    if (!a || !b) return std::nullopt;
-    return residue(a->rational_part(), b->rational_part(), x.radicand());
+    auto sum = residue_of(x.rational_part());
+    for (const auto& [factor, d] : x.surds()) {
+        const auto f = residue_of(factor), root = residue_of_root(d);
+        if (!sum || !f || !root) return std::nullopt;
+        *sum += *f * *root;
+    }
+    return sum;
 }
 
 }  // namespace stagecraft::tableaux

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/entry.hpp>
@@ -15,14 +16,14 @@ namespace stagecraft::tableaux {
 /// Where the numbers of a tableau live, which decides what can be proved of it.
 enum class number_kind {
     rational,   ///< everything is decided
-    quadratic,  ///< everything is decided, in Q(sqrt d)
-    enclosed,   ///< exact, but in no single quadratic field: equalities can be refuted, not proved
+    quadratic,  ///< everything is decided, in Q(sqrt d) or Q(sqrt d, sqrt e)
+    enclosed,   ///< exact, but in no such field: equalities can be refuted, not proved
     rounded     ///< decimals or doubles
 };
 
 constexpr std::string_view name(number_kind k) {
     return k == number_kind::rational    ? "exact, rational"
-           : k == number_kind::quadratic ? "exact, one quadratic surd"
+           : k == number_kind::quadratic ? "exact, quadratic surds"
            : k == number_kind::enclosed  ? "exact, enclosed"
                                          : "rounded";
 }
@@ -63,16 +64,18 @@ struct tableau_file {
 
     number_kind kind() const {
         bool rounded = false, enclosed = false;
-        std::uint64_t d = 0;
+        std::set<std::uint64_t> radicands;
         for_each_entry([&](const entry& e) {
             rounded |= e.rounded;
-            enclosed |= !e.exact || (d != 0 && !e.exact->is_rational() && e.exact->radicand() != d);
-            if (e.exact && !e.exact->is_rational()) d = e.exact->radicand();
+            enclosed |= !e.exact;
+            if (e.exact)
+                for (const auto& surd : e.exact->surds()) radicands.insert(surd.radicand);
         });
-        return rounded    ? number_kind::rounded
-               : enclosed ? number_kind::enclosed
-               : d != 0   ? number_kind::quadratic
-                          : number_kind::rational;
+        enclosed = enclosed || !in_one_field({radicands.begin(), radicands.end()});
+        return rounded              ? number_kind::rounded
+               : enclosed           ? number_kind::enclosed
+               : !radicands.empty() ? number_kind::quadratic
+                                    : number_kind::rational;
     }
 };
 
@@ -113,10 +116,11 @@ inline tableau<rational> to_rational(const tableau_file& file) {
     return to_tableau<rational>(file, [](const entry& e) { return e.exact->rational_part(); });
 }
 
-/// The exact tableau over Q(sqrt d). Throws std::invalid_argument unless the entries lie in one such field.
+/// The exact tableau over Q(sqrt d) or Q(sqrt d, sqrt e). Throws std::invalid_argument unless the entries lie in one
+/// such field.
 inline tableau<quadratic> to_quadratic(const tableau_file& file) {
     if (file.kind() > number_kind::quadratic)
-        throw std::invalid_argument("file: the entries do not lie in one quadratic field");
+        throw std::invalid_argument("file: the entries do not lie in one field of at most two surds");
     return to_tableau<quadratic>(file, [](const entry& e) { return *e.exact; });
 }
 

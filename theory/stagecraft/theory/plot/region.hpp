@@ -26,8 +26,7 @@ inline double to_double(const tableaux::rational& x) {
 }
 inline double to_double(const tableaux::quadratic& x) {
     using wide = boost::multiprecision::cpp_bin_float_100;
-    const wide surd = x.is_rational() ? wide(0) : wide(x.surd_part().to<wide>() * sqrt(wide(x.radicand())));
-    return wide(x.rational_part().to<wide>() + surd).convert_to<double>();
+    return x.to<wide>().convert_to<double>();
 }
 
 /// Zeros of a polynomial with complex coefficients (ascending): eigenvalues of its companion matrix, polished
