@@ -2,12 +2,15 @@
 #define BOOST_TEST_MODULE report
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
+#include <stagecraft/theory/judging/family_report.hpp>
 #include <stagecraft/theory/judging/stability_report.hpp>
 
 #include "methods.hpp"
 
 using namespace stagecraft;
 using namespace stagecraft::theory;
+using stagecraft::tableaux::quadratic;
 
 namespace {
 
@@ -52,6 +55,31 @@ BOOST_AUTO_TEST_CASE(the_report_says_where_no_theorem_applies_and_covers_the_emb
     BOOST_TEST(line(text({sections.back()}), "R approximates").starts_with("R approximates e^z to order 2"));
     t.b_embedded.resize(0);
     BOOST_TEST(stability_report(t).size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(families_have_the_report_of_their_tableau_and_beyond_it_that_of_legendre_coordinates) {
+    for (const auto f : tableaux::all_families) {
+        const int s = std::max(2, tableaux::least_stages(f));
+        const auto t = tableaux::exact_tableau(f, s);
+        BOOST_REQUIRE(t.has_value());
+        const auto exact = text(stability_report(*t));
+        BOOST_TEST(text(stability_report(f, s)) == exact);
+        // The traits that longer members take: the same theorems apply to the short one.
+        const auto m = theory::detail::family_traits(f, s, certify(f, s));
+        const auto expected = dae_traits_of(*t);
+        BOOST_TEST(m.order == expected.order);
+        BOOST_TEST((m.simplifying == expected.simplifying));
+        BOOST_TEST(m.regular == expected.regular);
+        BOOST_TEST(m.stiff == expected.stiff);
+        BOOST_TEST(m.collocation == expected.collocation);
+        BOOST_TEST(m.zero_node == expected.zero_node);
+        BOOST_TEST(m.ends_at_one == expected.ends_at_one);
+        BOOST_TEST(m.r_infinity.has_value() == expected.r_infinity.has_value());
+        if (m.r_infinity) BOOST_TEST((quadratic(*m.r_infinity) == *expected.r_infinity));
+    }
+    const auto radau = text(stability_report(tableaux::family::radau_iia, 6));
+    BOOST_TEST(line(radau, "index 2") ==
+               "index 2: y O(h^11), z O(h^6)  proved: Hairer-Wanner II, Theorem VII.4.9");
 }
 
 BOOST_AUTO_TEST_CASE(sectors_are_printed_to_thirteen_places) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/theory/judging/certificate_json.hpp>
@@ -11,6 +10,7 @@
 
 #include "certify_file.hpp"
 #include "command.hpp"
+#include "method_argument.hpp"
 
 namespace {
 
@@ -21,11 +21,6 @@ struct options {
     std::string decimals = "auto", ulps = "1/2", tolerance = "0", from = "json";
     tool::certify_options files;
 };
-
-/// What is neither there nor looks like a path is meant as a family.
-bool is_family(const std::string& name) {
-    return name.find_first_of("./") == std::string::npos && name != "-" && !std::filesystem::exists(name);
-}
 
 tableaux::rational number(const char* argument, const std::string& text) {
     const std::invalid_argument refused(std::string(argument) + ": '" + text +
@@ -41,12 +36,9 @@ tableaux::rational number(const char* argument, const std::string& text) {
 }
 
 void certify_family(const options& o) {
-    const auto f = tableaux::family_from_name(o.methods.front());
-    const std::string range = " from " + std::to_string(tableaux::least_stages(f)) + " to 1000";
-    if (o.methods.size() != 2)
-        throw std::invalid_argument("stages: missing after " + o.methods.front() +
-                                    "; allowed: a whole number" + range);
-    const int s = tool::whole_number("stages", o.methods[1], tableaux::least_stages(f), 1000);
+    if (o.methods.size() > 2) throw std::invalid_argument("stages: more than one number after a family");
+    const auto [f, s] =
+        tool::member_of_family(o.methods.front(), o.methods.size() == 2 ? o.methods[1] : "", 1000);
     const auto certificate = theory::certify(f, s);
     if (!o.files.json) {
         std::cout << certificate.text();
@@ -83,9 +75,9 @@ void certify_family_pair(const options& o, std::size_t plus) {
 
 void run(options o) {
     if (const auto plus = o.methods.front().find('+');
-        plus != std::string::npos && is_family(o.methods.front()))
+        plus != std::string::npos && tool::is_family(o.methods.front()))
         return certify_family_pair(o, plus);
-    if (is_family(o.methods.front())) return certify_family(o);
+    if (tool::is_family(o.methods.front())) return certify_family(o);
     if (o.from != "json" && o.from != "text")
         throw std::invalid_argument("from: '" + o.from + "', allowed: json, text");
     o.files.from_text = o.from == "text";

@@ -58,6 +58,8 @@ int complain(std::string what) {
 int main(int argc, char** argv) {
     CLI::App app("Runge-Kutta methods: exact tableaux and what is proved of them", "stagecraft");
     app.footer(
+        "Theorems are cited by authors and place, as Hairer-Wanner II.IV.5; theory/BIBLIOGRAPHY.md has them "
+        "in full.\n"
         "Exit code: 0 done; 1 refuted, or different; 2 bad input; 3 beyond what the digits given can test");
     app.require_subcommand(1);
     app.set_version_flag("--version", "stagecraft " STAGECRAFT_VERSION);

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "method_argument.hpp"
 
 namespace {
 
@@ -29,19 +29,6 @@ struct arguments {
     std::optional<double> implicit;
     bool script_only = false;
 };
-
-bool is_file(const arguments& a) { return a.method.ends_with(".json") || std::filesystem::exists(a.method); }
-
-/// A file where one is named or exists, a family otherwise.
-plot::subject subject_of(const arguments& a) {
-    if (is_file(a)) {
-        if (!a.stages.empty()) throw std::invalid_argument("stages: a tableau file has its own number");
-        return plot::subject_of_file(tableaux::read_tableau_file(a.method));
-    }
-    const auto family = tableaux::family_from_name(a.method);
-    if (a.stages.empty()) throw std::invalid_argument("stages: the family " + a.method + " needs S");
-    return plot::subject_of_family(family, tool::whole_number("stages", a.stages, 1, 30));
-}
 
 std::optional<plot::window> window_of(const arguments& a) {
     if (a.window.empty()) return std::nullopt;
@@ -63,6 +50,7 @@ plot::script coupled_picture(const arguments& a, const tableaux::partitioned_fil
 }
 
 plot::script picture_of(const arguments& a, const plot::subject& m) {
+    if (a.implicit) throw std::invalid_argument("implicit: only an additive pair has that part");
     const std::optional<plot::window> view = window_of(a);
     if (a.kind == "region")
         return plot::region_picture(m.name, m.data.r, view ? *view : plot::region_window(m.data.r), m.r_text);
@@ -76,15 +64,21 @@ plot::script picture_of(const arguments& a, const plot::subject& m) {
                                 "', allowed: region, order-star, E-polynomial, tableau");
 }
 
+plot::script picture_of_family(const arguments& a) {
+    const auto [family, s] = tool::member_of_family(a.method, a.stages, 30);
+    return picture_of(a, plot::subject_of_family(family, s));
+}
+
+plot::script picture_of_file(const arguments& a) {
+    tool::require_no_stages(a.stages);
+    const auto file = tableaux::read_method_file(a.method);
+    if (const auto* several = std::get_if<tableaux::partitioned_file>(&file))
+        return coupled_picture(a, *several);
+    return picture_of(a, plot::subject_of_file(std::get<tableaux::tableau_file>(file)));
+}
+
 void run(const arguments& a) {
-    const auto several = [&]() -> std::optional<tableaux::partitioned_file> {
-        if (!is_file(a)) return std::nullopt;
-        auto file = tableaux::read_method_file(a.method);
-        if (auto* pair = std::get_if<tableaux::partitioned_file>(&file)) return std::move(*pair);
-        return std::nullopt;
-    }();
-    if (a.implicit && !several) throw std::invalid_argument("implicit: only an additive pair has that part");
-    const plot::script picture = several ? coupled_picture(a, *several) : picture_of(a, subject_of(a));
+    const plot::script picture = tool::is_family(a.method) ? picture_of_family(a) : picture_of_file(a);
     if (a.script_only) {
         std::ofstream out(a.output);
         if (!(out << picture.text("picture.svg")))

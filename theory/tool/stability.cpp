@@ -5,32 +5,30 @@
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/tableau_json.hpp>
 #include <stagecraft/theory/judging/enclosed_report.hpp>
+#include <stagecraft/theory/judging/family_report.hpp>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
+#include "method_argument.hpp"
 
 namespace {
 
 using namespace stagecraft;
 
 struct stability_request {
-    std::string file;
+    std::string method, stages;
     bool json = false;
 };
 
-void run(const stability_request& request) {
-    const auto file = tableaux::read_tableau_file(request.file);
-    const auto report =
-        file.kind() <= tableaux::number_kind::quadratic
-            ? theory::stability_report(tableaux::to_quadratic(file))
-            : theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
-                  file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
-    if (!request.json) {
-        std::cout << file.name << "\n" << theory::text(report);
+void print(const std::string& name, const std::vector<theory::report_section>& report, bool json,
+           const nlohmann::ordered_json& tableau) {
+    if (!json) {
+        std::cout << name << "\n" << theory::text(report);
         return;
     }
     nlohmann::ordered_json out;
-    out["name"] = file.name;
+    out["name"] = name;
     for (const auto& section : report) {
         auto& list = out[section.title] = nlohmann::ordered_json::array();
         for (const auto& c : section.claims) {
@@ -39,17 +37,35 @@ void run(const stability_request& request) {
                             {"reason", c.verdict.reason()}});
         }
     }
-    out["tableau"] = tableaux::to_json(file);
+    if (!tableau.is_null()) out["tableau"] = tableau;
     std::cout << out.dump(2) << "\n";
+}
+
+void run(const stability_request& r) {
+    if (tool::is_family(r.method)) {
+        const auto [family, s] = tool::member_of_family(r.method, r.stages, 30);
+        return print(r.method + ", s = " + std::to_string(s), theory::stability_report(family, s), r.json,
+                     {});
+    }
+    tool::require_no_stages(r.stages);
+    const auto file = tableaux::read_tableau_file(r.method);
+    const auto report =
+        file.kind() <= tableaux::number_kind::quadratic
+            ? theory::stability_report(tableaux::to_quadratic(file))
+            : theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
+                  file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
+    print(file.name, report, r.json, tableaux::to_json(file));
 }
 
 const tool::command stability{[](CLI::App& app) {
     const auto request = std::make_shared<stability_request>();
     auto* command = app.add_subcommand(
         "stability",
-        "Decide every notion of stability and the DAE orders of an exact tableau file; of a rounded one what "
-        "enclosures say");
-    command->add_option("file", request->file, "Tableau file (JSON)")->required();
+        "Decide every notion of stability and the DAE orders of a family's member or an exact tableau file; "
+        "of a rounded one what enclosures say");
+    command->add_option("METHOD", request->method, "a family (see `families`) or a tableau file (JSON)")
+        ->required();
+    command->add_option("S", request->stages, "number of stages of the family's member, at most 30");
     command->add_flag("--json", request->json, "Print JSON instead of text");
     command->callback([request] { run(*request); });
 }};

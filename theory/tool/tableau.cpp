@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "method_argument.hpp"
 #include "tableau_text.hpp"
 
 namespace {
@@ -71,9 +72,9 @@ bool print_exact_latex(tableaux::family family, int s) {
 }
 
 void run(const tableau_request& request) {
-    const auto family = tableaux::family_from_name(request.family);
-    const int s = whole_number("stages of " + request.family, request.stages, tableaux::least_stages(family),
-                               most_stages);
+    const auto member = stagecraft::tool::member_of_family(request.family, request.stages, most_stages);
+    const auto family = member.family;
+    const int s = member.stages;
     const int digits = request.digits.empty() ? 20 : whole_number("--digits", request.digits, 1, most_digits);
     if (request.format != "text" && request.format != "json" && request.format != "latex")
         throw std::invalid_argument("--format: '" + request.format + "' unknown, allowed: text, json, latex");
