@@ -2,6 +2,7 @@
 // Chapter 5 and section 6.2: single and multiple shooting, and the elimination that is shooting in disguise.
 #include <stagecraft/linear/two_point_matrix.hpp>
 
+#include <Eigen/LU>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 

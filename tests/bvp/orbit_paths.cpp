@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Paths of periodic orbits, and multipliers that are known, in two to four dimensions.
 #define BOOST_TEST_MODULE bvp_orbit_paths
+#include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>

@@ -2,6 +2,7 @@
 // Collocation of boundary value problems at 50 digits: the orders that the exact tableau has, at mesh points, between
 // them, of the lifted solution, and of algebraic components.
 #define BOOST_TEST_MODULE bvp_orders
+#include <Eigen/LU>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/test/unit_test.hpp>

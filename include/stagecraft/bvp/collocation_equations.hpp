@@ -39,7 +39,7 @@ class collocation_equations {
     using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     using rule = detail::lifting_rule<Scalar, S>;
-    static constexpr int positions = Positions;
+    static constexpr int positions = Positions, stages = S;
 
     collocation_equations(const tableau<Scalar, S>& method, System& system, const Mass& mass)
         : method_(method),
@@ -52,9 +52,9 @@ class collocation_equations {
     const tableau<Scalar, S>& method() const { return method_; }
     System& system() { return system_; }
     const Mass& mass() const { return mass_; }
-    int n() const { return system_.size(); }
-    int np() const { return system_.parameters(); }
-    int s() const { return method_.stages(); }
+    int n() const { return N > 0 ? N : system_.size(); }
+    int np() const { return P >= 0 ? P : system_.parameters(); }
+    int s() const { return S > 0 ? S : method_.stages(); }
 
     /// Where f or r was not finite: a time, or an end's conditions.
     const Scalar& place() const { return place_; }
@@ -148,12 +148,17 @@ class collocation_equations {
 
   private:
     void set_stage(const iterate& x, int i, int j) {
-        stage_ = x.y.col(i);
-        for (int k = 0; k < s(); ++k) stage_ += method_.A(j, k) * x.Z.col(i * s() + k);
+        const Scalar *Z = &x.Z(0, i * s()), *y = &x.y(0, i);
+        const int size = n(), count = s();
+        for (int c = Positions; c < size; ++c) stage_[c] = y[c];
+        for (int k = 0; k < count; ++k) {
+            const Scalar a = method_.A(j, k);
+            for (int c = Positions; c < size; ++c) stage_[c] += a * Z[k * size + c];
+        }
         for (int c = 0; c < Positions; ++c) {
-            Scalar sum = method_.c[j] * x.y(c + Positions, i);
-            for (int k = 0; k < s(); ++k) sum += blocks_.twice()(j, k) * x.Z(c + Positions, i * s() + k);
-            stage_[c] = x.y(c, i) + x.h(i) * sum;
+            Scalar sum = method_.c[j] * y[c + Positions];
+            for (int k = 0; k < count; ++k) sum += blocks_.twice()(j, k) * Z[k * size + c + Positions];
+            stage_[c] = y[c] + x.h(i) * sum;
         }
     }
     bool evaluate(const iterate& x, bool derivatives) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <stagecraft/bvp/hidden_jumps.hpp>
 #include <stagecraft/bvp/lifting_elimination.hpp>
 #include <stagecraft/bvp/lifting_rule.hpp>
+#include <stagecraft/linear/almost_block_diagonal.hpp>
 #include <stagecraft/observe/solution.hpp>
 
 namespace stagecraft {
@@ -58,8 +58,9 @@ class error_estimate {
         left_over_.resize(n, 2 * L);
         scale_.resize(n, 2 * L);
         d_.resize(n, m), g_.resize(n, m), hJ_.resize(n, n * m);
+        const bool usual = nodes() == usual_nodes;
         for (int i = 0; i < L; ++i)
-            if (!lift(x, i)) return false;
+            if (!(usual ? lift<usual_nodes>(x, i) : lift<0>(x, i))) return false;
         if constexpr (std::decay_t<decltype(equations_.mass())>::identity)
             detail::add_hidden_jumps(*rule_, equations_, x, known_, slopes_, left_over_, delta_);
         solve(x);
@@ -136,7 +137,7 @@ class error_estimate {
     /// From here on the returned solution means the collocation polynomial: where the errors are no longer small,
     /// what was to correct them is a worse start for the next mesh than nothing.
     void unlift(const iterate& x) {
-        for (int i = 0; i < x.intervals(); ++i) collocation_slopes(x, i);
+        for (int i = 0; i < x.intervals(); ++i) collocation_slopes<0>(x, i);
     }
 
     /// The returned solution on another mesh.
@@ -194,43 +195,56 @@ class error_estimate {
     }
 
   private:
-    static constexpr int N = wide::RowsAtCompileTime, NN = N > 0 ? N *N : N, M = Equations::positions;
+    static constexpr int N = wide::RowsAtCompileTime, NN = N > 0 ? N *N : N, M = Equations::positions,
+                         S = Equations::stages > 0 ? Equations::stages : 0;
+    /// The number of nodes of most rules, for which the loops are compiled with it; 0 where s is known at run time alone.
+    static constexpr int usual_nodes = S > 0 ? S + 2 : 0;
     using vector = Eigen::Matrix<scalar, N, 1>;
 
+    template <int Nodes>
+    int nodes_of() const {
+        return Nodes > 0 ? Nodes : nodes();
+    }
+
+    template <int Nodes>
     void collocation_slopes(const iterate& x, int i) {
-        const int n = equations_.n();
-        for (int k = 0; k < nodes(); ++k)
-            slopes_at(x, x, i, k, Eigen::Map<vector>(&slopes_(0, i * nodes() + k), n));
+        const int n = equations_.n(), m = nodes_of<Nodes>();
+        for (int k = 0; k < m; ++k) slopes_at(x, x, i, k, &slopes_(0, i * m + k), n);
     }
 
     /// The slopes, times h, of the polynomials of y (the solution's or the error's) at node k of interval i.
-    template <class Out>
-    void slopes_at(const iterate& x, const iterate& y, int i, int k, Out&& out) const {
-        const int n = equations_.n(), s = equations_.s();
-        detail::combine<N>(rule_->lagrange.row(k).data(), s, &y.Z(0, i * s), n, out.data(), n);
+    void slopes_at(const iterate& x, const iterate& y, int i, int k, scalar* out, int n) const {
+        const int s = S > 0 ? S : equations_.s();
+        const scalar* Z = &y.Z(0, i * s);
+        detail::combine<N, S>(rule_->lagrange.data() + k * s, s, Z, n, out, n);
+        const scalar* integrals = rule_->lagrange_integrals.data() + k * s;
         for (int c = 0; c < M; ++c) {
             scalar v = y.y(c + M, i);
-            for (int j = 0; j < s; ++j) v += rule_->lagrange_integrals(k, j) * y.Z(c + M, i * s + j);
+            for (int j = 0; j < s; ++j) v += integrals[j] * Z[j * n + c + M];
             out[c] = x.h(i) * v;
         }
     }
 
     /// Once, and again where the interpolated Jacobians leave a defect that counts beside delta and the tolerance.
+    template <int Nodes>
     bool lift(const iterate& x, int i) {
         using std::abs;
-        const int m = nodes(), n = equations_.n();
-        collocation_slopes(x, i);
-        interpolate_jacobians(i, x.h(i));
+        const int m = nodes_of<Nodes>(), n = equations_.n();
+        collocation_slopes<Nodes>(x, i);
+        interpolate_jacobians<Nodes>(i, x.h(i));
         raised_.col(i).setZero();
         for (int pass = 0; pass < 2; ++pass) {
-            if (!defects(x, i)) return false;
+            if (!defects<Nodes>(x, i)) return false;
             // Elimination costs less than sweeps as long as it has about 16 unknowns.
-            if ((n - M) * m <= 16 || !sweep(i)) eliminate(i, x.h(i), (n - M) * m <= 16 && pass > 0);
+            const bool small = (n - M) * m <= 16;
+            if (small || !elimination_.template sweep<Nodes>(*rule_, equations_.mass(), hJ_, d_, g_))
+                eliminate<Nodes>(x.h(i), small && pass > 0);
+            raise<Nodes>(i);
             auto W = slopes_.middleCols(i * m, m);
             W -= g_;
-            detail::combine<N>(rule_->gauss.b.data(), m, W.data(), n, &delta_(0, i), n);
+            detail::combine<N, Nodes>(rule_->gauss.b.data(), m, W.data(), n, &delta_(0, i), n);
             delta_.col(i) += x.y.col(i) - x.y.col(i + 1);
-            if (!check(x, i)) return false;
+            if (!check<Nodes>(x, i)) return false;
             bool counts = false;
             const scalar jump = delta_.col(i).cwiseAbs().maxCoeff();
             for (int c = 0; c < n; ++c)
@@ -243,94 +257,73 @@ class error_estimate {
     }
 
     /// d = M w' - f(t, w), scaled by h, at the nodes.
+    template <int Nodes>
     bool defects(const iterate& x, int i) {
-        const int n = equations_.n(), m = nodes();
+        const int n = equations_.n(), m = nodes_of<Nodes>();
         const scalar h = x.h(i);
-        const auto W = slopes_.middleCols(i * m, m);
+        const scalar* W = &slopes_(0, i * m);
+        stage_.resize(n);
         for (int k = 0; k < m; ++k) {
-            stage_.resize(n);
-            detail::combine<N>(rule_->integrals.row(k).data(), m, W.data(), n, stage_.data(), n);
+            detail::combine<N, Nodes>(rule_->integrals.data() + k * m, m, W, n, stage_.data(), n);
             stage_ += x.y.col(i);
             const scalar t = x.t[i] + rule_->gauss.c[k] * h;
             const auto& f = equations_.system().f(t, stage_, x.p);
             if (!all_finite(f, n)) return fail_at(t);
             for (int c = 0; c < n; ++c) d_(c, k) = -h * f[c];
-            add_mass_times(equations_.mass(), scalar(1), W.col(k).data(), d_.col(k).data(), n);
+            add_mass_times(equations_.mass(), scalar(1), W + k * n, d_.col(k).data(), n);
         }
         return true;
     }
 
     /// h f_y at the Gauss nodes, side by side.
+    template <int Nodes>
     void interpolate_jacobians(int i, const scalar& h) {
-        const int n = equations_.n(), m = nodes(), s = equations_.s(), width = n + equations_.np();
+        const int n = equations_.n(), m = nodes_of<Nodes>(), s = equations_.s(), width = n + equations_.np();
         const auto J = equations_.jacobians(i);
         for (int k = 0; k < m; ++k)
-            detail::combine<NN>(rule_->lagrange.row(k).data(), s, J.data(), width * n, &hJ_(0, k * n), n * n);
+            detail::combine<NN, S>(rule_->lagrange.data() + k * s, s, J.data(), width * n, &hJ_(0, k * n),
+                                   n * n);
         hJ_ *= h;
     }
 
-    /// g = d + h f_y (integral of g) by sweeps from node to node, which cost least where h f_y is moderate; false
-    /// where they do not contract.
-    bool sweep(int i) {
-        using std::abs;
-        if constexpr (!std::decay_t<decltype(equations_.mass())>::identity) return false;
-        const int n = equations_.n(), m = nodes();
-        g_ = d_;
-        stage_.resize(n), own_.resize(n), most_.resize(n);
-        scalar before(0);
-        for (int k = 0; k < rule_->order + 4; ++k) {
-            scalar change(0), size(0);
-            most_.setZero();
-            for (int j = 0; j < m; ++j) {
-                detail::combine<N>(rule_->integrals.row(j).data(), m, g_.data(), n, own_.data(), n);
-                detail::combine<N>(own_.data(), n, &hJ_(0, j * n), n, stage_.data(), n);
-                for (int c = 0; c < n; ++c) {
-                    const scalar value = d_(c, j) + stage_[c], move = abs(value - g_(c, j)), e = abs(own_[c]);
-                    if (move > change) change = move;
-                    if (abs(value) > size) size = abs(value);
-                    if (e > most_[c]) most_[c] = e;
-                    g_(c, j) = value;
-                }
-            }
-            if (change <= scalar(1) / 100000 * size) {
-                raised_.col(i) += most_;
-                return true;
-            }
-            if (k > 2 && !(change < before / 2)) return false;
-            before = change;
-        }
-        return false;
+    template <int Nodes>
+    void eliminate(const scalar& h, bool again) {
+        if (!again) elimination_.template factor<Nodes>(*rule_, equations_.mass(), h, hJ_);
+        elimination_.template solve<Nodes>(*rule_, h, hJ_, d_, g_);
     }
 
-    /// The same by elimination.
-    void eliminate(int i, const scalar& h, bool again) {
+    /// The largest integrals of g at the nodes: what the lifting removes.
+    template <int Nodes>
+    void raise(int i) {
         using std::abs;
-        const int n = equations_.n(), m = nodes();
-        if (!again) elimination_.factor(*rule_, equations_.mass(), h, hJ_);
-        elimination_.solve(*rule_, h, hJ_, d_, g_);
+        const int n = equations_.n(), m = nodes_of<Nodes>();
         own_.resize(n);
+        most_.setZero(n);
         for (int k = 0; k < m; ++k) {
-            detail::combine<N>(rule_->integrals.row(k).data(), m, g_.data(), n, own_.data(), n);
-            for (int c = 0; c < n; ++c) raised_(c, i) = std::max(raised_(c, i), scalar(abs(own_[c])));
+            detail::combine<N, Nodes>(rule_->integrals.data() + k * m, m, g_.data(), n, own_.data(), n);
+            for (int c = 0; c < n; ++c)
+                if (abs(own_[c]) > most_[c]) most_[c] = abs(own_[c]);
         }
+        raised_.col(i) = raised_.col(i).cwiseMax(most_);
     }
 
     /// The defect of w off its nodes, as local error: (I - r h f_y)^-1 r h d, r being the reach of the point.
+    template <int Nodes>
     bool check(const iterate& x, int i) {
         using std::abs;
-        const int n = equations_.n(), m = nodes(), s = equations_.s(), width = n + equations_.np();
+        const int n = equations_.n(), m = nodes_of<Nodes>(), s = equations_.s(), width = n + equations_.np();
         const scalar h = x.h(i);
         const scalar* W = &slopes_(0, i * m);
         stage_.resize(n), own_.resize(n), off_.resize(n), small_.resize(n, n);
         inner_.col(i).setZero();
         for (int k = 0; k < 2; ++k) {
             const auto& at = rule_->check[k];
-            detail::combine<N>(at.integral.data(), m, W, n, stage_.data(), n);
+            detail::combine<N, Nodes>(at.integral.data(), m, W, n, stage_.data(), n);
             stage_ += x.y.col(i);
             const scalar t = x.t[i] + at.theta * h;
             const auto& f = equations_.system().f(t, stage_, x.p);
             if (!all_finite(f, n)) return fail_at(t);
-            detail::combine<N>(at.value.data(), m, W, n, own_.data(), n);
+            detail::combine<N, Nodes>(at.value.data(), m, W, n, own_.data(), n);
             for (int c = 0; c < n; ++c) {
                 off_[c] = -h * f[c];
                 scale_(c, 2 * i + k) = h * (floor_ + abs(f[c]));
@@ -338,16 +331,28 @@ class error_estimate {
             add_mass_times(equations_.mass(), scalar(1), own_.data(), off_.data(), n);
             left_over_.col(2 * i + k) = off_;
             if (off_.cwiseAbs().maxCoeff() > negligible_ * floor_ / 1000) {
-                detail::combine<NN>(at.lagrange.data(), s, equations_.jacobians(i).data(), width * n,
-                                    small_.data(), n * n);
+                detail::combine<NN, S>(at.lagrange.data(), s, equations_.jacobians(i).data(), width * n,
+                                       small_.data(), n * n);
                 small_ *= -at.reach * h;
                 add_mass(equations_.mass(), scalar(1), small_.data(), n);
-                off_ = small_.partialPivLu().solve(off_);
+                solve_small();
             }
             for (int c = 0; c < n; ++c)
                 if (at.reach * abs(off_[c]) > inner_(c, i)) inner_(c, i) = at.reach * abs(off_[c]);
         }
         return true;
+    }
+
+    /// off = small^-1 off.
+    void solve_small() {
+        const int n = equations_.n();
+        swaps_.resize(static_cast<std::size_t>(n));
+        row_elimination::factor(small_, n, static_cast<scalar*>(nullptr), swaps_.data());
+        row_elimination::apply(small_, n, static_cast<scalar*>(nullptr), swaps_.data(), off_.data());
+        for (int k = n - 1; k >= 0; --k) {
+            for (int j = k + 1; j < n; ++j) off_[k] -= small_(k, j) * off_[j];
+            off_[k] /= small_(k, k);
+        }
     }
 
     void solve(const iterate& x) {
@@ -364,7 +369,7 @@ class error_estimate {
         own_.resize(equations_.n());
         off_ = error_.y.col(i + 1) - error_.y.col(i);
         for (int k = 0; k < m; ++k) {
-            slopes_at(x, error_, i, k, own_);
+            slopes_at(x, error_, i, k, own_.data(), equations_.n());
             slopes_.col(i * m + k) += off_ - own_;
         }
     }
@@ -377,6 +382,7 @@ class error_estimate {
     Equations& equations_;
     std::shared_ptr<const rule> rule_;
     std::vector<scalar> known_;
+    std::vector<int> swaps_;
     wide slopes_, delta_, inner_, raised_, left_over_, scale_, d_, g_, hJ_, zero_, minus_;
     vector stage_, own_, off_, most_;
     Eigen::Matrix<scalar, N, N> small_;

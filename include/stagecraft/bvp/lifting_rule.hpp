@@ -62,16 +62,8 @@ struct lifting_rule {
         }
         twice = integrals * integrals;
         lagrange_integrals = integrals * lagrange;
-        for (int k = 0; k < 2; ++k) {
-            const Scalar theta =
-                k == 0 ? check_point(Scalar(0), Scalar(3) / 10) : check_point(Scalar(3) / 10, Scalar(1));
-            check[k] = {theta,
-                        reach(theta),
-                        level(theta),
-                        gauss.value(theta),
-                        gauss.integral(theta),
-                        lagrange_at(theta)};
-        }
+        check[0] = point_at(check_point(Scalar(0), Scalar(3) / 10));
+        check[1] = point_at(check_point(Scalar(3) / 10, Scalar(1)));
         at_start = gauss.value(Scalar(0));
         at_end = gauss.value(Scalar(1));
         first = std::min(Scalar(method.c.minCoeff()), Scalar(gauss.c[0]));
@@ -89,6 +81,10 @@ struct lifting_rule {
         if (r_infinity == -1) return m % 2 == 1 ? m : m + 1;
         if (r_infinity == 1) return m % 2 == 0 ? m : m + 1;
         return m;
+    }
+    point point_at(const Scalar& theta) const {
+        return {
+            theta, reach(theta), level(theta), gauss.value(theta), gauss.integral(theta), lagrange_at(theta)};
     }
     /// Halfway between two nodes, where the polynomial with zeros at the collocation points is large: there the
     /// interpolated Jacobians are at their worst.
@@ -146,9 +142,11 @@ std::shared_ptr<const lifting_rule<Scalar, S>> lifting_rule_of(const tableau<Sca
     return last;
 }
 
-/// out = the sum of q[l] times column l of W, columns of `size` numbers that lie `stride` apart.
-template <int Size, class Scalar>
+/// out = the sum of q[l] times column l of W, columns of `size` numbers that lie `stride` apart. Count is the number of
+/// columns where it is known at compile time, or 0.
+template <int Size, int Count = 0, class Scalar>
 void combine(const Scalar* q, int count, const Scalar* W, int stride, Scalar* out, int size) {
+    if constexpr (Count > 0) count = Count;
     if constexpr (0 < Size && Size <= 16) {
         using column = Eigen::Matrix<Scalar, Size, 1>;
         column sum = column::Zero();
