@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <stagecraft/bvp/result.hpp>
 
@@ -20,7 +21,7 @@ struct damped_newton_outcome {
 /// Newton's iteration with affine-invariant damping (Deuflhard 2004, section 3.3: the error-oriented method):
 /// a step is accepted where the simplified correction that follows it is smaller, the full step being tried first (that
 /// finds solutions which cautious predictions of the damping do not), and the factors are kept as
-/// long as these corrections contract by four. A linear problem so takes one factorisation and one test.
+/// long as these corrections contract by four. A linear problem so takes one factorisation, and on its first mesh one test.
 template <class Equations>
 class damped_newton {
   public:
@@ -45,6 +46,11 @@ class damped_newton {
             weigh(x);
             const scalar size = norm(d_);
             if (!(size - size == scalar(0))) return {damped_newton_end::failed, size};
+            if (linear_) {
+                moved_ = accuracy(x, d_);
+                add(x, scalar(1), d_, x);
+                return {damped_newton_end::converged, std::numeric_limits<scalar>::epsilon() * moved_};
+            }
             scalar lambda(1);
             scalar bar(0);
             const bool decreased = search(x, size, lambda, bar);
@@ -54,8 +60,9 @@ class damped_newton {
                         left};
             }
             moved_ = lambda * accuracy(x, d_);
-            x = trial_;
+            std::swap(x, trial_);
             if (lambda == scalar(1) && 4 * bar <= size) {
+                linear_ = bar * bar <= std::numeric_limits<scalar>::epsilon() * size * size;
                 const outcome now = keep_factors(x, size, bar, target > rounding ? target : rounding);
                 if (now.end == damped_newton_end::converged) return now;
             }
@@ -160,6 +167,9 @@ class damped_newton {
     Equations& equations_;
     bvp_report& counts_;
     scalar floor_, moved_{0};
+    /// The first full step has left next to nothing: later ones are taken without a test, as the error estimate evaluates f
+    /// and sees what they leave.
+    bool linear_ = false;
     iterate d_, bar_, trial_, difference_;
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> weights_, scale_p_;
 };
