@@ -200,6 +200,7 @@ class bvp_solver {
             for (int c = 0; c < n; ++c) {
                 const Scalar bound = estimate_.bound(i, c) + eps * abs(x_.y(c, i));
                 if (bound > e.components[c]) e.components[c] = bound;
+                if (bound <= (error_ - eps) * floor_) continue;  // nor is it larger relative to floor + |y|
                 const Scalar relative = estimate_.relative(x_, i, c) + eps;
                 if (!(relative <= error_))
                     error_ = relative == relative ? relative : std::numeric_limits<Scalar>::infinity();

@@ -55,7 +55,7 @@ class collocation_blocks {
     const row& twice_to_end() const { return twice_to_end_; }
 
     void resize(int intervals) {
-        blocks_.resize(static_cast<std::size_t>(intervals) * rows() * columns());
+        blocks_.resize(static_cast<Eigen::Index>(intervals) * rows() * columns());
         from_.resize(static_cast<std::size_t>(intervals) * slopes());
     }
 
@@ -236,7 +236,7 @@ class collocation_blocks {
     square twice_;
     row twice_to_end_;
     int n_, np_;
-    std::vector<Scalar> blocks_;
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> blocks_;
     std::vector<int> from_;
 };
 

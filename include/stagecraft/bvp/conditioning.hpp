@@ -14,8 +14,8 @@ namespace stagecraft {
 
 namespace detail {
 
-/// The spectral norm of a small matrix: the largest eigenvalue of A^T A by Jacobi's method, relative to the
-/// largest entry so that squares do not overflow. Any scalar.
+/// The spectral norm of a small matrix: the largest eigenvalue of A^T A by Jacobi's method, of 2 x 2 matrices in closed
+/// form, relative to the largest entry so that squares do not overflow. Any scalar.
 template <class Matrix>
 typename Matrix::Scalar spectral_norm(const Matrix& a,
                                       std::vector<typename Matrix::Scalar>* values = nullptr) {
@@ -26,6 +26,15 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
     const scalar largest = a.size() == 0 ? scalar(0) : a.cwiseAbs().maxCoeff();
     if (values) values->assign(static_cast<std::size_t>(n), scalar(0));
     if (!(largest > scalar(0)) || !(largest - largest == scalar(0))) return largest;
+    if constexpr (Matrix::RowsAtCompileTime == 2 && Matrix::ColsAtCompileTime == 2)
+        if (!values) {  // |z| + |w| of the rotations z and reflections w of which a is the sum
+            const scalar p = a(0, 0) / largest, q = a(0, 1) / largest, r = a(1, 0) / largest,
+                         t = a(1, 1) / largest;
+            return largest *
+                   (sqrt((p + t) * (p + t) + (r - q) * (r - q)) +
+                    sqrt((p - t) * (p - t) + (r + q) * (r + q))) /
+                   2;
+        }
     Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
     for (int sweep = 0; sweep < 40; ++sweep) {  // one-sided: columns made orthogonal
         bool rotated = false;

@@ -70,7 +70,7 @@ class block_chain {
     void resize(int n, int links, int head, int border) {
         n_ = n, links_ = links, c_ = head, q_ = border;
         rows_ = c_ + size(), columns_ = 2 * size() + q_;
-        panels_.assign(static_cast<std::size_t>(links) * rows_ * columns_, Scalar(0));
+        panels_.resize(static_cast<Eigen::Index>(links) * rows_ * columns_);
         tau_.resize(static_cast<std::size_t>(links) * size());
         from_.resize(static_cast<std::size_t>(links) * size());
         last_.setZero(size() + q_, size() + q_);
@@ -225,7 +225,8 @@ class block_chain {
     }
 
     int n_ = 0, links_ = 0, c_ = 0, q_ = 0, rows_ = 0, columns_ = 0, replaced_ = 0;
-    std::vector<Scalar> panels_, tau_, rhs_, scale_;
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> panels_;
+    std::vector<Scalar> tau_, rhs_, scale_;
     std::vector<int> from_, last_from_;
     matrix last_, carry_, top_;
 };
