@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/split_lu.hpp>
 
 namespace stagecraft {
@@ -18,9 +20,14 @@ namespace stagecraft {
 /// such eigenvalue changes the sign of det(gamma/h M - J) relative to det M. The factorisation of a real
 /// block gives the sign; without a real block (even s) a factorisation is made for it. With a singular M (and a
 /// real block) the determinant at a shift beyond all such eigenvalues takes the place of det M: its sign is that
-/// of det(g_z) with index 1, of det(g_y f_z) with index 2, and does not change while these are regular. Not
-/// detected: two such eigenvalues at once, complex ones, and anything with banded or sparse matrices, with a
-/// linear solver of the problem's own, or where parts of the state are on other processes.
+/// of det(g_z) with index 1, of det(g_y f_z) with index 2, and does not change while these are regular.
+///
+/// An even number of such eigenvalues, or complex ones, leave the sign as it is. They are looked for where M is
+/// regular and a step would change nothing by more than the tolerance, in what still moves: f is multiplied
+/// by powers of (a M - J)^-1 (a M + J), which has the eigenvalue (a + lambda)/(a - lambda) for each lambda of
+/// the pencil and so amplifies what grows. Not detected: growth that moves less than something else does, with
+/// a singular M what the sign does not show, and anything with banded or sparse matrices, with a linear solver
+/// of the problem's own, or where parts of the state are on other processes.
 template <class Scalar>
 class growth_watch {
   public:
@@ -39,7 +46,76 @@ class growth_watch {
         }
     }
 
+    /// True if what moves at the left end, as f and `weights` (the inverses of the tolerances) show it, is nearer to
+    /// rest than the tolerance and grows notably in a step h. Costs a product J f, and up to three
+    /// factorisations and 180 solves where it is so near.
+    template <class System, class Vector>
+    bool sees_in(const System& system, const Vector& f, const Vector& weights, const Scalar& h) {
+        if constexpr (!System::structured && System::sums_type::complete) {
+            using std::abs;
+            const int n = system.size();
+            if (n > largest_size || !(weighted_norm(f, weights, n) > Scalar(0))) return false;
+            if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
+            if (mass_sign_ == 0 || !is_near_rest(system, f, f, weights, h)) return false;
+            Scalar a = Scalar(12) / abs(h);  // shows h |lambda| from one to a hundred; then the next decades
+            for (int k = 0; k < 3; ++k, a *= Scalar(25))
+                if (amplifies(system, f, weights, h, a)) return true;
+            return false;
+        } else {
+            return false;
+        }
+    }
+
   private:
+    /// |J w| / |w| is the rate at which w changes, and |f| by that rate how far y is from where f = 0: less than the
+    /// tolerance, and it changes within the step. (Asked of regular M other than the identity always.)
+    template <class System, class Vector>
+    static bool is_near_rest(const System& system, const Vector& f, const Vector& w, const Vector& weights,
+                             const Scalar& h) {
+        using std::abs;
+        if constexpr (System::mass_type::identity) {
+            const int n = system.size();
+            const Vector change = system.jacobian() * w;
+            const Scalar size = weighted_norm(w, weights, n), changed = weighted_norm(change, weights, n);
+            return abs(h) * changed > size && changed > size * weighted_norm(f, weights, n);
+        } else {
+            return true;
+        }
+    }
+
+    /// Of 60 powers the last twenty amplify by more than they could without growth: an ellipse that is passed
+    /// slowly by 3/2, a double zero as well. |(a + lambda)/(a - lambda)| is above (5/2)^(1/20) for real lambda
+    /// between a/44 and 44 a, for lambda = |lambda| e^(i phi) with cos phi = 1/4 between |a|/11 and 11 |a|.
+    template <class System, class Vector>
+    bool amplifies(const System& system, const Vector& f, const Vector& weights, const Scalar& h,
+                   const Scalar& a) {
+        using std::log;
+        const int n = system.size();
+        const Scalar towards = h < Scalar(0) ? Scalar(-1) : Scalar(1);
+        if (!work_) work_ = std::make_unique<workplace>(n);
+        auto& lu = work_->lu;
+        for (int i = 0; i < n * n; ++i) lu.entries()[i] = -towards * system.jacobian().data()[i];
+        add_mass(system.mass(), a, lu.entries(), n);
+        if (!lu.factor()) return false;
+        Vector w = f, product = f;
+        lu.solve(w.data());  // which leaves little of what rounding has put into fast components of f
+        if (!is_near_rest(system, f, w, weights, h)) return false;
+        Scalar level{0}, before{0}, highest = -std::numeric_limits<Scalar>::max();  // logarithms of sizes
+        for (int power = 1; power <= 60; ++power) {
+            product.setZero();
+            add_mass_times(system.mass(), 2 * a, w.data(), product.data(), n);
+            lu.solve(product.data());
+            w = product - w;
+            const Scalar size = weighted_norm(w, weights, n);
+            if (!(size > Scalar(0))) return false;
+            w /= size;
+            level += log(size);
+            if (level > highest) highest = level;
+            if (power == 20 || power == 40) before = std::exchange(highest, level);
+        }
+        return highest > before + log(Scalar(5) / 2);
+    }
+
     /// The sign beyond all eigenvalues is found once, and again where it disagrees: constraints may be switched.
     template <class System, class Stages>
     bool sees_with_singular_mass(const System& system, Stages& stages, const Scalar& shift) {
@@ -80,7 +156,8 @@ class growth_watch {
         explicit workplace(int n) : lu(n), largest(static_cast<std::size_t>(n)) {}
     };
     static constexpr int unknown = 2;
-    static constexpr int far = 1000;  // times the shift: of growth beyond that nothing is left to see
+    static constexpr int largest_size = 200;  // of systems in which powers cost less than a few steps
+    static constexpr int far = 1000;          // times the shift: of growth beyond that nothing is left to see
     int mass_sign_ = unknown, far_sign_ = unknown;
     std::unique_ptr<workplace> work_;  // made when it is needed first, which most runs do not
 };

@@ -241,7 +241,8 @@ class integrator {
     /// Evaluates what the stages need at the left end, the Jacobian if it is wanted, and factors.
     template <class Step>
     linear_state linearise(Step& method, const scalar& h) {
-        if (needs_left_value(method)) f_.left(system_, t_, y_);
+        const bool left = needs_left_value(method);
+        if (left) f_.left(system_, t_, y_);
         weights_ = scale_;
         system_.weigh_by_index(weights_, h);
         method.begin(f_.value());
@@ -252,7 +253,7 @@ class integrator {
                              y1_);
         }
         return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(),
-                              report_.factorisations);
+                              left ? &f_.value() : nullptr, weights_, report_.factorisations);
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed

@@ -78,15 +78,16 @@ class linearisation {
 
     /// Factors the systems of a step h with method number k, unless they are already: for h, or for one that
     /// differs from it by no more than rounding of large t explains, which slows the iteration by as little.
-    /// `watch` looks for growth.
+    /// `watch` looks for growth, in what moves where f0 is given.
     template <class Stages>
     linear_state factor(const System& system, Stages& stages, const scalar& h, int k, bool watch,
-                        long& factorisations) {
+                        const Vector* f0, const Vector& weights, long& factorisations) {
         if (factored_method_ == k && factored_within(h, scalar(1) / 100000)) return linear_state::factored;
         ++factorisations;
         factored_for(scalar(0), 0);
         if (!stages.factor(system, h)) return linear_state::singular;
-        if (watch && growth_.sees(system, stages)) return linear_state::growing;
+        if (watch && (growth_.sees(system, stages) || (f0 && growth_.sees_in(system, *f0, weights, h))))
+            return linear_state::growing;
         factored_for(h, k);
         return linear_state::factored;
     }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSL-1.0
+// What grows from far below the tolerance is not passed over, whatever the number of growing modes, real or not; what
+// only moves there costs nothing.
+#define BOOST_TEST_MODULE growth_from_little
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <functional>
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
+
+namespace sc = stagecraft;
+using Eigen::VectorXd;
+
+namespace {
+
+using right_hand_side = std::function<void(double, const VectorXd&, VectorXd&)>;
+
+/// Species with these rates that share what they live on: y_i' = a_i y_i (1 - sum of all).
+right_hand_side species(VectorXd a) {
+    return [a](double, const VectorXd& y, VectorXd& f) { f = a.cwiseProduct(y) * (1 - y.sum()); };
+}
+right_hand_side van_der_pol(double mu) {
+    return [mu](double, const VectorXd& y, VectorXd& f) {
+        f[0] = y[1], f[1] = mu * (1 - y[0] * y[0]) * y[1] - y[0];
+    };
+}
+/// r' = 10 r (1 - r^2), turning by 20 in a unit of time.
+void circle(double, const VectorXd& y, VectorXd& f) {
+    const double growth = 10 * (1 - y.squaredNorm());
+    f[0] = growth * y[0] - 20 * y[1], f[1] = growth * y[1] + 20 * y[0];
+}
+
+/// Calls look with the results of every method.
+template <class Look>
+void with_methods(const right_hand_side& f, const VectorXd& y0, double t1, Look&& look) {
+    const sc::options<double> o{};
+    look(sc::integrate(sc::radau_iia<2>(), f, y0, 0, t1, o));
+    look(sc::integrate(sc::radau_iia<3>(), f, y0, 0, t1, o));
+    look(sc::integrate(sc::radau_iia<5>(), f, y0, 0, t1, o));
+    look(sc::integrate(sc::radau_iia_variable(), f, y0, 0, t1, o));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(species_live_from_small_seeds) {
+    const auto live = [](const VectorXd& a) {
+        const VectorXd seeds = VectorXd::Constant(a.size(), 1e-9);
+        with_methods(species(a), seeds, 100, [&](const auto& r) {
+            BOOST_TEST(r.ok());
+            BOOST_TEST(std::abs(r.y.sum() - 1) < 1e-4);  // all that there is to live on
+            BOOST_TEST(r.report.steps < 200);
+        });
+    };
+    live(Eigen::Vector2d(1, 0.9));
+    live(Eigen::Vector2d(1, 1));
+    live(Eigen::Vector2d(1, 0.5));
+    live(Eigen::Vector3d(1, 0.9, 0.8));
+    live(Eigen::Vector4d(1, 0.9, 0.8, 0.7));
+    // The share of each: y_i = 1e-9 exp(a_i s), the sum of both 1.
+    const auto r = sc::integrate(sc::radau_iia<3>(), species(Eigen::Vector2d(1, 0.9)),
+                                 VectorXd(Eigen::Vector2d(1e-9, 1e-9)), 0, 100);
+    BOOST_TEST(std::abs(r.y[1] / std::pow(r.y[0], 0.9) - std::pow(1e-9, 0.1)) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(oscillations_start_from_little) {
+    for (const double mu : {0.5, 1., 3.})
+        with_methods(van_der_pol(mu), Eigen::Vector2d(1e-8, 0), 160, [&](const auto& r) {
+            BOOST_TEST(r.ok());
+            BOOST_TEST(r.y.norm() > 0.5);  // on the limit cycle, which stays away from the origin
+        });
+    with_methods(circle, Eigen::Vector2d(1e-7, 0), 20, [](const auto& r) {
+        BOOST_TEST(r.ok());
+        BOOST_TEST(std::abs(r.y.norm() - 1) < 1e-4);
+    });
+    // Backwards in time, what is damped grows.
+    const right_hand_side damped = [](double, const VectorXd& y, VectorXd& f) {
+        VectorXd g(2);
+        circle(0, y, g);
+        f = -g;
+    };
+    const auto back = sc::integrate(sc::radau_iia<3>(), damped, VectorXd(Eigen::Vector2d(1e-7, 0)), 0, -20);
+    BOOST_TEST(std::abs(back.y.norm() - 1) < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(what_moves_below_the_tolerance_without_growth_costs_no_steps) {
+    const auto quiet = [](const right_hand_side& f, const VectorXd& y0) {
+        with_methods(f, y0, 100, [](const auto& r) {
+            BOOST_TEST(r.ok());
+            BOOST_TEST(r.report.steps + r.report.rejected() < 30);
+        });
+    };
+    for (const double omega : {1., 1e2, 1e4})  // not damped, and far from round
+        quiet([omega](double, const VectorXd& y, VectorXd& f) { f[0] = y[1], f[1] = -omega * omega * y[0]; },
+              Eigen::Vector2d(1e-9 / omega, 1e-9));
+    quiet([](double, const VectorXd&, VectorXd& f) { f.setConstant(1e-12); }, VectorXd::Zero(3));
+    // Upwind differences of u_t = -u_x: no mode grows, yet powers of J do for a while.
+    quiet(
+        [](double, const VectorXd& u, VectorXd& f) {
+            for (int i = 0; i < u.size(); ++i) f[i] = 30 * ((i > 0 ? u[i - 1] : 0) - u[i]);
+        },
+        VectorXd::Constant(30, 1e-9));
+    quiet([](double, const VectorXd& y, VectorXd& f) { f[0] = y[1], f[1] = 0; }, Eigen::Vector2d(0, 1e-12));
+}
