@@ -12,6 +12,7 @@
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/tableau/remembered.hpp>
 #include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
@@ -39,42 +40,16 @@ class collocation_step : public step_defaults<Space> {
 
     collocation_step(const method_type& method, int n)
         : stages_(method, n),
-          nodes_(method.stages()),
-          update_(method.stages()),
+          known_(remembered(checked(method), [&] { return look_at(method); })),
           scratch_(n),
           second_(n),
-          rest_(n) {
-        const int s = method.stages();
-        if (s < 1 || method.A_inverse.rows() != s || method.c.size() != s)
-            throw std::invalid_argument("integrate: method must have at least one stage and a regular A");
-        for (int j = 0; j < s; ++j) {
-            update_[j] = Scalar(0);
-            for (int i = 0; i < s; ++i) update_[j] += method.b[i] * method.A_inverse(i, j);
-        }
-        stiffly_accurate_ = true;
-        for (int j = 0; j < s; ++j)
-            stiffly_accurate_ = stiffly_accurate_ && method.A(s - 1, j) == method.b[j];
-        jump_ = method.c[0] == Scalar(0);
-        order_ = method.facts.order > 0 ? method.facts.order : quadrature_conditions(method, 2 * s);
-        // Node list of the continuous polynomial: 0 carries y, a first stage at 0 gives way to the end point
-        // (Radau IA) or drops out where the end point is a node already (Lobatto IIIC).
-        nodes_.first_column = jump_ && stiffly_accurate_ && s > 1 ? 1 : 0;
-        nodes_.size = s - nodes_.first_column;
-        for (int j = 0; j < nodes_.size; ++j) nodes_.c[j] = method.c[j + nodes_.first_column];
-        if (jump_ && nodes_.first_column == 0) nodes_.c[0] = Scalar(1);
-        nodes_.finish();
-        if (!jump_) left_ = slope_at_left_end(method);
-        ends_ = change_without_left_node(method);
-        start_ = value_at_left_end(method);
-        leading_ = leading_legendre_coefficient(method);
-        if (!stiffly_accurate_) right_ = slope_at_right_end(method);
-    }
+          rest_(n) {}
 
     transformed_stages<vector, Stages, typename Space::blocks>& stages() { return stages_; }
     int count() const { return stages_.stages(); }
-    int order() const { return order_; }
+    int order() const { return known_.order; }
     /// The estimate is O(h^q) with this q.
-    int estimate_power() const { return jump_ ? count() : count() + 1; }
+    int estimate_power() const { return known_.jump ? count() : count() + 1; }
     /// What an estimate of 1 stands for, tolerances being 1: the estimate is O(h^q), the error O(h^{p+1}),
     /// and an estimate of 0.1 rtol^{q/(p+1)} stands for an error of about rtol (Hairer-Wanner 1999, "Stiff
     /// differential equations solved by Radau methods").
@@ -86,7 +61,7 @@ class collocation_step : public step_defaults<Space> {
     /// The same across a jump of f: the estimate stands for itself.
     Scalar jump_ratio(const Scalar& smooth) const { return smooth < Scalar(1) ? Scalar(1) : smooth; }
     /// True if the step uses f at its left end: for the estimate.
-    bool needs_left_value(bool fixed) const { return !fixed && !jump_; }
+    bool needs_left_value(bool fixed) const { return !fixed && !known_.jump; }
 
     static constexpr bool implicit() { return true; }
     int coupled_stages_count() const { return count(); }
@@ -94,7 +69,10 @@ class collocation_step : public step_defaults<Space> {
     /// Serves every run.
     template <class System>
     void prepare(const System&, const run_demands& demands) {
-        if (!demands.fixed) top_ = highest_legendre_coefficients<Scalar>(nodes_.c, nodes_.size);
+        if (demands.fixed) return;
+        top_ = remembered(stages_.method(), [&] {
+            return highest_legendre_coefficients<Scalar>(known_.nodes.c, known_.nodes.size);
+        });
     }
 
     /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
@@ -128,49 +106,49 @@ class collocation_step : public step_defaults<Space> {
     void advance(const vector& y, const output& now, vector& y1) const {
         const int s = count();
         y1 = y;
-        if (stiffly_accurate_) {
+        if (known_.stiffly_accurate) {
             y1 += now.increments().col(s - 1);
         } else {
-            for (int j = 0; j < s; ++j) y1 += update_[j] * now.increments().col(j);
+            for (int j = 0; j < s; ++j) y1 += known_.update[j] * now.increments().col(j);
         }
     }
 
     /// Makes `now` the continuous polynomial of the accepted step from (t, y) to y1.
     void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) const {
-        now.cover(nodes_, t, h, y);
-        if (jump_ && nodes_.first_column == 0) now.increments().col(0) = y1 - y;
+        now.cover(known_.nodes, t, h, y);
+        if (known_.jump && known_.nodes.first_column == 0) now.increments().col(0) = y1 - y;
     }
 
     /// error := the estimate; f0 = f(t, y) where needs_left_value().
     template <class System>
     int estimate(const System& system, const Scalar& h, const vector& f0, const output& now, vector& error) {
-        if (jump_) {
+        if (known_.jump) {
             error = now.increments().col(0);
             return 0;
         }
-        defect(system, h, left_, f0, now, error);
+        defect(system, h, known_.left, f0, now, error);
         system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         return 1;
     }
 
-    bool stiffly_accurate() const { return stiffly_accurate_; }
+    bool stiffly_accurate() const { return known_.stiffly_accurate; }
     /// |R(infinity)| < 1, R(infinity) = 1 - b^T A^-1 1.
     bool forgets() const {
         using std::abs;
-        return abs(Scalar(1) - update_.sum()) < detail::largest_damping<Scalar>();
+        return abs(Scalar(1) - known_.update.sum()) < detail::largest_damping<Scalar>();
     }
     /// True if f(t1, y1) is asked for before the step is accepted. Where y1 is no stage, what f does between
     /// the last node and the end of the step is in no stage value, and the estimate is to be made at the
     /// right end as well.
-    bool needs_right_value() const { return !stiffly_accurate_; }
+    bool needs_right_value() const { return !known_.stiffly_accurate; }
     /// error := the filtered defect f(t1, y1) - M u'(t1) of the stage polynomial at the right end, of the
     /// order of the other estimate; f1 = f(t1, y1). Returns the number of solves, 0 where there is no such
     /// estimate.
     template <class System>
     int estimate_right(const System& system, const Scalar& h, const vector& f1, const output& now,
                        vector& error) {
-        if (stiffly_accurate_) return 0;
-        defect(system, h, right_, f1, now, error);
+        if (known_.stiffly_accurate) return 0;
+        defect(system, h, known_.right, f1, now, error);
         system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         return 1;
     }
@@ -180,17 +158,17 @@ class collocation_step : public step_defaults<Space> {
     template <class System>
     int estimate_again(System& system, const Scalar& t, const vector& y, const Scalar& h, const output& now,
                        vector& f, vector& error) {
-        if (jump_) return 0;
+        if (known_.jump) return 0;
         rest_ = error;
         error += y;
         system(t, error, f);
-        defect(system, h, left_, f, now, error);
+        defect(system, h, known_.left, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
-        if (stiffly_accurate_) system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
+        if (known_.stiffly_accurate) system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
         return 1;
     }
 
-    bool estimates_from_start() const { return stiffly_accurate_; }
+    bool estimates_from_start() const { return known_.stiffly_accurate; }
     /// Looks at components of index 2 and 3 of a stiffly accurate method as well by what the polynomial through
     /// the stages alone has at the left end, less the state there. What the filter makes of the defect is G f
     /// there: zero for another solution of the constraints. In components of index 2 the filtered defect shows
@@ -205,13 +183,13 @@ class collocation_step : public step_defaults<Space> {
     template <class System>
     void compare_with_start(const System& system, const output& now, const Scalar& rest,
                             vector& error) const {
-        if (!stiffly_accurate_) return;
+        if (!known_.stiffly_accurate) return;
         using std::abs;
-        const bool sees_v = !jump_ && stages_.has_real_block() && count() > 1;
+        const bool sees_v = !known_.jump && stages_.has_real_block() && count() > 1;
         const Scalar in_u =
             sees_v ? Scalar(Scalar((count() - 1) * count()) / stages_.method().gamma[0]) : Scalar(0);
         system.for_each_raised([&](int i, int power) {
-            const Scalar direct = stages_with(start_, now, i), filtered = error[i];
+            const Scalar direct = stages_with(known_.start, now, i), filtered = error[i];
             if (power == 2) {
                 error[i] = sees_v ? Scalar(in_u * (filtered - direct)) : direct;
             } else {
@@ -226,9 +204,9 @@ class collocation_step : public step_defaults<Space> {
     template <class System>
     void without_start(const System& system, const output& now, vector& error) {
         using std::abs;
-        if (!stiffly_accurate_) return;
+        if (!known_.stiffly_accurate) return;
         system.for_each_raised([&](int i, int) {
-            const Scalar alone = count() > 1 ? stages_with(leading_, now, i) : Scalar(0);
+            const Scalar alone = count() > 1 ? stages_with(known_.leading, now, i) : Scalar(0);
             if (abs(alone) < abs(error[i])) error[i] = alone;
         });
     }
@@ -248,15 +226,15 @@ class collocation_step : public step_defaults<Space> {
     Scalar error_size(const System& system, const output& now, const Scalar& ratio, const vector& error,
                       long& solves, Size&& size) {
         const Scalar promised = size(error, false) * ratio;
-        if (stiffly_accurate_ && !(ratio < Scalar(1))) return promised;
-        if (stiffly_accurate_) {
+        if (known_.stiffly_accurate && !(ratio < Scalar(1))) return promised;
+        if (known_.stiffly_accurate) {
             rest_ = error;
         } else {
             rest_.setZero();
-            for (int j = 0; j < count(); ++j) rest_ += ends_[j] * now.increments().col(j);
+            for (int j = 0; j < count(); ++j) rest_ += known_.ends[j] * now.increments().col(j);
         }
         Scalar left = size(rest_, true) / 2;
-        const int orders = order_ + 1 - estimate_power() + (stiffly_accurate_ ? 0 : 1);
+        const int orders = known_.order + 1 - estimate_power() + (known_.stiffly_accurate ? 0 : 1);
         for (int k = 0; k < orders && left > promised; ++k) {
             stages_.stiff_part(system, rest_, scratch_, second_);
             ++solves;
@@ -293,7 +271,9 @@ class collocation_step : public step_defaults<Space> {
     }
 
     /// True if output_error() means something: two stages at least, and the stages alone make the polynomial.
-    bool knows_output_error() const { return count() > 1 && !(jump_ && nodes_.first_column == 0); }
+    bool knows_output_error() const {
+        return count() > 1 && !(known_.jump && known_.nodes.first_column == 0);
+    }
     /// About the largest error of the continuous solution over the step, O(h^{s+1}): twice the Legendre
     /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
     /// and J enters, so that stiff components count in full.
@@ -310,13 +290,55 @@ class collocation_step : public step_defaults<Space> {
         rest_ = scratch_;
         weigh_coefficient(0, now);
         for (int i = 0; i < scratch_.size(); ++i) {
-            const Scalar alone = stages_with(leading_, now, i);
+            const Scalar alone = stages_with(known_.leading, now, i);
             if (abs(alone) < abs(scratch_[i])) scratch_[i] = alone;
         }
         return next_coefficient(decay_of(scratch_, rest_, norm_weights, sums));
     }
 
   private:
+    /// What follows from the coefficients alone.
+    struct coefficient_facts {
+        interpolation_nodes<Scalar, Space::columns> nodes;
+        weights update;             // z -> y1 - y
+        weights start;              // z -> value at 0 of the polynomial through the stages alone
+        weights leading;            // z -> a_{s-1} of the polynomial through the stages alone
+        weights left, right, ends;  // z -> h u'(0), h u'(1), change at 1 without the node 0
+        bool stiffly_accurate = true, jump = false;
+        int order = 0;
+    };
+    static const method_type& checked(const method_type& method) {
+        const int s = method.stages();
+        if (s < 1 || method.A.rows() != s || method.A_inverse.rows() != s || method.c.size() != s)
+            throw std::invalid_argument("integrate: method must have at least one stage and a regular A");
+        return method;
+    }
+    static coefficient_facts look_at(const method_type& method) {
+        const int s = method.stages();
+        const weights zero = weights::Zero(s);
+        coefficient_facts known{
+            interpolation_nodes<Scalar, Space::columns>(s), zero, zero, zero, zero, zero, zero};
+        for (int j = 0; j < s; ++j)
+            for (int i = 0; i < s; ++i) known.update[j] += method.b[i] * method.A_inverse(i, j);
+        for (int j = 0; j < s; ++j)
+            known.stiffly_accurate = known.stiffly_accurate && method.A(s - 1, j) == method.b[j];
+        known.jump = method.c[0] == Scalar(0);
+        known.order = method.facts.order > 0 ? method.facts.order : quadrature_conditions(method, 2 * s);
+        // Node list of the continuous polynomial: 0 carries y, a first stage at 0 gives way to the end point
+        // (Radau IA) or drops out where the end point is a node already (Lobatto IIIC).
+        auto& nodes = known.nodes;
+        nodes.first_column = known.jump && known.stiffly_accurate && s > 1 ? 1 : 0;
+        nodes.size = s - nodes.first_column;
+        for (int j = 0; j < nodes.size; ++j) nodes.c[j] = method.c[j + nodes.first_column];
+        if (known.jump && nodes.first_column == 0) nodes.c[0] = Scalar(1);
+        nodes.finish();
+        if (!known.jump) known.left = slope_at_left_end(method);
+        known.ends = change_without_left_node(method);
+        known.start = value_at_left_end(method);
+        known.leading = leading_legendre_coefficient(method);
+        if (!known.stiffly_accurate) known.right = slope_at_right_end(method);
+        return known;
+    }
     /// The functional w of component i of the stages.
     static Scalar stages_with(const weights& w, const output& now, int i) {
         Scalar sum = w[0] * now.increments()(i, 0);
@@ -325,9 +347,9 @@ class collocation_step : public step_defaults<Space> {
     }
     /// scratch_ := a_s (r = 0) or a_{s-2} (r = 1) of the stage polynomial.
     void weigh_coefficient(int r, const output& now) {
-        scratch_ = top_(0, r) * now.increments().col(nodes_.first_column);
-        for (int j = 1; j < nodes_.size; ++j)
-            scratch_ += top_(j, r) * now.increments().col(nodes_.first_column + j);
+        scratch_ = top_(0, r) * now.increments().col(known_.nodes.first_column);
+        for (int j = 1; j < known_.nodes.size; ++j)
+            scratch_ += top_(j, r) * now.increments().col(known_.nodes.first_column + j);
     }
     template <class Sums>
     Scalar decay_of(const vector& last, const vector& before, const vector& norm_weights, const Sums& sums) {
@@ -362,15 +384,9 @@ class collocation_step : public step_defaults<Space> {
     }
 
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
-    interpolation_nodes<Scalar, Space::columns> nodes_;
-    weights update_;               // z -> y1 - y
-    weights start_;                // z -> value at 0 of the polynomial through the stages alone
-    weights leading_;              // z -> a_{s-1} of the polynomial through the stages alone
-    weights left_, right_, ends_;  // z -> h u'(0), h u'(1), change at 1 without the node 0
+    coefficient_facts known_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
     vector scratch_, second_, rest_;
-    bool stiffly_accurate_ = false, jump_ = false;
-    int order_ = 0;
     Scalar last_coefficient_{0},
         components_{0};  // of the decay: a_s, and how many components all processes have
 };
