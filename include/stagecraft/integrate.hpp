@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <concepts>
 #include <cstddef>
 #include <exception>
@@ -112,6 +113,7 @@ struct given {
 struct single_tolerance {
     std::nullptr_t unnamed = nullptr;
     given tol;
+    double atol = 0, abstol = 0;
 };
 struct joined_names {
     std::nullptr_t unnamed = nullptr;
@@ -122,6 +124,16 @@ struct parted_names {
     std::nullptr_t unnamed = nullptr;
     given rel_tol;
     double abs_tol = 0, atol = 0;
+};
+struct second_joined {
+    std::nullptr_t unnamed = nullptr;
+    double rtol = 0;
+    given abstol;
+};
+struct second_parted {
+    std::nullptr_t unnamed = nullptr;
+    double rtol = 0;
+    given abs_tol;
 };
 template <class>
 inline constexpr bool never = false;
@@ -296,6 +308,24 @@ result<Eigen::VectorXd> integrate(const Method&, Problem&&, std::initializer_lis
     return {};
 }
 
+/// The same with braces around them, or of complex numbers.
+template <class Method, class Problem, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&,
+                                  std::initializer_list<std::initializer_list<double>>, double, double,
+                                  const options<double>& = {}, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: y0 must be a vector with its type, Eigen::Vector2d(1, 1), say, not {{1, 1}}");
+    return {};
+}
+template <class Method, class Problem, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, std::initializer_list<std::complex<double>>,
+                                  double, double, const options<double>& = {}, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: y0 must be a vector with its type, a named Eigen::Vector2cd, say, with "
+                  "stagecraft/states.hpp");
+    return {};
+}
+
 /// t1, or t0 as well, is missing.
 template <class Method, class Problem, class State, class Observer = no_observer>
 requires(!detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const Method&, Problem&&,
@@ -329,6 +359,22 @@ result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double
                                   const detail::parted_names&, Observer&& = {}) {
     static_assert(detail::never<Method>,
                   "integrate: options have no rel_tol; their tolerances are rtol (relative) and atol "
+                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
+    return {};
+}
+template <class Method, class Problem, class State, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
+                                  const detail::second_joined&, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: options have no abstol; their tolerances are rtol (relative) and atol "
+                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
+    return {};
+}
+template <class Method, class Problem, class State, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
+                                  const detail::second_parted&, Observer&& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate: options have no abs_tol; their tolerances are rtol (relative) and atol "
                   "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
     return {};
 }
