@@ -160,9 +160,7 @@ class integrator {
         return detail::visit_at(steps_, acceptance_.method(), std::forward<F>(f));
     }
     int largest_columns() {
-        int most = 0;
-        std::apply([&](auto&... m) { ((most = m.columns() > most ? m.columns() : most), ...); }, steps_);
-        return most;
+        return std::apply([](auto&... m) { return std::max({m.columns()...}); }, steps_);
     }
     static step_plan<scalar> checked_plan(const Vector& y0, const scalar& t0, const scalar& t1,
                                           const options<scalar>& o) {
@@ -241,6 +239,7 @@ class integrator {
     /// Evaluates what the stages need at the left end, the Jacobian if it is wanted, and factors.
     template <class Step>
     linear_state linearise(Step& method, const scalar& h) {
+        using std::abs;
         const bool left = needs_left_value(method);
         if (left) f_.left(system_, t_, y_);
         weights_ = scale_;
@@ -252,8 +251,10 @@ class integrator {
             linear_.evaluate(system_, t_, y_, f_.value(), h, ahead ? &outputs_[current_] : nullptr, options_,
                              y1_);
         }
-        return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(),
-                              left ? &f_.value() : nullptr, weights_, report_.factorisations);
+        const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
+        const Vector* f0 = left && 2 * abs(h) > 3 * abs(last) ? &f_.value() : nullptr;
+        return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(), f0, weights_,
+                              report_.factorisations);
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
@@ -344,11 +345,10 @@ class integrator {
                 method.end_without_value(plan.h, y_, y1_);
         }
         has_output_ = keeps_output_ || method.implicit();
-        if (has_output_) {
+        if (has_output_)
             method.finish(t_, y_, plan.h, y1_, now);
-        } else {
+        else
             now.cover(t_, plan.h);
-        }
         method.accepted();
         f_.stepped();
         extrapolation_.stepped();

@@ -78,7 +78,7 @@ class linearisation {
 
     /// Factors the systems of a step h with method number k, unless they are already: for h, or for one that
     /// differs from it by no more than rounding of large t explains, which slows the iteration by as little.
-    /// `watch` looks for growth, in what moves where f0 is given.
+    /// `watch` looks for growth; in what moves, too, where f0 is given: for a step much longer than the one before.
     template <class Stages>
     linear_state factor(const System& system, Stages& stages, const scalar& h, int k, bool watch,
                         const Vector* f0, const Vector& weights, long& factorisations) {
