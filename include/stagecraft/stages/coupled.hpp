@@ -83,8 +83,14 @@ class coupled_stages {
     void filter(const System& system, vector& x, slopes& v, const Scalar& factor) {
         yi_ = factor * v.left;
         add_mass_times(system.mass(), Scalar(1), x.data(), yi_.data(), n_);
+        x = yi_;
+        solve_last(system, x, v);
+    }
+    /// x := the last component of (I (x) M - h A (x) J)^-1 (1 (x) x).
+    template <class System>
+    void solve_last(const System& system, vector& x, slopes& v) {
         for (int i = 0; i < count_; ++i)
-            for (int r = 0; r < n_; ++r) x_[i * n_ + r] = yi_[r];
+            for (int r = 0; r < n_; ++r) x_[i * n_ + r] = x[r];
         system.measure(work::solve, [&] { systems_.solve(system, x_, v.mass); });
         for (int r = 0; r < n_; ++r) x[r] = x_[(count_ - 1) * n_ + r];
     }

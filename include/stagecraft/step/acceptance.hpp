@@ -122,7 +122,7 @@ class acceptance {
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
         if (continuous_) raise(err, method.output_error(trial.now, trial.weights, system.sums()));
-        if (first && err < scalar(1)) raise(err, unresolved(method, system, trial, reading.ratio));
+        if (first && err < scalar(1)) raise(err, unresolved(method, system, trial, reading.ratio, counts));
         return err;
     }
 
@@ -232,20 +232,56 @@ class acceptance {
         }
         system.weigh_raised(weights_, share_ * (ratio < raised_ratio() ? raised_ratio() / ratio : scalar(1)));
     }
-    /// In the first step: the error between its ends, by the standard of the estimate. A solution that starts on
-    /// the smooth one of a stiff equation has stages on it wherever they lie, so that across many of its
-    /// oscillations the estimate is as small as 1/|J| too; the stage polynomial is not smooth then. Later steps
-    /// start from one that was.
+    /// In the first step: the error of its continuous solution u between the nodes, by the standard of the
+    /// estimate. A solution that starts on the smooth one of a stiff equation has stages on it wherever they lie,
+    /// so that across many of its oscillations the estimate is as small as 1/|J|; but u leaves it in between, and
+    /// (M/(h a) - J)^-1 of its defect there tells how far, whatever J is. Later steps start from one that was
+    /// judged. Algebraic components, whose start need not be consistent, are left out: the solve takes what they
+    /// do to the others away. One evaluation of f, one solve.
     template <class Step, class System>
-    static scalar unresolved(Step& method, const System& system,
-                             const trial_step<Vector, typename Step::output>& trial, const scalar& ratio) {
-        if (!method.knows_output_error()) return scalar(0);
-        scalar between(0);
-        if constexpr (System::mass_type::identity)
-            between = method.output_error(trial.now, trial.weights, system.sums());
-        else
-            between = method.output_error_without_start(trial.now, trial.weights, system.sums());
-        return between * (ratio < scalar(1) ? ratio : scalar(1));
+    static scalar unresolved(Step& method, System& system,
+                             const trial_step<Vector, typename Step::output>& trial, const scalar& ratio,
+                             report<scalar>& counts) {
+        if (!method.implicit()) return scalar(0);
+        auto u = trial.now;
+        method.finish(trial.t, trial.y, trial.plan.h, trial.y1, u);
+        const scalar t = trial.t + trial.plan.h * farthest_from(u.nodes());
+        Vector error(system.size());
+        system(t, u(t), error);
+        const Vector slope = u.derivative(t);
+        add_mass_times(system.mass(), scalar(-1), slope.data(), error.data(), system.size());
+        counts.error_solves += method.solve_for_defect(system, trial.plan.h, error);
+        drop_algebraic(system.mass(), error);
+        return weighted_norm(error, trial.weights, system.size(), system.sums()) *
+               (ratio < scalar(1) ? ratio : scalar(1));
+    }
+    /// The middle of the widest gap between 0, the nodes and 1.
+    template <class Nodes>
+    static scalar farthest_from(const Nodes& nodes) {
+        scalar widest(0), middle(0);
+        for (int i = -1; i < nodes.size; ++i) {
+            const scalar left = i < 0 ? scalar(0) : nodes.c[i];
+            scalar right(1);
+            for (int j = 0; j < nodes.size; ++j)
+                if (nodes.c[j] > left && nodes.c[j] < right) right = nodes.c[j];
+            if (right - left > widest) widest = right - left, middle = (left + right) / 2;
+        }
+        return middle;
+    }
+    /// x_j := 0 where column j of M is zero, or where that is not known its row sum.
+    template <class Mass>
+    static void drop_algebraic(const Mass& mass, Vector& x) {
+        if constexpr (!Mass::identity) {
+            Vector size = Vector::Zero(x.size());
+            if constexpr (has_entries<Mass>) {
+                for (const auto& e : mass.entries()) size[e.column] = scalar(1);
+            } else {
+                const Vector ones = Vector::Ones(x.size());
+                add_mass_times(mass, scalar(1), ones.data(), size.data(), static_cast<int>(x.size()));
+            }
+            for (int j = 0; j < x.size(); ++j)
+                if (size[j] == scalar(0)) x[j] = scalar(0);
+        }
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of

@@ -131,6 +131,13 @@ class collocation_step : public step_defaults<Space> {
         return 1;
     }
 
+    /// error := (M/(h a) - J)^-1 error with a as in the filter of the estimate.
+    template <class System>
+    int solve_for_defect(const System& system, const Scalar&, vector& error) {
+        system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
+        return 1;
+    }
+
     bool stiffly_accurate() const { return known_.stiffly_accurate; }
     /// |R(infinity)| < 1, R(infinity) = 1 - b^T A^-1 1.
     bool forgets() const {
@@ -247,10 +254,22 @@ class collocation_step : public step_defaults<Space> {
     /// weighted norm; 0 < decay <= 1. Of free steps.
     template <class Sums>
     Scalar decay(const output& now, const vector& norm_weights, const Sums& sums) {
-        weigh_coefficient(1, now);
-        rest_ = scratch_;
-        weigh_coefficient(0, now);
-        return decay_of(scratch_, rest_, norm_weights, sums);
+        using std::sqrt;
+        Scalar size[3] = {Scalar(0), Scalar(0), Scalar(static_cast<int>(norm_weights.size()))};
+        for (int r = 0; r < 2; ++r) {
+            weigh_coefficient(r, now);
+            for (int i = 0; i < scratch_.size(); ++i) {
+                const Scalar a = scratch_[i] * norm_weights[i];
+                size[r] += a * a;
+            }
+        }
+        sums(size, 3);
+        components_ = size[2];
+        last_coefficient_ = sqrt(size[0]);
+        const Scalar least = Scalar(1) / 10000;
+        if (!(size[1] > Scalar(0))) return Scalar(1);
+        const Scalar q = sqrt(last_coefficient_ / sqrt(size[1]));
+        return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
     }
 
     /// True if some component of y' is the same at all nodes of the step, and not zero: its stages lie on a line
@@ -279,21 +298,9 @@ class collocation_step : public step_defaults<Space> {
     /// and J enters, so that stiff components count in full.
     template <class Sums>
     Scalar output_error(const output& now, const vector& norm_weights, const Sums& sums) {
-        return next_coefficient(decay(now, norm_weights, sums));
-    }
-    /// The same for the first step with a singular M, whose start need not be consistent: in every component the
-    /// last coefficient is that of the polynomial through the stages alone where this is smaller.
-    template <class Sums>
-    Scalar output_error_without_start(const output& now, const vector& norm_weights, const Sums& sums) {
-        using std::abs;
-        weigh_coefficient(1, now);
-        rest_ = scratch_;
-        weigh_coefficient(0, now);
-        for (int i = 0; i < scratch_.size(); ++i) {
-            const Scalar alone = stages_with(known_.leading, now, i);
-            if (abs(alone) < abs(scratch_[i])) scratch_[i] = alone;
-        }
-        return next_coefficient(decay_of(scratch_, rest_, norm_weights, sums));
+        using std::sqrt;
+        const Scalar q = decay(now, norm_weights, sums);
+        return components_ == Scalar(0) ? Scalar(0) : Scalar(2 * q * last_coefficient_ / sqrt(components_));
     }
 
   private:
@@ -350,29 +357,6 @@ class collocation_step : public step_defaults<Space> {
         scratch_ = top_(0, r) * now.increments().col(known_.nodes.first_column);
         for (int j = 1; j < known_.nodes.size; ++j)
             scratch_ += top_(j, r) * now.increments().col(known_.nodes.first_column + j);
-    }
-    template <class Sums>
-    Scalar decay_of(const vector& last, const vector& before, const vector& norm_weights, const Sums& sums) {
-        using std::sqrt;
-        Scalar size[3] = {Scalar(0), Scalar(0), Scalar(static_cast<int>(norm_weights.size()))};
-        for (int i = 0; i < last.size(); ++i) {
-            const Scalar a = last[i] * norm_weights[i], b = before[i] * norm_weights[i];
-            size[0] += a * a;
-            size[1] += b * b;
-        }
-        sums(size, 3);
-        components_ = size[2];
-        last_coefficient_ = sqrt(size[0]);
-        const Scalar least = Scalar(1) / 10000;
-        if (!(size[1] > Scalar(0))) return Scalar(1);
-        const Scalar q = sqrt(last_coefficient_ / sqrt(size[1]));
-        return q > Scalar(1) ? Scalar(1) : q < least ? least : q;
-    }
-    /// After decay_of().
-    Scalar next_coefficient(const Scalar& decay) const {
-        using std::sqrt;
-        return components_ == Scalar(0) ? Scalar(0)
-                                        : Scalar(2 * decay * last_coefficient_ / sqrt(components_));
     }
     template <class System>
     void defect(const System& system, const Scalar& h, const weights& slope, const vector& f,

@@ -118,6 +118,11 @@ class step_defaults {
                               const output&, vector& /*f*/, vector& /*error*/) {
         return 0;
     }
+    /// d := (M/(h a) - J)^-1 d with an a of the method's own: about what a defect d changes in the solution.
+    template <class System>
+    static int solve_for_defect(const System&, const scalar& /*h*/, vector& /*d*/) {
+        return 0;
+    }
     /// True if y1 is the last stage and the estimate compares the stages with the state at the start, also
     /// in components that hand nothing on from step to step.
     static constexpr bool estimates_from_start() { return false; }
@@ -143,11 +148,6 @@ class step_defaults {
     static constexpr bool knows_output_error() { return false; }
     template <class Sums>
     static scalar output_error(const output&, const vector& /*weights*/, const Sums&) {
-        return scalar(0);
-    }
-    /// The same of a step whose start need not be consistent.
-    template <class Sums>
-    static scalar output_error_without_start(const output&, const vector& /*weights*/, const Sums&) {
         return scalar(0);
     }
 

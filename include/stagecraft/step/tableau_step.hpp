@@ -252,6 +252,19 @@ class tableau_step : public step_defaults<Space> {
         }
         return 1;
     }
+    /// error := (M/(h a) - J)^-1 error with the first a_ii that is not zero; where the stages are solved together,
+    /// the last of h (I (x) M - h A (x) J)^-1 (1 (x) error).
+    template <class System>
+    int solve_for_defect(const System& system, const Scalar& h, vector& error) {
+        if (!implicit()) return 0;
+        if (is_.lower) {
+            sequential_.solve_first(system, error);
+        } else {
+            error *= h;
+            coupled_.solve_last(system, error, v_);
+        }
+        return 1;
+    }
     /// True if f(t1, y1) is asked for before the step is accepted.
     bool needs_right_value() const {
         return ends_between_nodes() || ends_with_value_ || blind_.need_right_slope ||
