@@ -137,6 +137,24 @@ BOOST_AUTO_TEST_CASE(a_first_step_across_many_periods_of_a_smooth_solution_is_no
                 demand_no_step_across_periods(read_once::rounded(name), lambda, tol);
 }
 
+// Where 1/|h lambda| is about the tolerance steps pass over periods of the smooth solution, and may leave the state
+// beside it by more than a tolerance: the next estimate is as large until h |lambda| is about one.
+BOOST_AUTO_TEST_CASE(what_a_step_leaves_beside_the_smooth_solution_does_not_stop_the_next) {
+    for (const auto& [f, s] : {std::pair{lobatto_iiic, 3}, std::pair{lobatto_iiic, 4},
+                               std::pair{radau_iia, 3}, std::pair{radau_iia, 5}, std::pair{radau_iia, 7}})
+        for (const double lambda : {-1e7, -1e8})
+            for (const double tol : {1e-8, 1e-9, 1e-10})
+                for (const double t1 : {100.0, 3000.0}) {
+                    const double square = lambda * lambda;
+                    const auto r = sc::integrate(
+                        sc::tableaux::transformed<double>(f, s), smooth::prothero_robinson{lambda, 0},
+                        V1(square / (square + 1)), 0, t1, {.rtol = tol, .atol = tol});
+                    BOOST_TEST(sc::name(r.status) == "success");
+                    BOOST_TEST(std::abs(r.y[0] - (square * std::cos(t1) - lambda * std::sin(t1)) /
+                                                     (square + 1)) < 100 * tol);
+                }
+}
+
 // Beside a constraint as well, whether or not its multiplier is consistent at the start (which costs nothing then).
 BOOST_AUTO_TEST_CASE(such_a_first_step_is_not_accepted_beside_constraints_either) {
     for (const int index : {1, 2})

@@ -61,11 +61,12 @@ class jump_guard {
     /// refused for its error before. Then it is a jump if the error has not fallen as h^power, nearly, which
     /// it does where f is smooth.
     void refused(const Scalar& t, const Scalar& h, const Scalar& err, int power, bool again) {
-        if (!on_) return;
-        if (again && stays(h, err, power)) spacing_.found(t, h);
+        if (on_ && again && stays(h, err, power)) spacing_.found(t, h);
         refused_h_ = h;
         refused_error_ = err;
     }
+    /// True if err is smaller than that of the attempt refused last, by a tenth at least.
+    bool smaller(const Scalar& err) const { return !(err > refused_error_ * Scalar(9) / Scalar(10)); }
     /// True if the estimate of a step of h, err before it is filtered again, is that of a jump. `again` as above.
     bool across(const Scalar& h, const Scalar& err, int power, bool again) const {
         return on_ && (doubted() || (again && stays(h, err, power)));

@@ -177,12 +177,17 @@ class acceptance {
         return jumps_.passes(err, last_error_ * scalar(pow(abs(h / last_h_), scalar(power))));
     }
 
-    /// The step to try after one from t whose error was too large, or not finite; `first` in the run.
+    /// The step to try after one from t whose error was too large, or not finite; `first` in the run. An error
+    /// that is not smaller than at the refusal before does not follow the step at all (a stiff component that the
+    /// step before left beside the smooth solution, say, until h |J| is about one): then by the largest factor,
+    /// but not with components of index 2 and 3, whose estimates contain what earlier steps left of them anyway.
     scalar after_rejected(const scalar& t, const scalar& h, const scalar& err, int power, bool first,
                           const refusals& refused) {
         if (!(err - err == scalar(0))) return h / 8;
         if (first) return h / 10;
+        const bool stays = share_ == scalar(1) && refused.for_error > 1 && !jumps_.smaller(err);
         jumps_.refused(t, h, err, power, refused.for_error > 1);
+        if (stays) return h / 8;
         return h * controller_.after_rejected(err, power, usual_safety());
     }
 

@@ -165,8 +165,13 @@ class collocation_step : public step_defaults<Space> {
     template <class System>
     int estimate_again(System& system, const Scalar& t, const vector& y, const Scalar& h, const output& now,
                        vector& f, vector& error) {
-        if (known_.jump) return 0;
         rest_ = error;
+        if (known_.jump) {
+            stages_.stiff_part(system, error, scratch_, second_);
+            error = rest_ - error;
+            system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
+            return 1;
+        }
         error += y;
         system(t, error, f);
         defect(system, h, known_.left, f, now, error);
