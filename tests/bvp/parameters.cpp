@@ -56,3 +56,33 @@ BOOST_AUTO_TEST_CASE(parameters_that_rounding_moves_are_ill_conditioned) {
     const auto said = sc::solve_bvp(sc::gauss<4>(), sc::two_point(f, r), 0.0, 1.0, number(1.0), number(0.5));
     BOOST_TEST(sc::name(said.status) == "ill_conditioned");
 }
+
+// u'' + p u = 0, u(0) = u(1) = 0 with a normalisation that says nothing: u'(0)^2 = 0, or u(0) = 0 again. u = 0 for every p.
+BOOST_AUTO_TEST_CASE(trivial_solutions_of_eigenvalue_problems_are_not_isolated) {
+    const double pi = 3.14159265358979323846;
+    const auto f = [](const auto&, const auto& y, const auto& p, auto& out) {
+        out[0] = y[1];
+        out[1] = -p[0] * y[0];
+    };
+    for (const double tolerance : {1e-4, 1e-7, 1e-10})
+        for (const double size : {0.0, 0.01, 1.0})
+            for (const double p : {5.0, 10.0, 30.0}) {
+                const auto run = [&](int kind) {
+                    const auto r = [kind](const auto& a, const auto& b, const auto&, auto& out) {
+                        out[0] = a[0];
+                        out[1] = b[0];
+                        out[2] = kind == 0 ? a[0] : kind == 1 ? a[1] * a[1] : a[1] * a[1] - 1;
+                    };
+                    const auto guess = [&](double t) {
+                        return Vector2d(size * std::sin(pi * t), size * pi * std::cos(pi * t));
+                    };
+                    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, r), 0.0, 1.0, guess, number(p),
+                                         {.rtol = tolerance});
+                };
+                BOOST_TEST(sc::name(run(0).status) == "not_isolated");
+                BOOST_TEST(sc::name(run(1).status) == "not_isolated");
+                const auto good = run(2);
+                BOOST_TEST(sc::name(good.status) == (size > 0 ? "success" : "newton_failed"));
+                if (good.ok()) BOOST_TEST(std::abs(good.p[0] - pi * pi) < 20 * tolerance);
+            }
+}

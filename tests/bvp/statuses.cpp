@@ -20,8 +20,11 @@ constexpr double pi = 3.14159265358979323846;
 // x'' = -x and what else the cases ask for, as one type: the solver is instantiated once per method.
 struct oscillator {
     int fault = 0;
+    double e = 1;
     void operator()(double t, const Vector2d& y, Vector2d& f) const {
         f = Vector2d(y[1], -y[0]);
+        if (fault == 0 && e > 1) f = Vector2d(y[1], e * e * y[0]);
+        if (fault == 8) f = Vector2d(y[1], y[0] * y[1] / e);
         if (fault == 1 && t == 0) f[1] = std::numeric_limits<double>::quiet_NaN();
         if (fault == 2) throw std::runtime_error("no");
         if (fault == 4) f = Vector2d(50 * y[0], -50 * y[1]);
@@ -47,8 +50,8 @@ struct ends {
 };
 
 auto solve(double T, const ends& r, int fault = 0, const sc::bvp_options<double>& o = {.rtol = 1e-10},
-           const Vector2d& guess = Vector2d(0, 0)) {
-    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{fault}, r), 0.0, T, guess, o);
+           const Vector2d& guess = Vector2d(0, 0), double e = 1) {
+    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{fault, e}, r), 0.0, T, guess, o);
 }
 
 std::string word(sc::bvp_status s) { return sc::name(s); }
@@ -136,6 +139,74 @@ BOOST_AUTO_TEST_CASE(at_resonance_solutions_do_not_exist_or_are_not_isolated) {
         BOOST_TEST(word(solve(T, {0, 0}).status) == "not_isolated");
         BOOST_TEST(word(solve(T, {1, same}).status) == "not_isolated");
     }
+}
+
+// On ten intervals M_h of two stages is as regular as its errors make it: kappa_1 = 753 and 33,500.
+BOOST_AUTO_TEST_CASE(what_the_errors_of_a_coarse_mesh_make_regular_is_singular) {
+    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+        const auto with = [&](double T, const ends& r, double speed) {
+            return sc::solve_bvp(sc::gauss<2>(), sc::two_point(oscillator{0, speed}, r), 0.0, T,
+                                 Vector2d(0, 0), {.rtol = tolerance});
+        };
+        const auto periodic = with(2 * pi, {0, 0, 1}, 1), straight = with(pi, {0, 0}, 1);
+        BOOST_TEST(word(periodic.status) == "not_isolated");
+        BOOST_TEST(periodic.kernel == 2);
+        BOOST_TEST(word(straight.status) == "not_isolated");
+        BOOST_TEST(straight.kernel == 1);
+        BOOST_TEST(word(with(pi, {0, 1}, 1).status) == "singular");
+        for (const double T : {1.0, 6.0, 3.0}) {  // well posed ones are not refused
+            const auto good = with(T, {0, 1}, 1);
+            BOOST_TEST(word(good.status) == "success");
+        }
+        // and fast modes that the solution does not have cost no intervals
+        BOOST_TEST(with(1, {0, 0, 1}, 100).report.intervals == 10);
+    }
+}
+
+// The layers of e y'' = y y' are found from where M is singular to rounding; where y(0) = 1, y(1) = -1, their place is
+// known to exp(-1/(2 e)), and M is singular at the solution as well.
+BOOST_AUTO_TEST_CASE(singular_iterates_say_nothing_of_nonlinear_problems) {
+    for (const double e : {1e-2, 3e-3, 1e-3, 1e-4})
+        for (const double left : {0.5, 1.0})
+            for (const double tolerance : {1e-4, 1e-7}) {
+                const auto r = solve(1, {left, -1}, 8, {.rtol = tolerance}, Vector2d(0, 0), e);
+                BOOST_TEST(word(r.status) != "singular");
+                BOOST_TEST((!r.ok() || left < 1));
+            }
+    // The pendulum's solutions of period 8 have every phase. With differences M is regular by their errors.
+    const auto swing = [](double t) {
+        return Vector2d(2 * std::cos(pi * t / 4), -pi / 2 * std::sin(pi * t / 4));
+    };
+    const auto pendulum = [](const auto&, const auto& y, auto& f) {
+        using std::sin;
+        f[0] = y[1];
+        f[1] = -sin(y[0]);
+    };
+    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+        const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(pendulum, ends{0, 0, 1}), 0.0, 8.0, swing,
+                                     {.rtol = tolerance});
+        const bool family = r.status == sc::bvp_status::not_isolated && r.kernel == 1;
+        BOOST_TEST((family || r.status == sc::bvp_status::ill_conditioned));
+        BOOST_TEST(std::abs(r.y(3.0)[0]) + std::abs(r.y(3.0)[1]) > 1);
+        const auto blurred = sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{6}, ends{0, 0, 1}), 0.0,
+                                           8.0, swing, {.rtol = tolerance});
+        BOOST_TEST(!blurred.ok());
+    }
+}
+
+// v = u'/e is of size 1e14 and as exact as u.
+BOOST_AUTO_TEST_CASE(large_components_are_not_singular) {
+    const auto f = [](const auto&, const auto& y, auto& out) {
+        out[0] = y[1] / 1e14;
+        out[1] = 1e14 * y[0];
+    };
+    const auto r = [](const auto& a, const auto& b, auto& out) {
+        out[0] = a[0];
+        out[1] = b[0] - 1;
+    };
+    const auto good = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, r), 0.0, 1.0, Vector2d(0, 0));
+    BOOST_TEST(word(good.status) == "success");
+    BOOST_TEST(std::abs(good.y(0.5)[0] - std::sinh(0.5) / std::sinh(1.0)) < 1e-9);
 }
 
 // Where the mesh is coarse beside 1/50, Green's function is large at s = t and at s = a only.

@@ -15,9 +15,11 @@
 #include <stagecraft/bvp/conditioning.hpp>
 #include <stagecraft/bvp/damped_newton.hpp>
 #include <stagecraft/bvp/error_estimate.hpp>
+#include <stagecraft/bvp/guess.hpp>
 #include <stagecraft/bvp/mesh.hpp>
 #include <stagecraft/bvp/mesh_choice.hpp>
 #include <stagecraft/bvp/options.hpp>
+#include <stagecraft/bvp/regularity.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
@@ -94,17 +96,9 @@ class bvp_solver {
   private:
     template <class Guess>
     void fill(const Guess& guess) {
-        const int L = x_.intervals(), n = system_.size(), s = equations_.s();
-        x_.y.resize(n, L + 1);
-        x_.Z.resize(n, s * L);
-        for (int i = 0; i <= L; ++i) x_.y.col(i) = guess_value(guess, x_.t[i]);
-        for (int i = 0; i < L; ++i)
-            for (int j = 0; j < s; ++j) {
-                const Scalar h = x_.h(i);
-                x_.Z.col(i * s + j) =
-                    h * guess_slope(guess, Scalar(x_.t[i] + equations_.method().c[j] * h), h);
-            }
-        demand_bvp(x_.y.allFinite() && x_.p.allFinite(), "guess must be finite");
+        x_.y.resize(system_.size(), x_.intervals() + 1);
+        x_.Z.resize(system_.size(), equations_.s() * x_.intervals());
+        take_guess(guess, equations_.method().c, x_);
         guess_size_ = floor_ + x_.y.cwiseAbs().maxCoeff();
     }
 
@@ -150,7 +144,6 @@ class bvp_solver {
 
     /// A solution that is wrong in its first digit.
     bool rough() const { return !(error_ < Scalar(1) / 10); }
-
     bool newton(const Scalar& expected) {
         ++result_.report.meshes;
         conditioning_.forget();
@@ -235,7 +228,8 @@ class bvp_solver {
         }
         if (hopeless(outcome_.remainder)) return false;
         if (++failures_ > 6 || 2 * x_.intervals() > o_.max_intervals || !o_.adapt) {
-            end(bvp_status::newton_failed, "Newton's iteration found no decrease");
+            end(bvp_status::newton_failed, "Newton's iteration found no decrease" +
+                                               (failure_.empty() ? "" : "; at its last iterate " + failure_));
             return false;
         }
         if (before_.t.empty() || rough() || outcome_.end == damped_newton_end::non_finite) {
@@ -251,77 +245,91 @@ class bvp_solver {
         return true;
     }
 
-    /// Has the condition number settled as far as it matters? Where it is so large that what the
-    /// discretisation leaves of M may be all there is, it has to stay when the mesh is halved.
+    /// Is what is known of M as good as it has to be? Where this mesh does not show whether M is regular, or the
+    /// condition number is so large that what the discretisation leaves of M may be all there is, the mesh is halved
+    /// until both stay.
     bool settled() {
-        const Scalar kappa = relative_kappa();
-        const bool stays = last_kappa_ > Scalar(0) && kappa < 2 * last_kappa_ && last_kappa_ < 2 * kappa;
-        const bool matters = kappa * o_.rtol > Scalar(1) / 100;
+        const Scalar kappa = relative_kappa(), last = last_kappa_;
+        if (last < Scalar(0)) first_kappa_ = kappa;
         last_kappa_ = kappa;
-        return !matters || stays || kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000 ||
-               !o_.adapt || ++checks_ > 6;
+        const bool unknown = regular_.unknown(floor_), stays = kappa < 2 * last && last < 2 * kappa;
+        vanishes_ = regular_.resolved() && kappa > 10 * first_kappa_;
+        return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100)) || !o_.adapt || ++checks_ > 6 ||
+               kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000;
     }
-    Scalar relative_kappa() {
-        conditioning_.fundamental();
-        return conditioning_.relative(floor_);
-    }
+    Scalar relative_kappa() { return conditioning_.fundamental(), conditioning_.relative(floor_); }
 
     /// Is an error that stays what rounding leaves, and no mesh will make it less?
     bool hopeless(const Scalar& error) {
         if (is_singular()) return true;
-        if (error < 100 * rounding_) {
-            end(bvp_status::ill_conditioned,
-                "rounding errors times the condition number exceed the tolerance");
-            return true;
+        const bool failed = outcome_.end != damped_newton_end::converged,
+                   nonlinear = failed && regular_.nonlinear(guess_size_);
+        if (regular_.unknown(floor_)) {
+            if (failed && !nonlinear) end(bvp_status::singular, "M is singular as far as any mesh shows");
+            return failed && !nonlinear;
         }
-        return false;
-    }
-
-    /// M singular to rounding: says whether solutions exist.
-    bool is_singular() {
-        const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-        conditioning_.fundamental();
-        rounding_ = conditioning_.rounding(floor_);
-        std::vector<Scalar> largest;
-        kappa_ = conditioning_.norm(std::min(o_.rtol, Scalar(Scalar(1) / 1000)) / eps, largest);
-        if (kappa_ * eps < Scalar(1) / 1000) return false;
-        const bool exists = solved();
-        result_.kernel = static_cast<int>(std::count_if(
-            largest.begin(), largest.end(), [&](const Scalar& v) { return v * eps * 1000 >= Scalar(1); }));
-        const std::string which = dependent_condition(equations_.conditions());
-        if (exists)
-            end(bvp_status::not_isolated, which.empty() ? "solutions form a family" : which);
-        else
-            end(bvp_status::singular, which.empty() ? "M is singular to rounding" : which);
+        if (!(error < 100 * rounding_)) return false;
+        if (nonlinear) {
+            // Near solutions that form a family M is as singular as x is close to them, which no two iterates are alike.
+            const Scalar before = kappa_;
+            if (!solved() || !equations_.linearise(x_)) return false;
+            conditioning_.forget();
+            const auto values = largest_answers(Scalar(0));
+            if (kappa_ > 2 * before || before > 2 * kappa_) return end_in_family(values, kappa_ / 1000), true;
+        }
+        end(bvp_status::ill_conditioned, "rounding errors times the condition number exceed the tolerance");
         return true;
     }
 
-    /// With M singular: does x solve the equations, at a size that is not 1 / epsilon? Newton's corrections in the
-    /// kernel are rounding errors over epsilon and need not contract, so one full step is tried without a test.
-    bool solved() {
-        using std::sqrt;
-        if (outcome_.end != damped_newton_end::converged) {
-            iterate d, full = x_;
-            if (!equations_.residual(x_)) return false;
-            equations_.solve(x_, d);
-            full.y += d.y, full.Z += d.Z, full.p += d.p;
-            const Scalar size = guess_size_ + full.y.cwiseAbs().maxCoeff();
-            if (!equations_.residual(full) ||
-                !(equations_.residual_size() < sqrt(std::numeric_limits<Scalar>::epsilon()) * size))
-                return false;
-            x_ = full;
-        }
-        return x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_;
+    std::vector<Scalar> largest_answers(const Scalar& least) {
+        std::vector<Scalar> values;
+        conditioning_.fundamental();
+        kappa_ = conditioning_.norm(least, values);
+        return values;
+    }
+    void end_in_family(const std::vector<Scalar>& answers, const Scalar& least) {
+        result_.kernel = static_cast<int>(
+            std::count_if(answers.begin(), answers.end(), [&](const Scalar& v) { return v >= least; }));
+        const std::string which = dependent_condition(equations_.conditions());
+        end(bvp_status::not_isolated, which.empty() ? "solutions form a family" : which);
     }
 
+    /// M singular to rounding: says whether solutions exist. Where Newton's iteration of a nonlinear problem has failed, M is
+    /// that of an iterate and says nothing of the problem.
+    bool is_singular() {
+        const Scalar least = Scalar(1) / (1000 * std::numeric_limits<Scalar>::epsilon());
+        conditioning_.fundamental();
+        rounding_ = conditioning_.rounding(floor_);
+        const auto answers = largest_answers(std::min(Scalar(1000 * o_.rtol), Scalar(1)) * least);
+        if (kappa_ < least) return false;
+        // Of components as large as that, rounding errors may be as small as of others.
+        if (outcome_.end == damped_newton_end::converged && error_ <= o_.rtol && relative_kappa() < least &&
+            regular_.rounding(floor_) < Scalar(1) / 10000)
+            return false;
+        const std::string which = dependent_condition(equations_.conditions());
+        if (solved()) return end_in_family(answers, least), true;
+        failure_ = which.empty() ? "M is singular to rounding" : which;
+        if (outcome_.end != damped_newton_end::converged && regular_.nonlinear(guess_size_)) return false;
+        end(bvp_status::singular, failure_);
+        return true;
+    }
+
+    /// With M singular: does x solve the equations, at a size that is not 1 / epsilon?
+    bool solved() {
+        using std::sqrt;
+        return (outcome_.end == damped_newton_end::converged || regular_.full_step(guess_size_)) &&
+               x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_;
+    }
     void accept() {
         if (is_singular()) return;
+        if (vanishes_ && checks_ > 6) return end_in_family(largest_answers(Scalar(0)), kappa_ / 1000);
+        if (regular_.hidden(floor_, guess_size_))
+            return end(bvp_status::ill_conditioned, "M is no larger than the errors of differences of f");
         if (rounding_ > o_.rtol && kappa_ * std::numeric_limits<Scalar>::epsilon() > o_.rtol)
             return end(bvp_status::ill_conditioned,
                        "rounding errors times the condition number exceed the tolerance");
-        if (error_ <= o_.rtol || !o_.adapt)
-            end(error_ <= o_.rtol ? bvp_status::success : bvp_status::tolerance_not_met,
-                error_ <= o_.rtol ? "" : "the error on the given mesh exceeds the tolerance");
+        if (error_ <= o_.rtol) return end(bvp_status::success, "");
+        end(bvp_status::tolerance_not_met, "the error on the given mesh exceeds the tolerance");
     }
 
     void end(bvp_status status, const std::string& message) {
@@ -332,11 +340,9 @@ class bvp_solver {
         std::ostringstream text;
         text.precision(std::numeric_limits<Scalar>::max_digits10);
         text << "f or its Jacobian gave NaN or infinity at t = " << t;
-        const auto& c = equations_.method().c;
-        if (t == x_.t.front() || t == x_.t.back())
-            text << (c[0] == Scalar(0) || c[c.size() - 1] == Scalar(1)
-                         ? ", an end of the interval, where Gauss methods do not evaluate f"
-                         : "");
+        if (const auto& c = equations_.method().c;
+            (t == x_.t.front() && c[0] == Scalar(0)) || (t == x_.t.back() && c[c.size() - 1] == Scalar(1)))
+            text << ", an end of the interval, where Gauss methods do not evaluate f";
         end(bvp_status::non_finite, text.str());
     }
 
@@ -381,11 +387,13 @@ class bvp_solver {
     damped_newton<equations_type> newton_;
     iterate x_, before_;
     conditioning_of<equations_type> conditioning_{equations_, x_};
+    regularity<equations_type> regular_{equations_, conditioning_, x_, *rule_};
     std::vector<Scalar> guess_mesh_;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
     Scalar error_{std::numeric_limits<Scalar>::infinity()}, remainder_{0}, kappa_{0}, rounding_{0},
-        last_kappa_{-1}, guess_size_{1};
-    bool from_guess_ = true;
+        last_kappa_{-1}, first_kappa_{0}, guess_size_{1};
+    std::string failure_;
+    bool from_guess_ = true, vanishes_ = false;
     int failures_ = 0, checks_ = 0;
 };
 

@@ -126,6 +126,9 @@ class conditioning_of {
         return value;
     }
 
+    /// The answer of y at the mesh points to condition k: column k of Phi.
+    const wide& response(int k) const { return phi_[k]; }
+
     /// What the conditions do to the parameters: dp = P d, n_p x (n + n_p).
     const Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>& parameters() const { return parameters_; }
 
@@ -145,9 +148,13 @@ class conditioning_of {
         return most;
     }
 
-    /// The largest entry of |Phi(t)|, every row relative to floor + the size of that component of y.
+    /// The largest entry of |Phi(t)| and |P|, every row relative to floor + the size of that component of y or p.
     scalar relative(const scalar& floor) const {
+        using std::abs;
         scalar kappa(0);
+        for (Eigen::Index j = 0; j < parameters_.rows(); ++j)
+            kappa =
+                std::max(kappa, scalar(parameters_.row(j).cwiseAbs().maxCoeff() / (floor + abs(x_.p[j]))));
         for (const wide& response : phi_)
             for (int r = 0; r < equations_.n(); ++r)
                 kappa = std::max(kappa, scalar(response.row(r).cwiseAbs().maxCoeff() /

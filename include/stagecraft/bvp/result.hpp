@@ -14,12 +14,12 @@ namespace stagecraft {
 /// that is isolated (M_* regular); everything else keeps the best iterate.
 enum class bvp_status {
     success,
-    singular,            ///< M is singular to rounding, and no solution of the guess's size was found
-    not_isolated,        ///< solutions exist, but M is singular to rounding: result.kernel is its dimension
-    equilibrium,         ///< periodic orbits: the orbit found is a point
-    multiple_period,     ///< periodic orbits: the period found is a multiple of the smallest one
-    ill_conditioned,     ///< rounding errors times the condition number exceed the tolerance
-    newton_failed,       ///< no decrease along the Newton direction on any mesh tried
+    singular,  ///< M is singular to rounding or to the errors of every mesh, and no solution of the guess's size was found
+    not_isolated,  ///< solutions exist, but M is singular as far as it is known: result.kernel is its dimension
+    equilibrium,      ///< periodic orbits: the orbit found is a point
+    multiple_period,  ///< periodic orbits: the period found is a multiple of the smallest one
+    ill_conditioned,  ///< rounding errors (of differences, where M is no larger) times the condition number are too large
+    newton_failed,  ///< no decrease along the Newton direction; where M is singular there, message says so
     too_many_intervals,  ///< the tolerance asks for more than options.max_intervals
     tolerance_not_met,   ///< the estimated error did not get below the tolerance
     non_finite,          ///< f or r gave NaN or infinity; result.message says where

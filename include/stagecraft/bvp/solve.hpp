@@ -19,7 +19,8 @@ namespace stagecraft {
 ///
 /// The mesh follows the contributions of its intervals to the global error, which is estimated by one more
 /// solve with the factors of Newton's iteration (bvp/error_estimate.hpp). Success means: the estimated error
-/// of y(t) for all t, and of p, is within the tolerance, and the linearised problem is regular to rounding.
+/// of y(t) for all t, and of p, is within the tolerance, and the linearised problem is regular beyond the errors of
+/// rounding, of differences and, where its fundamental solutions are resolved, of the mesh (bvp/regularity.hpp).
 /// Bad arguments throw std::invalid_argument, which names the argument; everything else is said by
 /// result.status. Cost of a Newton step: N s evaluations of f and its Jacobian, O(N s^3 n^3) operations.
 template <class Scalar, int S, class Rhs, class Conditions, class Guess, class Parameters>

@@ -160,6 +160,9 @@ class two_point_system {
                            detail::joint_rhs_with_jacobian<Rhs, N, P>, detail::joint_rhs<Rhs, N, P>>;
     using conditions_type = detail::joint_conditions<Conditions, N, P>;
 
+    /// df/dy comes from differences, and is no better than the square root of epsilon.
+    static constexpr bool differences = system<rhs_type, joint>::finite_difference;
+
     two_point_system(Rhs& f, Conditions& r, int n, int parameters, report<scalar>& counts)
         : n_(n),
           parameters_(parameters),

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/linear/mass.hpp>
+
+namespace stagecraft::detail {
+
+/// Says whether M is regular, of which a mesh shows only M_h. With u the fundamental solution that answers most to the
+/// conditions, u + e solves the exact equations with the same conditions, where e is what Green's function makes of the
+/// local errors of u. If M is singular, M_h is its own error, and e = -u. So e well below u means that M is regular; e
+/// like u while the local errors are small, that nothing is known on this mesh; and e like u from rounding errors alone,
+/// that M is singular to rounding. All this is relative to the sizes of the components, whatever their units are.
+template <class Equations>
+class regularity {
+  public:
+    using iterate = typename Equations::iterate;
+    using scalar = std::decay_t<decltype(iterate{}.t[0])>;
+    using wide = typename Equations::wide;
+    using column = typename Equations::column;
+    using matrix = typename Equations::matrix;
+    using rule = typename Equations::rule;
+
+    regularity(Equations& equations, conditioning_of<Equations>& conditioning, iterate& x, const rule& r)
+        : equations_(equations), conditioning_(conditioning), x_(x), rule_(r) {}
+
+    /// Are the local errors small, and what they make of u not small beside it?
+    bool unknown(const scalar& floor) {
+        choose(floor);
+        resolved_ = true;
+        if (std::decay_t<decltype(equations_.mass())>::identity && close()) return false;
+        wide local(equations_.n(), x_.intervals());
+        for (int i = 0; i < x_.intervals(); ++i) local.col(i) = local_error(i);
+        resolved_ = share(local) < scalar(1) / 10;
+        if (!resolved_) return false;
+        iterate e;
+        equations_.solve(x_, wide::Zero(local.rows(), equations_.s() * local.cols()), local,
+                         column::Zero(local.rows() + p_.rows()), e);
+        return !(share(e.y, e.p) < scalar(1) / 4);
+    }
+    /// Were they small, when unknown() looked?
+    bool resolved() const { return resolved_; }
+
+    /// Can the errors of differences, from which a nonlinear f has its Jacobian, be all there is of M?
+    bool hidden(const scalar& floor, const scalar& size) {
+        using std::sqrt;
+        if constexpr (!std::decay_t<decltype(equations_.system())>::differences) return false;
+        const scalar epsilon = std::numeric_limits<scalar>::epsilon(), noise = sqrt(epsilon);
+        choose(floor);
+        return answer_ * noise > scalar(1) / 1000 && rounding(floor) * noise / epsilon > scalar(1) / 10 &&
+               nonlinear(size);
+    }
+
+    /// What one rounding error in every entry makes of u, relative to it.
+    scalar rounding(const scalar& floor) {
+        choose(floor);
+        const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
+        const scalar eps = std::numeric_limits<scalar>::epsilon();
+        wide local(n, L);
+        for (int i = 0; i < L; ++i)
+            local.col(i) = sign(i) * eps *
+                           (equations_.left_block(i).cwiseAbs() * u_.col(i).cwiseAbs() +
+                            equations_.right_block(i).cwiseAbs() * u_.col(i + 1).cwiseAbs());
+        column ends(2 * n + np);
+        ends << u_.col(0).cwiseAbs(), u_.col(L).cwiseAbs(), p_.cwiseAbs();
+        column conditions = eps * (equations_.conditions().cwiseAbs() * ends);
+        for (int k = 0; k < n + np; ++k) conditions[k] *= sign(k);
+        wide e(n, L + 1);
+        typename Equations::parameters shift(np);
+        equations_.factors().solve(local, conditions, e, shift);
+        return share(e, shift);
+    }
+
+    /// Do f or r depend on y or p nonlinearly? `size` is that of y.
+    bool nonlinear(const scalar& size) {
+        iterate other = x_;
+        for (Eigen::Index i = 0; i < other.y.cols(); ++i)
+            for (Eigen::Index c = 0; c < other.y.rows(); ++c)
+                other.y(c, i) += size * scalar(static_cast<int>(1 + (7 * i + 3 * c) % 5)) / 100;
+        for (Eigen::Index k = 0; k < other.p.size(); ++k)
+            other.p[k] += (1 + other.p[k]) / scalar(static_cast<int>(50 + k));
+        return equations_.jacobians_differ(other);
+    }
+
+    /// One full step of Newton's iteration, without a test of whether it contracts: corrections in the kernel of M are
+    /// rounding errors over epsilon. True where x then solves the equations.
+    bool full_step(const scalar& size) {
+        using std::sqrt;
+        iterate d, full = x_;
+        if (!equations_.residual(x_)) return false;
+        equations_.solve(x_, d);
+        full.y += d.y, full.Z += d.Z, full.p += d.p;
+        if (!equations_.residual(full) ||
+            !(equations_.residual_size() <
+              sqrt(std::numeric_limits<scalar>::epsilon()) * (size + full.y.cwiseAbs().maxCoeff())))
+            return false;
+        x_ = full;
+        return true;
+    }
+
+  private:
+    /// u: the answer to the condition that moves it most, as its terms and the components of y are large.
+    void choose(const scalar& floor) {
+        using std::abs;
+        conditioning_.fundamental();
+        const int n = equations_.n(), m = n + equations_.np();
+        const auto& B = equations_.conditions();
+        const auto& P = conditioning_.parameters();
+        column size(2 * n + m - n);
+        for (int c = 0; c < n; ++c) size[c] = size[n + c] = floor + x_.y.row(c).cwiseAbs().maxCoeff();
+        for (int j = 0; j < m - n; ++j) size[2 * n + j] = floor + abs(x_.p[j]);
+        scale_ = size.head(n);
+        int best = 0;
+        answer_ = scalar(-1);
+        for (int k = 0; k < m; ++k) {
+            const scalar terms = B.row(k).cwiseAbs().dot(size.transpose());
+            const auto& phi = conditioning_.response(k);
+            scalar most(0);
+            for (int c = 0; c < n; ++c)
+                most = std::max(most, scalar(terms * phi.row(c).cwiseAbs().maxCoeff() / size[c]));
+            for (int j = 0; j < m - n; ++j)
+                most = std::max(most, scalar(terms * abs(P(j, k)) / size[2 * n + j]));
+            if (most > answer_) answer_ = most, best = k;
+        }
+        u_ = conditioning_.response(best);
+        p_ = P.col(best);
+        size_ = u_.cwiseAbs().rowwise().maxCoeff();
+    }
+
+    /// Bounds what local errors can make of u by the size of h f_y where that is small and changes little: those of Gauss
+    /// methods are (k!)^2/((2 k)! (2 k + 1)!) z^(2 k + 1) for y' = z y.
+    bool close() const {
+        using std::pow;
+        using std::sqrt;
+        const int n = equations_.n(), s = equations_.s(), width = n + equations_.np(), order = rule_.order;
+        scalar constant(1), sum(0);
+        for (int k = 1; k <= order / 2; ++k) constant *= scalar(k) / scalar((4 * k - 2) * 2 * (2 * k + 1));
+        for (int i = 0; i < x_.intervals(); ++i) {
+            const auto all = equations_.jacobians(i);
+            const matrix J = x_.h(i) * all.middleCols((s / 2) * width, n);
+            const scalar most = J.cwiseAbs().maxCoeff();
+            for (int j = 0; j < s; ++j)
+                if ((x_.h(i) * all.middleCols(j * width, n) - J).cwiseAbs().maxCoeff() > most / 2)
+                    return false;
+            sum += pow(sqrt(scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff())), scalar(order + 1));
+        }
+        return answer_ * constant * sum < scalar(1) / 20;
+    }
+
+    /// u at the end of interval i by the collocation that lifts, with the Jacobians between the nodes by interpolation, less
+    /// what it is there.
+    column local_error(int i) {
+        const int n = equations_.n(), np = equations_.np(), s = equations_.s(), m = rule_.nodes();
+        const scalar h = x_.h(i);
+        const auto all = equations_.jacobians(i);
+        matrix a = matrix::Zero(n * m, n * m), J(n, n + np);
+        column g(n * m), own(n);
+        for (int k = 0; k < m; ++k) {
+            J.setZero();
+            for (int j = 0; j < s; ++j) J += rule_.lagrange(k, j) * all.middleCols(j * (n + np), n + np);
+            g.segment(k * n, n) = h * (J.leftCols(n) * u_.col(i) + J.rightCols(np) * p_);
+            for (int j = 0; j < m; ++j)
+                a.block(k * n, j * n, n, n) = -h * rule_.integrals(k, j) * J.leftCols(n);
+            matrix mass = matrix::Zero(n, n);
+            add_mass(equations_.mass(), scalar(1), mass.data(), n);
+            a.block(k * n, k * n, n, n) += mass;
+        }
+        g = a.partialPivLu().solve(g).eval();
+        own = u_.col(i) - u_.col(i + 1);
+        for (int k = 0; k < m; ++k) own += rule_.gauss.b[k] * g.segment(k * n, n);
+        return own;
+    }
+
+    /// How large e is beside u, their components beside those of y.
+    scalar share(const wide& e) const {
+        scalar most(0), whole(0);
+        for (Eigen::Index c = 0; c < e.rows(); ++c) {
+            const scalar part = e.row(c).cwiseAbs().maxCoeff() / scale_[c];
+            if (!(part <= most)) most = part;
+            whole = std::max(whole, scalar(size_[c] / scale_[c]));
+        }
+        return whole > scalar(0) ? scalar(most / whole) : scalar(0);
+    }
+    template <class Parameters>
+    scalar share(const wide& e, const Parameters& p) const {
+        using std::abs;
+        scalar most = share(e);
+        for (Eigen::Index j = 0; j < p.size(); ++j)
+            if (abs(p_[j]) > scalar(0)) most = std::max(most, scalar(abs(p[j] / p_[j])));
+        return most;
+    }
+    /// A sign for rounding error number i, without a pattern.
+    static scalar sign(int i) {
+        return (static_cast<unsigned>(i + 1) * 2654435761u) >> 31 ? scalar(1) : scalar(-1);
+    }
+
+    Equations& equations_;
+    conditioning_of<Equations>& conditioning_;
+    iterate& x_;
+    const rule& rule_;
+    wide u_;
+    column p_, size_, scale_;
+    scalar answer_{0};
+    bool resolved_ = false;
+};
+
+}  // namespace stagecraft::detail
