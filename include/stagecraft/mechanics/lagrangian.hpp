@@ -97,6 +97,18 @@ class lagrangian_model {
         return M;
     }
 
+    /// False if T is no quadratic polynomial in v, so that M(q) would not be its second derivative: seen at one v.
+    template <class S>
+    bool quadratic_in_v(const vector<S>& q) const {
+        using std::abs;
+        vector<S> w;
+        for (int i = 0; i < Coordinates; ++i) w[i] = S(6 + i) / S(4);
+        const vector<S> rest = vector<S>::Constant(S(0)), twice = S(2) * w;
+        const S far = T_(q, twice), near = S(2) * T_(q, w), least = T_(q, rest), by_mass = w.dot(M<S>(q) * w);
+        const S size = abs(far) + abs(near) + abs(least) + abs(by_mass);
+        return abs(far - near + least - by_mass) <= S(1000) * Eigen::NumTraits<S>::epsilon() * size;
+    }
+
     template <class S>
     vector<S> F(const vector<S>& q, const vector<S>& v, const S& t) const {
         return balance<S>(q, v, vector<S>::Constant(S(0)), t);

@@ -44,8 +44,9 @@ void list_violations(std::ostringstream& text, const char* what, const Vector& r
         if (!(abs(r[i]) <= allowed)) text << "; " << what << " " << i << " is " << r[i];
 }
 
-/// Throws std::invalid_argument, with the size of each violation, unless q and v satisfy the constraints to
-/// rounding: 64 eps max|G| max(|v|, 1) for those of velocity, 64 eps max(|q|, 1) for those of position.
+/// Throws std::invalid_argument for a kinetic energy that is not quadratic in v and, with the size of each
+/// violation, unless q and v satisfy the constraints to rounding: 64 eps max|G| max(|v|, 1) for those of velocity,
+/// 64 eps max(|q|, 1) for those of position.
 template <class Model, class Scalar>
 void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
                  const coordinate_vector<Scalar, Model>& v, const Scalar& t) {
@@ -53,6 +54,10 @@ void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
     const auto at_least = [](const Scalar& size, double least) {
         return size < Scalar(least) ? Scalar(least) : size;
     };
+    if constexpr (requires { model.quadratic_in_v(q); })
+        if (!model.quadratic_in_v(q))
+            throw std::invalid_argument(
+                "mechanical: T(q, v) must be a quadratic polynomial in v, and finite");
     std::ostringstream violated;
     if constexpr (holonomic_model<Model>)
         list_violations(violated, "position constraint", position_constraint<Scalar>(model, q, t),
