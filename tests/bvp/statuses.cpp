@@ -294,3 +294,28 @@ BOOST_AUTO_TEST_CASE(intervals_are_limited_and_counts_are_what_they_cost) {
                                     Vector2d(0, 0), {.rtol = 1e-10});
     BOOST_TEST(word(tiny.status) != "newton_failed");
 }
+
+// Where y is large somewhere, its rounding errors there are more than the tolerance allows where it is small.
+BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
+    const auto f = [](const auto&, const auto& y, auto& out) { out[0] = y[1], out[1] = y[0]; };
+    const auto with = [&](double size) {
+        const auto ends = [size](const auto& left, const auto& right, auto& r) {
+            r[0] = left[0] - size, r[1] = right[0];
+        };
+        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, ends), 0.0, 1.0, Vector2d(0, 0),
+                             {.rtol = 1e-8});
+    };
+    const auto usual = with(1e6);  // y = 1e6 sinh(1 - t) / sinh(1)
+    BOOST_TEST(usual.ok());
+    BOOST_TEST(std::abs(usual.y(0.5)[0] / (1e6 * std::sinh(0.5) / std::sinh(1.)) - 1) < 1e-8);
+    BOOST_TEST(word(with(1e12).status) == "ill_conditioned");
+    BOOST_TEST(word(with(1e15).status) == "ill_conditioned");
+    // Conditions for double alone are differentiated by differences, which such values must not hide.
+    const auto differences = [](const Vector2d& left, const Vector2d& right, Vector2d& r) {
+        r[0] = left[0] - 1e8, r[1] = right[0];
+    };
+    const auto seen = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, differences), 0.0, 1.0, Vector2d(0, 0),
+                                    {.rtol = 1e-6});
+    BOOST_TEST(seen.ok());
+    BOOST_TEST(std::abs(seen.y(0.5)[0] / (1e8 * std::sinh(0.5) / std::sinh(1.)) - 1) < 1e-6);
+}

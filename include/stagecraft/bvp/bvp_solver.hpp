@@ -328,13 +328,15 @@ class bvp_solver {
         if (rounding_ > o_.rtol && kappa_ * std::numeric_limits<Scalar>::epsilon() > o_.rtol)
             return end(bvp_status::ill_conditioned,
                        "rounding errors times the condition number exceed the tolerance");
+        if (conditioning_.spread(floor_) * std::numeric_limits<Scalar>::epsilon() > 1000 * o_.rtol)
+            return end(bvp_status::ill_conditioned,
+                       "rounding errors of large y exceed atol where y is small");
         if (error_ <= o_.rtol) return end(bvp_status::success, "");
         end(bvp_status::tolerance_not_met, "the error on the given mesh exceeds the tolerance");
     }
 
     void end(bvp_status status, const std::string& message) {
-        result_.status = status;
-        result_.message = message;
+        result_.status = status, result_.message = message;
     }
     void end_at(const Scalar& t) {
         std::ostringstream text;
@@ -349,11 +351,9 @@ class bvp_solver {
     void finish() {
         auto& r = result_.report;
         r.intervals = x_.intervals();
-        r.f = counts_.f;
+        r.f = counts_.f, r.f_jacobian = counts_.f_jacobian;
         r.jacobians = counts_.jacobians;
-        r.f_jacobian = counts_.f_jacobian;
-        result_.p = x_.p;
-        result_.mesh = x_.t;
+        result_.p = x_.p, result_.mesh = x_.t;
         const bool known =
             outcome_.end == damped_newton_end::converged && result_.status != bvp_status::non_finite;
         result_.error.global = known ? error_ : std::numeric_limits<Scalar>::infinity();

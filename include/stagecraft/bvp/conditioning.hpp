@@ -188,6 +188,12 @@ class conditioning_of {
         return worst;
     }
 
+    /// The largest |y_c| at a mesh point by floor + the smallest, of the component c where that is most.
+    scalar spread(const scalar& floor) const {
+        const auto sizes = x_.y.cwiseAbs();
+        return (sizes.rowwise().maxCoeff().array() / (floor + sizes.rowwise().minCoeff().array())).maxCoeff();
+    }
+
     /// The factors are those of another matrix from now on.
     void forget() { phi_.clear(); }
 

@@ -39,6 +39,7 @@ void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scal
         if (!good) throw std::invalid_argument(who + what);
     };
     demand(o.from - o.from == Scalar(0), ": from must be finite");
+    demand(o.to == o.to, ": to must be a number");
     demand(o.step > Scalar(0) && o.largest_step >= o.step, ": step must be positive, largest_step no less");
     demand(o.max_points > 0, ": max_points must be positive");
     bvp_options<Scalar> tolerances;

@@ -207,8 +207,11 @@ class two_point_system {
         r_(scalar(0), x_, end_values_);
         return end_values_;
     }
-    /// dr/d(left, right, p) where r was evaluated last, in the first n + n_p rows.
+    /// dr/d(left, right, p) where r was evaluated last, in the first n + n_p rows. Differences are so large that they show
+    /// beside r.
     const auto& conditions_jacobian() {
+        const scalar size = end_values_.head(n_ + parameters_).cwiseAbs().maxCoeff();
+        if (size - size == scalar(0)) small_.setConstant((scalar(1) + size) / 1000);
         r_.evaluate_jacobian(scalar(0), x_, end_values_, small_);
         return r_.jacobian();
     }
