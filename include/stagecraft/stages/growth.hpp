@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -54,6 +55,7 @@ class growth_watch {
         if constexpr (!System::structured && System::sums_type::complete) {
             using std::abs;
             const int n = system.size();
+            if (n <= largest_size) w_.resize(n), product_.resize(n);
             if (n > largest_size || !(weighted_norm(f, weights, n) > Scalar(0))) return false;
             if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
             if (mass_sign_ == 0 || !is_near_rest(system, f, f, weights, h)) return false;
@@ -69,14 +71,14 @@ class growth_watch {
   private:
     /// |J w| / |w| is the rate at which w changes, and |f| by that rate how far y is from where f = 0: less than the
     /// tolerance, and it changes within the step. (Asked of regular M other than the identity always.)
-    template <class System, class Vector>
-    static bool is_near_rest(const System& system, const Vector& f, const Vector& w, const Vector& weights,
-                             const Scalar& h) {
+    template <class System, class Vector, class W>
+    bool is_near_rest(const System& system, const Vector& f, const W& w, const Vector& weights,
+                      const Scalar& h) {
         using std::abs;
         if constexpr (System::mass_type::identity) {
             const int n = system.size();
-            const Vector change = system.jacobian() * w;
-            const Scalar size = weighted_norm(w, weights, n), changed = weighted_norm(change, weights, n);
+            product_.noalias() = system.jacobian() * w;
+            const Scalar size = weighted_norm(w, weights, n), changed = weighted_norm(product_, weights, n);
             return abs(h) * changed > size && changed > size * weighted_norm(f, weights, n);
         } else {
             return true;
@@ -97,7 +99,8 @@ class growth_watch {
         for (int i = 0; i < n * n; ++i) lu.entries()[i] = -towards * system.jacobian().data()[i];
         add_mass(system.mass(), a, lu.entries(), n);
         if (!lu.factor()) return false;
-        Vector w = f, product = f;
+        auto &w = w_, &product = product_;
+        w = f;
         lu.solve(w.data());  // which leaves little of what rounding has put into fast components of f
         if (!is_near_rest(system, f, w, weights, h)) return false;
         Scalar level{0}, before{0}, highest = -std::numeric_limits<Scalar>::max();  // logarithms of sizes
@@ -159,6 +162,7 @@ class growth_watch {
     static constexpr int largest_size = 200;  // of systems in which powers cost less than a few steps
     static constexpr int far = 1000;          // times the shift: of growth beyond that nothing is left to see
     int mass_sign_ = unknown, far_sign_ = unknown;
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> w_, product_;
     std::unique_ptr<workplace> work_;  // made when it is needed first, which most runs do not
 };
 
