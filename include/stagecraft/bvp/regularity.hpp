@@ -35,7 +35,7 @@ class regularity {
     bool unknown(const scalar& floor) {
         choose(floor);
         resolved_ = true;
-        // On meshes that show as little as that, errors of a mesh that could hide a singular M would be seen in x as well.
+        // M could then be singular only by errors of the mesh of some per cent, which are seen in x as well.
         if (answer_ < scalar(30)) return false;
         if (std::decay_t<decltype(equations_.mass())>::identity && close()) return false;
         wide local(equations_.n(), x_.intervals());
