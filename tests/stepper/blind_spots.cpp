@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_combinations_show_nothing_of_what_is_smooth) {
 
 // Error of the run across jumps against that of the same run in pieces without. The estimate may show 1/200
 // of a jump, in a norm that halves what is in one of four components; what is in y1 grows threefold on the
-// way.
+// way: 200 * 2 * 3 tolerances.
 BOOST_AUTO_TEST_CASE(every_pair_solves_across_jumps_to_the_tolerance) {
     for (const auto& [name, file] : catalogue()) {
         const auto m = rounded(name);
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(every_pair_solves_across_jumps_to_the_tolerance) {
                                             << shift << " steps " << r.report.steps) {
                         BOOST_TEST(sc::name(r.status) == "success");
                         BOOST_TEST(f.error(r.y) <
-                                   700 * tol + 3 * error_in_pieces(m, f, {.rtol = tol, .atol = tol}));
+                                   1200 * tol + 3 * error_in_pieces(m, f, {.rtol = tol, .atol = tol}));
                     }
                 }
         }
