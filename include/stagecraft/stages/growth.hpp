@@ -6,7 +6,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/norms.hpp>
@@ -55,7 +54,7 @@ class growth_watch {
         if constexpr (!System::structured && System::sums_type::complete) {
             using std::abs;
             const int n = system.size();
-            if (n <= largest_size) w_.resize(n), product_.resize(n);
+            if (!work_ && n <= largest_size) work_ = std::make_unique<workplace>(n);
             if (n > largest_size || !(weighted_norm(f, weights, n) > Scalar(0))) return false;
             if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
             if (mass_sign_ == 0 || !is_near_rest(system, f, f, weights, h)) return false;
@@ -77,8 +76,9 @@ class growth_watch {
         using std::abs;
         if constexpr (System::mass_type::identity) {
             const int n = system.size();
-            product_.noalias() = system.jacobian() * w;
-            const Scalar size = weighted_norm(w, weights, n), changed = weighted_norm(product_, weights, n);
+            auto& change = work_->product;
+            change.noalias() = system.jacobian() * w;
+            const Scalar size = weighted_norm(w, weights, n), changed = weighted_norm(change, weights, n);
             return abs(h) * changed > size && changed > size * weighted_norm(f, weights, n);
         } else {
             return true;
@@ -94,12 +94,11 @@ class growth_watch {
         using std::log;
         const int n = system.size();
         const Scalar towards = h < Scalar(0) ? Scalar(-1) : Scalar(1);
-        if (!work_) work_ = std::make_unique<workplace>(n);
-        auto& lu = work_->lu;
+        auto& lu = work_->matrix(n);
         for (int i = 0; i < n * n; ++i) lu.entries()[i] = -towards * system.jacobian().data()[i];
         add_mass(system.mass(), a, lu.entries(), n);
         if (!lu.factor()) return false;
-        auto &w = w_, &product = product_;
+        auto &w = work_->w, &product = work_->product;
         w = f;
         lu.solve(w.data());  // which leaves little of what rounding has put into fast components of f
         if (!is_near_rest(system, f, w, weights, h)) return false;
@@ -137,7 +136,8 @@ class growth_watch {
         if constexpr (System::mass_type::identity)
             if (!with_jacobian) return 1;
         if (!work_) work_ = std::make_unique<workplace>(n);
-        auto& [lu, largest] = *work_;
+        auto& lu = work_->matrix(n);
+        auto& largest = work_->largest;
         Scalar* a = lu.entries();
         for (int i = 0; i < n * n; ++i)
             a[i] = with_jacobian ? Scalar(-system.jacobian().data()[i]) : Scalar(0);
@@ -154,16 +154,19 @@ class growth_watch {
     }
 
     struct workplace {
-        split_lu<Scalar, -1> lu;
-        std::vector<Scalar> largest;  // entry of each column
-        explicit workplace(int n) : lu(n), largest(static_cast<std::size_t>(n)) {}
+        Eigen::Matrix<Scalar, Eigen::Dynamic, 1> w, product, largest;  // largest: entry of each column
+        std::unique_ptr<split_lu<Scalar, -1>> lu;                      // which most runs do not need
+        explicit workplace(int n) : w(n), product(n), largest(n) {}
+        split_lu<Scalar, -1>& matrix(int n) {
+            if (!lu) lu = std::make_unique<split_lu<Scalar, -1>>(n);
+            return *lu;
+        }
     };
     static constexpr int unknown = 2;
     static constexpr int largest_size = 200;  // of systems in which powers cost less than a few steps
     static constexpr int far = 1000;          // times the shift: of growth beyond that nothing is left to see
     int mass_sign_ = unknown, far_sign_ = unknown;
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> w_, product_;
-    std::unique_ptr<workplace> work_;  // made when it is needed first, which most runs do not
+    std::unique_ptr<workplace> work_;  // made when it is needed first
 };
 
 }  // namespace stagecraft
