@@ -10,6 +10,7 @@
 #include <stagecraft/control/step_plan.hpp>
 #include <stagecraft/control/step_size.hpp>
 #include <stagecraft/jumps/jump_guard.hpp>
+#include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/stages/newton.hpp>
