@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <stagecraft/linear/mass.hpp>
-#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/split_lu.hpp>
 
 namespace stagecraft {
@@ -55,9 +54,9 @@ class growth_watch {
             using std::abs;
             const int n = system.size();
             if (!work_ && n <= largest_size) work_ = std::make_unique<workplace>(n);
-            if (n > largest_size || !(weighted_norm(f, weights, n) > Scalar(0))) return false;
+            if (n > largest_size || !(size_of(f.data(), weights, n) > Scalar(0))) return false;
             if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
-            if (mass_sign_ == 0 || !is_near_rest(system, f, f, weights, h)) return false;
+            if (mass_sign_ == 0 || !is_near_rest(system, f, f.data(), weights, h)) return false;
             Scalar a = Scalar(12) / abs(h);  // shows h |lambda| from one to a hundred; then the next decades
             for (int k = 0; k < 3; ++k, a *= Scalar(25))
                 if (amplifies(system, f, weights, h, a)) return true;
@@ -70,19 +69,28 @@ class growth_watch {
   private:
     /// |J w| / |w| is the rate at which w changes, and |f| by that rate how far y is from where f = 0: less than the
     /// tolerance, and it changes within the step. (Asked of regular M other than the identity always.)
-    template <class System, class Vector, class W>
-    bool is_near_rest(const System& system, const Vector& f, const W& w, const Vector& weights,
+    template <class System, class Vector>
+    bool is_near_rest(const System& system, const Vector& f, const Scalar* w, const Vector& weights,
                       const Scalar& h) {
         using std::abs;
         if constexpr (System::mass_type::identity) {
             const int n = system.size();
-            auto& change = work_->product;
-            change.noalias() = system.jacobian() * w;
-            const Scalar size = weighted_norm(w, weights, n), changed = weighted_norm(change, weights, n);
-            return abs(h) * changed > size && changed > size * weighted_norm(f, weights, n);
+            Scalar* const change = work_->product.data();
+            for (int i = 0; i < n; ++i) change[i] = Scalar(0);
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) change[i] += system.jacobian().data()[i + j * n] * w[j];
+            const Scalar size = size_of(w, weights, n), changed = size_of(change, weights, n);
+            return abs(h) * changed > size && changed > size * size_of(f.data(), weights, n);
         } else {
             return true;
         }
+    }
+    template <class Weights>
+    static Scalar size_of(const Scalar* x, const Weights& weights, int n) {
+        using std::sqrt;
+        Scalar sum{0};
+        for (int i = 0; i < n; ++i) sum += x[i] * weights[i] * x[i] * weights[i];
+        return sqrt(sum / Scalar(n));
     }
 
     /// Of 60 powers the last twenty amplify by more than they could without growth: an ellipse that is passed
@@ -98,19 +106,19 @@ class growth_watch {
         for (int i = 0; i < n * n; ++i) lu.entries()[i] = -towards * system.jacobian().data()[i];
         add_mass(system.mass(), a, lu.entries(), n);
         if (!lu.factor()) return false;
-        auto &w = work_->w, &product = work_->product;
-        w = f;
-        lu.solve(w.data());  // which leaves little of what rounding has put into fast components of f
+        Scalar *const w = work_->w.data(), *const product = work_->product.data();
+        for (int i = 0; i < n; ++i) w[i] = f[i];
+        lu.solve(w);  // which leaves little of what rounding has put into fast components of f
         if (!is_near_rest(system, f, w, weights, h)) return false;
         Scalar level{0}, before{0}, highest = -std::numeric_limits<Scalar>::max();  // logarithms of sizes
         for (int power = 1; power <= 60; ++power) {
-            product.setZero();
-            add_mass_times(system.mass(), 2 * a, w.data(), product.data(), n);
-            lu.solve(product.data());
-            w = product - w;
-            const Scalar size = weighted_norm(w, weights, n);
+            for (int i = 0; i < n; ++i) product[i] = Scalar(0);
+            add_mass_times(system.mass(), Scalar(2 * a), w, product, n);
+            lu.solve(product);
+            for (int i = 0; i < n; ++i) w[i] = product[i] - w[i];
+            const Scalar size = size_of(w, weights, n);
             if (!(size > Scalar(0))) return false;
-            w /= size;
+            for (int i = 0; i < n; ++i) w[i] /= size;
             level += log(size);
             if (level > highest) highest = level;
             if (power == 20 || power == 40) before = std::exchange(highest, level);
@@ -137,7 +145,7 @@ class growth_watch {
             if (!with_jacobian) return 1;
         if (!work_) work_ = std::make_unique<workplace>(n);
         auto& lu = work_->matrix(n);
-        auto& largest = work_->largest;
+        Scalar* const largest = work_->largest.data();
         Scalar* a = lu.entries();
         for (int i = 0; i < n * n; ++i)
             a[i] = with_jacobian ? Scalar(-system.jacobian().data()[i]) : Scalar(0);
@@ -154,9 +162,12 @@ class growth_watch {
     }
 
     struct workplace {
-        Eigen::Matrix<Scalar, Eigen::Dynamic, 1> w, product, largest;  // largest: entry of each column
-        std::unique_ptr<split_lu<Scalar, -1>> lu;                      // which most runs do not need
-        explicit workplace(int n) : w(n), product(n), largest(n) {}
+        std::vector<Scalar> w, product, largest;   // largest: entry of each column
+        std::unique_ptr<split_lu<Scalar, -1>> lu;  // which most runs do not need
+        explicit workplace(int n)
+            : w(static_cast<std::size_t>(n)),
+              product(static_cast<std::size_t>(n)),
+              largest(static_cast<std::size_t>(n)) {}
         split_lu<Scalar, -1>& matrix(int n) {
             if (!lu) lu = std::make_unique<split_lu<Scalar, -1>>(n);
             return *lu;
