@@ -70,8 +70,8 @@ class growth_watch {
     /// |J w| / |w| is the rate at which w changes, and |f| by that rate how far y is from where f = 0: less than the
     /// tolerance, and it changes within the step. (Asked of regular M other than the identity always.)
     template <class System, class Vector>
-    bool is_near_rest(const System& system, const Vector& f, const Scalar* w, const Vector& weights,
-                      const Scalar& h) {
+    [[gnu::cold]] bool is_near_rest(const System& system, const Vector& f, const Scalar* w,
+                                    const Vector& weights, const Scalar& h) {
         using std::abs;
         if constexpr (System::mass_type::identity) {
             const int n = system.size();
@@ -86,7 +86,7 @@ class growth_watch {
         }
     }
     template <class Weights>
-    static Scalar size_of(const Scalar* x, const Weights& weights, int n) {
+    [[gnu::noinline]] static Scalar size_of(const Scalar* x, const Weights& weights, int n) {
         using std::sqrt;
         Scalar sum{0};
         for (int i = 0; i < n; ++i) sum += x[i] * weights[i] * x[i] * weights[i];
@@ -97,8 +97,8 @@ class growth_watch {
     /// slowly by 3/2, a double zero as well. |(a + lambda)/(a - lambda)| is above (5/2)^(1/20) for real lambda
     /// between a/44 and 44 a, for lambda = |lambda| e^(i phi) with cos phi = 1/4 between |a|/11 and 11 |a|.
     template <class System, class Vector>
-    bool amplifies(const System& system, const Vector& f, const Vector& weights, const Scalar& h,
-                   const Scalar& a) {
+    [[gnu::cold]] bool amplifies(const System& system, const Vector& f, const Vector& weights,
+                                 const Scalar& h, const Scalar& a) {
         using std::log;
         const int n = system.size();
         const Scalar towards = h < Scalar(0) ? Scalar(-1) : Scalar(1);
