@@ -50,8 +50,8 @@ class index_2_dae {
     std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
 
     /// (q, v, lambda) with the multiplier consistent with q and v at time t. Throws std::invalid_argument
-    /// with the size of each violation if the constraints do not hold to rounding, std::domain_error at a
-    /// singular position and where a constraint, which it names, depends on others.
+    /// with the size of each violation if the constraints do not hold to rounding, std::domain_error as
+    /// consistent_multiplier does.
     Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
                                                  const coordinate_vector<Scalar, Model>& v,
                                                  const Scalar& t = Scalar(0)) const {
@@ -133,7 +133,7 @@ class index_reduced_ode {
                                                  const coordinate_vector<Scalar, Model>& v,
                                                  const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        detail::independent_constraints(constraint_inertia<Scalar>(model_, q, t));
+        consistent_multiplier(model_, q, v, t);  // throws where there is none
         Eigen::Matrix<Scalar, size, 1> y;
         y << q, v;
         return y;

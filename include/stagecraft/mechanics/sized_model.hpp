@@ -149,7 +149,7 @@ constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10) {
 namespace sized {
 
 /// (x, y) of M x + G^T y = a, G x = b with (a, b) = right. Throws std::domain_error that names the constraints that
-/// depend on others, or says that M is singular: found by solving for a vector that is known.
+/// depend on others or have no gradient, or says that M is singular: found by solving for a vector that is known.
 template <class Mass, class Gradient>
 Eigen::VectorXd saddle_point(const Mass& M, const Gradient& G, const Eigen::VectorXd& right) {
     const Eigen::Index m = G.rows(), n = G.cols();
@@ -171,9 +171,14 @@ Eigen::VectorXd saddle_point(const Mass& M, const Gradient& G, const Eigen::Vect
         const Eigen::VectorXd product = K * known, found = lu.solve(product), error = found - known;
         if ((error.array().abs() <= 1e-3 * known.array()).all()) return lu.solve(right);
     }
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n), steep = G.cwiseAbs() * ones;
     std::string rows;
-    for (const int k : independent_rows(G, 1e-6).dependent)
+    for (const int k : independent_rows(G, 1e-6).dependent) {
+        if (steep[k] == 0)
+            throw std::domain_error("mechanical: constraint " + std::to_string(k) +
+                                    " has a row of zeros in G here");
         rows += (rows.empty() ? "" : ", ") + std::to_string(k);
+    }
     if (rows.empty()) throw std::domain_error("mechanical: M is singular here, or M or G is not finite");
     throw std::domain_error("mechanical: G has not full rank, constraints that depend on others here: " +
                             rows + " (independent_constraints(model, q) leaves such constraints out)");
@@ -181,7 +186,7 @@ Eigen::VectorXd saddle_point(const Mass& M, const Gradient& G, const Eigen::Vect
 
 /// Acceleration and multiplier that belong to (q, v) at t: M a + G^T lambda = F, G a = -d/dt (G v + b) with v
 /// held fixed, solved as one sparse system. The derivative of G along the motion is a central difference, good to
-/// about ten digits. Throws as saddle_point does.
+/// about ten digits. Throws as saddle_point does, and where F is not finite.
 template <class Model>
 std::pair<Eigen::VectorXd, Eigen::VectorXd> acceleration(const Model& model, const Eigen::VectorXd& q,
                                                          const Eigen::VectorXd& v, double t) {
@@ -189,6 +194,7 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> acceleration(const Model& model, con
     const double step = 6e-6 / (1 + v.cwiseAbs().maxCoeff());  // eps^(1/3) of a position of size 1
     Eigen::VectorXd right(n + m);
     right.head(n) = F(model, q, v, t);
+    detail::check_finite(right.head(n), "F");
     right.tail(m) = (velocity_constraint(model, q - step * v, v, t - step) -
                      velocity_constraint(model, q + step * v, v, t + step)) /
                     (2 * step);

@@ -90,7 +90,8 @@ struct assembly {
 /// formulation: a mechanism assembled from rough coordinates, or the moment at which a constraint begins to act (v
 /// then changes by the impulse along G^T that stops G v + b, as in a plastic impact). Distances are measured by M.
 /// Newton's iteration; one factorisation of M each. Throws std::runtime_error with the violation that is left if
-/// there is no such position near q, std::domain_error that names the constraint where one depends on others.
+/// there is no such position near q, std::domain_error that names the constraint where one depends on others or
+/// where M is not positive definite on the way.
 template <mechanical_model Model, class DerivedQ, class DerivedV>
 assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Eigen::MatrixBase<DerivedQ>& q,
                                                     const Eigen::MatrixBase<DerivedV>& v,
@@ -102,6 +103,7 @@ assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Ei
     multiplier_vector<S, Model> left;
     // The smallest change in the metric of M with G change = r.
     const auto change = [&](const multiplier_vector<S, Model>& r) {
+        detail::check_mass<S, n>(model.M(at.q));
         const mass_inverse<S, Model> solve(model, at.q);
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model, at.q, t);
         Eigen::Matrix<S, n, m> W;
