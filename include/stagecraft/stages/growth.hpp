@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/split_lu.hpp>
 
 namespace stagecraft {
@@ -36,8 +39,7 @@ class growth_watch {
         if constexpr (!System::structured && System::sums_type::complete && Stages::knows_determinant) {
             const Scalar shift = stages.growth_shift();
             if (shift == Scalar(0)) return false;
-            if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
-            if (mass_sign_ == 0) return sees_with_singular_mass(system, stages, shift);
+            if (mass_sign(system) == 0) return sees_with_singular_mass(system, stages, shift);
             const int expected = system.size() % 2 == 1 && shift < Scalar(0) ? -mass_sign_ : mass_sign_;
             return stages.determinant_sign() != expected && sign_of(system, shift, true) == -expected;
         } else {
@@ -53,13 +55,15 @@ class growth_watch {
         if constexpr (!System::structured && System::sums_type::complete) {
             using std::abs;
             const int n = system.size();
-            if (!work_ && n <= largest_size) work_ = std::make_unique<workplace>(n);
-            if (n > largest_size || !(size_of(f.data(), weights, n) > Scalar(0))) return false;
-            if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
-            if (mass_sign_ == 0 || !is_near_rest(system, f, f.data(), weights, h)) return false;
+            if (n > largest_size || mass_sign(system) == 0) return false;
+            const Scalar size = size_of(f.data(), weights, n);
+            if (!work_) work_ = std::make_unique<workplace>(n);
+            if (!(size > Scalar(0)) || !is_near_rest(system, size, f.data(), weights, h)) return false;
             Scalar a = Scalar(12) / abs(h);  // shows h |lambda| from one to a hundred; then the next decades
-            for (int k = 0; k < 3; ++k, a *= Scalar(25))
-                if (amplifies(system, f, weights, h, a)) return true;
+            for (int k = 0; k < 3; ++k, a *= Scalar(25)) {
+                if (!is_quiet(system, f, size, weights, h, a)) return false;
+                if ((n > small || has_growth(system, a)) && amplifies(system, weights, a)) return true;
+            }
             return false;
         } else {
             return false;
@@ -70,46 +74,81 @@ class growth_watch {
     /// |J w| / |w| is the rate at which w changes, and |f| by that rate how far y is from where f = 0: less than the
     /// tolerance, and it changes within the step. (Asked of regular M other than the identity always.)
     template <class System, class Vector>
-    [[gnu::cold]] bool is_near_rest(const System& system, const Vector& f, const Scalar* w,
+    [[gnu::cold]] bool is_near_rest(const System& system, const Scalar& size_of_f, const Scalar* w,
                                     const Vector& weights, const Scalar& h) {
         using std::abs;
         if constexpr (System::mass_type::identity) {
             const int n = system.size();
             Scalar* const change = work_->product.data();
-            for (int i = 0; i < n; ++i) change[i] = Scalar(0);
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) change[i] += system.jacobian().data()[i + j * n] * w[j];
+            combine<false, -1>(n, n, w, system.jacobian().data(), change);
             const Scalar size = size_of(w, weights, n), changed = size_of(change, weights, n);
-            return abs(h) * changed > size && changed > size * size_of(f.data(), weights, n);
+            return abs(h) * changed > size && changed > size * size_of_f;
         } else {
             return true;
         }
     }
     template <class Weights>
-    [[gnu::noinline]] static Scalar size_of(const Scalar* x, const Weights& weights, int n) {
-        using std::sqrt;
-        Scalar sum{0};
-        for (int i = 0; i < n; ++i) sum += x[i] * weights[i] * x[i] * weights[i];
-        return sqrt(sum / Scalar(n));
+    static Scalar size_of(const Scalar* x, const Weights& weights, int n) {
+        return weighted_norm(Eigen::Map<const Weights>(x, n), weights, n);
     }
 
-    /// Of 60 powers the last twenty amplify by more than they could without growth: an ellipse that is passed
-    /// slowly by 3/2, a double zero as well. |(a + lambda)/(a - lambda)| is above (5/2)^(1/20) for real lambda
-    /// between a/44 and 44 a, for lambda = |lambda| e^(i phi) with cos phi = 1/4 between |a|/11 and 11 |a|.
+    /// Leaves w := (a M -+ J)^-1 f in the workplace, and the factors. This is f / a without most of what y's distance
+    /// from a slow solution, less than the tolerance, puts into fast components of f. So along a solution that moves
+    /// w exceeds the tolerance, however small f over the rate of its fast components is: then nothing is looked for.
     template <class System, class Vector>
-    [[gnu::cold]] bool amplifies(const System& system, const Vector& f, const Vector& weights,
-                                 const Scalar& h, const Scalar& a) {
-        using std::log;
+    [[gnu::cold]] bool is_quiet(const System& system, const Vector& f, const Scalar& size_of_f,
+                                const Vector& weights, const Scalar& h, const Scalar& a) {
         const int n = system.size();
         const Scalar towards = h < Scalar(0) ? Scalar(-1) : Scalar(1);
         auto& lu = work_->matrix(n);
         for (int i = 0; i < n * n; ++i) lu.entries()[i] = -towards * system.jacobian().data()[i];
         add_mass(system.mass(), a, lu.entries(), n);
         if (!lu.factor()) return false;
-        Scalar *const w = work_->w.data(), *const product = work_->product.data();
+        Scalar* const w = work_->w.data();
         for (int i = 0; i < n; ++i) w[i] = f[i];
-        lu.solve(w);  // which leaves little of what rounding has put into fast components of f
-        if (!is_near_rest(system, f, w, weights, h)) return false;
+        lu.solve(w);
+        return size_of(w, weights, n) <= Scalar(1) && is_near_rest(system, size_of_f, w, weights, h);
+    }
+
+    /// False if the matrix itself, raised to the power 2^10 by squaring, shows that nothing grows as much as `amplifies`
+    /// asks, which is most often so: then its norm stays below any power of 5/2 that matters, also if it is far
+    /// from normal, and often falls below 1.
+    template <class System>
+    [[gnu::cold]] bool has_growth(const System& system, const Scalar& a) {
+        using std::abs;
+        const int n = system.size();
+        auto& power = work_->power;
+        auto& square = work_->square;
+        power.assign(static_cast<std::size_t>(n * n), Scalar(0));
+        square.assign(power.size(), Scalar(0));
+        for (int j = 0; j < n; ++j) {
+            square[j] = Scalar(1);
+            add_mass_times(system.mass(), Scalar(2 * a), square.data(), power.data() + j * n, n);
+            square[j] = Scalar(0);
+            work_->matrix(n).solve(power.data() + j * n);
+            power[j + j * n] -= Scalar(1);
+        }
+        for (int k = 0; k < 10; ++k) {
+            for (int j = 0; j < n; ++j)
+                combine<false, -1>(n, n, power.data() + j * n, power.data(), square.data() + j * n);
+            std::swap(power, square);
+            Scalar norm{0};
+            for (const Scalar& entry : power) norm += abs(entry);
+            if (norm < Scalar(1)) return false;
+            if (!(norm < Scalar(1e15))) return true;
+        }
+        return false;
+    }
+
+    /// Of 60 powers the last twenty amplify by more than they could without growth: an ellipse that is passed
+    /// slowly by 3/2, a double zero as well. |(a + lambda)/(a - lambda)| is above (5/2)^(1/20) for real lambda
+    /// between a/44 and 44 a, for lambda = |lambda| e^(i phi) with cos phi = 1/4 between |a|/11 and 11 |a|.
+    template <class System, class Vector>
+    [[gnu::cold]] bool amplifies(const System& system, const Vector& weights, const Scalar& a) {
+        using std::log;
+        const int n = system.size();
+        auto& lu = work_->matrix(n);
+        Scalar *const w = work_->w.data(), *const product = work_->product.data();
         Scalar level{0}, before{0}, highest = -std::numeric_limits<Scalar>::max();  // logarithms of sizes
         for (int power = 1; power <= 60; ++power) {
             for (int i = 0; i < n; ++i) product[i] = Scalar(0);
@@ -133,6 +172,13 @@ class growth_watch {
         if (now == 0 || now == far_sign_ || shift < Scalar(0)) return false;
         far_sign_ = sign_of(system, shift * far, true);
         return far_sign_ != 0 && now == -far_sign_ && sign_of(system, shift, true) == now;
+    }
+
+    /// The sign of det M, found once.
+    template <class System>
+    int mass_sign(const System& system) {
+        if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
+        return mass_sign_;
     }
 
     /// The sign of det(shift M - J), or of det(shift M) without J; 0 if a pivot is as small as what rounding
@@ -163,6 +209,7 @@ class growth_watch {
 
     struct workplace {
         std::vector<Scalar> w, product, largest;   // largest: entry of each column
+        std::vector<Scalar> power, square;         // of matrices that are small
         std::unique_ptr<split_lu<Scalar, -1>> lu;  // which most runs do not need
         explicit workplace(int n)
             : w(static_cast<std::size_t>(n)),
@@ -175,6 +222,7 @@ class growth_watch {
     };
     static constexpr int unknown = 2;
     static constexpr int largest_size = 200;  // of systems in which powers cost less than a few steps
+    static constexpr int small = 16;          // squares of matrices cost less than powers times a vector
     static constexpr int far = 1000;          // times the shift: of growth beyond that nothing is left to see
     int mass_sign_ = unknown, far_sign_ = unknown;
     std::unique_ptr<workplace> work_;  // made when it is needed first
