@@ -67,8 +67,10 @@ int certify_files(const std::vector<std::string>& paths, const certify_options& 
         try {
             const auto certificate = certificate_of(path, o);
             outcome = {path, certificate.exit_code(), one_line(certificate)};
-            if (single) std::cout << (o.json ? theory::json_text(certificate) : theory::to_text(certificate));
-            if (o.json) json = theory::to_json(certificate);
+            if (single)
+                std::cout << (o.json ? theory::json_text(certificate) : theory::to_text(certificate));
+            else if (o.json)
+                json = theory::to_json(certificate);
         } catch (const tableaux::unusable_input& e) {
             if (single) throw;
             outcome = {path, 2, e.what()};
