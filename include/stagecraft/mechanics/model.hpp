@@ -317,7 +317,7 @@ void check_mass(const Eigen::Matrix<S, n, n>& M) {
     for (int k = 0; k < n; ++k) {
         if (factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * M(k, k)) continue;
         const std::string row = std::to_string(k);
-        if (!(M.row(k).head(k + 1).squaredNorm() < Eigen::NumTraits<S>::infinity()))
+        if (const S size = M.row(k).head(k + 1).squaredNorm(); !(size - size == S(0)))
             throw std::domain_error("mechanical: M(q) is not finite here, in row " + row);
         throw std::domain_error("mechanical: M(q) is not positive definite here: " +
                                 (M(k, k) > S(0) ? "with coordinate " + row + " it is singular or indefinite"
