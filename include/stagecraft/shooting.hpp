@@ -103,8 +103,10 @@ class shots {
     shooting_result<Vector> run(const Guess& guess, const scalar& a, const scalar& b) {
         for (int k = 0; k < o_.intervals; ++k) result_.nodes.push_back(a + (b - a) * k / o_.intervals);
         result_.nodes.push_back(b);
-        for (const scalar& t : result_.nodes) result_.values.push_back(guess_value(guess, t));
-        const auto at_node = [&](const scalar& t, const Vector&) { return Vector(guess_value(guess, t)); };
+        for (const scalar& t : result_.nodes) result_.values.push_back(guess_value(guess, t, n_));
+        const auto at_node = [&](const scalar& t, const Vector&) {
+            return Vector(guess_value(guess, t, n_));
+        };
         if (!linearise(at_node)) return result_;
         const auto follow = [](const scalar&, const Vector& y) { return y; };
         for (int k = 0; k < o_.newton_iterations; ++k) {

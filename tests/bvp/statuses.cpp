@@ -46,6 +46,7 @@ struct ends {
         if (kind == 3) r[0] = a[0];                                  // one is not written
         if (kind == 5) r = Vector2d(a[1], a[0] - b[0]);
         if (kind == 4) throw std::runtime_error("no");
+        if (kind == 6) r.data()[2] = b[1];  // as r[2] without assertions
     }
 };
 
@@ -248,13 +249,15 @@ BOOST_AUTO_TEST_CASE(resized_outputs_and_wrong_numbers_of_conditions_are_named) 
     const Eigen::VectorXd two = Eigen::VectorXd::Ones(2);
     using rhs = std::function<void(double, const Eigen::VectorXd&, Eigen::VectorXd&)>;
     using conditions = std::function<void(const Eigen::VectorXd&, const Eigen::VectorXd&, Eigen::VectorXd&)>;
-    const auto run = [&](const rhs& g, const conditions& r, const Eigen::VectorXd& guess) {
+    const auto run = [&](const rhs& g, const conditions& r, const auto& guess) {
         return sc::solve_bvp(sc::gauss<2>(), sc::two_point(g, r), 0.0, 1.0, guess);
     };
     BOOST_TEST(word(run(resizing, one, two).status) == "size_changed");
     names("conditions", [&] { run(f, three, two); });
     names("guess", [&] { run(f, one, Eigen::VectorXd(0)); });
     BOOST_TEST(word(run(f, one, two).status) == "success");
+    const auto shrinking = [&](double t) -> Eigen::VectorXd { return two.head(t > 0.5 ? 1 : 2); };
+    names("guess must have the same number of components at every t", [&] { run(f, one, shrinking); });
 }
 
 BOOST_AUTO_TEST_CASE(bad_arguments_are_named) {
@@ -270,6 +273,7 @@ BOOST_AUTO_TEST_CASE(bad_arguments_are_named) {
     names("intervals", [&] { with({.intervals = 0}); });
     names("max_intervals", [&] { with({.intervals = 20, .max_intervals = 5}); });
     names("max_intervals", [&] { with({.mesh = {0, 0.25, 0.5, 1}, .max_intervals = 2}); });
+    names("conditions must write n + n_p numbers", [&] { solve(1, {0, 1, 6}); });
     names("newton_iterations", [&] { with({.newton_iterations = 0}); });
     names("guess", [&] {
         sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{}, ends{0, 1}), 0.0, 1.0, Vector2d(nan, 0));
@@ -298,9 +302,10 @@ BOOST_AUTO_TEST_CASE(intervals_are_limited_and_counts_are_what_they_cost) {
 // Where y is large somewhere, its rounding errors there are more than the tolerance allows where it is small.
 BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
     const auto f = [](const auto&, const auto& y, auto& out) { out[0] = y[1], out[1] = y[0]; };
-    const auto with = [&](double size) {
-        const auto ends = [size](const auto& left, const auto& right, auto& r) {
+    const auto with = [&](double size, int conditions = 2) {
+        const auto ends = [=](const auto& left, const auto& right, auto& r) {
             r[0] = left[0] - size, r[1] = right[0];
+            for (int i = 2; i < conditions; ++i) r[i] = right[0];
         };
         return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, ends), 0.0, 1.0, Vector2d(0, 0),
                              {.rtol = 1e-8});
@@ -310,6 +315,8 @@ BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
     BOOST_TEST(std::abs(usual.y(0.5)[0] / (1e6 * std::sinh(0.5) / std::sinh(1.)) - 1) < 1e-8);
     BOOST_TEST(word(with(1e12).status) == "ill_conditioned");
     BOOST_TEST(word(with(1e15).status) == "ill_conditioned");
+    names("the conditions must write n + n_p numbers, n = 2", [&] { with(1, 3); });
+    names("the conditions must write n + n_p numbers, n = 2", [&] { with(1, 5); });
     // Conditions for double alone are differentiated by differences, which such values must not hide.
     const auto differences = [](const Vector2d& left, const Vector2d& right, Vector2d& r) {
         r[0] = left[0] - 1e8, r[1] = right[0];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include <stagecraft/bvp/options.hpp>
+#include <stagecraft/problem/system.hpp>
 
 namespace stagecraft::detail {
 
@@ -130,16 +132,23 @@ auto guess_value(const Guess& guess, const Scalar& t) {
     else
         return typename std::decay_t<decltype(guess(t))>::PlainObject(guess(t));
 }
+/// The same, which must have n components at every t.
 template <class Scalar, class Guess>
-auto guess_slope(const Guess& guess, const Scalar& t, const Scalar& h) {
+auto guess_value(const Guess& guess, const Scalar& t, Eigen::Index n) {
+    auto value = guess_value(guess, t);
+    if (value.size() != n) throw bad_problem("guess must have the same number of components at every t");
+    return value;
+}
+template <class Scalar, class Guess>
+auto guess_slope(const Guess& guess, const Scalar& t, const Scalar& h, Eigen::Index n) {
     using vector = decltype(guess_value(guess, t));
     if constexpr (constant_guess<Guess>) {
-        return vector(vector::Zero(guess.size()));
+        return vector(vector::Zero(n));
     } else if constexpr (requires { guess.derivative(t); }) {
         return vector(guess.derivative(t));
     } else {
         const Scalar step = h / 64;
-        return vector((guess_value(guess, Scalar(t + step)) - guess_value(guess, Scalar(t - step))) /
+        return vector((guess_value(guess, Scalar(t + step), n) - guess_value(guess, Scalar(t - step), n)) /
                       (2 * step));
     }
 }

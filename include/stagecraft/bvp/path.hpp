@@ -33,7 +33,9 @@ struct path_conditions {
     requires(std::is_invocable_v<Conditions&, const Y&, const Y&, const P&, R&>) void operator()(
         const Y& left, const Y& right, const P& p, R& out) {
         r(left, right, p, out);
-        out[left.size() + p.size() - 1] = distance(along, left, right, p) - step;
+        auto& last = out[left.size() + p.size() - 1];
+        if (last == last) throw bad_problem("continuation: the conditions must write n numbers, not more");
+        last = distance(along, left, right, p) - step;
         if (replaced >= 0) out[replaced] = distance(across, left, right, p) - amount;
     }
 

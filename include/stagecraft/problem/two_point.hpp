@@ -34,6 +34,28 @@ namespace detail {
 template <int A, int B>
 inline constexpr int added = A >= 0 && B >= 0 ? A + B : Eigen::Dynamic;
 
+/// What conditions write into: an R whose entries begin as NaN, and a spare number that is written instead where there is
+/// no such entry, in every build. Conditions that ask for an R meet it behind the entries of an R of fixed size.
+template <class R>
+struct condition_values : R {
+    using scalar = typename R::Scalar;
+    scalar spare{std::numeric_limits<double>::quiet_NaN()};
+
+    explicit condition_values(Eigen::Index n) : R(n) {
+        for (Eigen::Index i = 0; i < n; ++i) this->coeffRef(i) = spare;
+    }
+    using R::operator=;
+    using R::operator();
+    scalar& operator[](Eigen::Index i) { return i >= 0 && i < this->size() ? this->coeffRef(i) : spare; }
+    scalar& operator()(Eigen::Index i) { return (*this)[i]; }
+};
+
+/// Whether conditions can be called with these arguments and an R to write into.
+template <class Conditions, class R, class... Arguments>
+inline constexpr bool writes_conditions =
+    std::disjunction_v<std::is_invocable<Conditions&, const Arguments&..., condition_values<R>&>,
+                       std::is_invocable<Conditions&, const Arguments&..., R&>>;
+
 /// Whether f and r can be called as two_point() says with states of the type Vector and these Parameters.
 template <class Rhs, class Conditions, class Vector, class Parameters>
 struct checked_two_point {
@@ -45,8 +67,8 @@ struct checked_two_point {
         alone ? std::is_invocable_v<Rhs&, const scalar&, const Vector&, Vector&>
               : std::is_invocable_v<Rhs&, const scalar&, const Vector&, const Parameters&, Vector&>;
     static constexpr bool conditions =
-        alone ? std::is_invocable_v<Conditions&, const Vector&, const Vector&, values&>
-              : std::is_invocable_v<Conditions&, const Vector&, const Vector&, const Parameters&, values&>;
+        alone ? writes_conditions<Conditions, values, Vector, Vector>
+              : writes_conditions<Conditions, values, Vector, Vector, Parameters>;
 };
 
 /// f as a function of z = (y, p), with n_p trailing zeros so that it is square.
@@ -105,41 +127,35 @@ struct joint_conditions {
 
     template <class T, class X, class Out, class U = typename X::Scalar, class Y = Eigen::Matrix<U, N, 1>,
               class R = Eigen::Matrix<U, added<N, P>, 1>>
-    requires(P == 0 && std::is_invocable_v<Conditions&, const Y&, const Y&, R&>) void operator()(const T&,
-                                                                                                 const X& x,
-                                                                                                 Out& out) {
+    requires(P == 0 && writes_conditions<Conditions, R, Y, Y>) void operator()(const T&, const X& x,
+                                                                               Out& out) {
         const Y left = x.head(n), right = x.segment(n, n);
-        R value = blank<R, U>();
-        r(left, right, value);
-        write<U>(value, out);
+        write<R>(out, left, right);
     }
     template <class T, class X, class Out, class U = typename X::Scalar, class Y = Eigen::Matrix<U, N, 1>,
               class Q = Eigen::Matrix<U, P, 1>, class R = Eigen::Matrix<U, added<N, P>, 1>>
-    requires(P != 0 && std::is_invocable_v<Conditions&, const Y&, const Y&, const Q&, R&>) void operator()(
-        const T&, const X& x, Out& out) {
+    requires(P != 0 && writes_conditions<Conditions, R, Y, Y, Q>) void operator()(const T&, const X& x,
+                                                                                  Out& out) {
         const Y left = x.head(n), right = x.segment(n, n);
         const Q p = x.tail(parameters);
-        R value = blank<R, U>();
-        r(left, right, p, value);
-        write<U>(value, out);
+        write<R>(out, left, right, p);
     }
 
   private:
-    template <class R, class U>
-    R blank() const {
-        R value(n + parameters);
-        // What r does not write stays NaN and is reported.
-        for (int i = 0; i < n + parameters; ++i) value[i] = U(std::numeric_limits<double>::quiet_NaN());
-        return value;
-    }
-    template <class U, class R, class Out>
-    void write(const R& value, Out& out) const {
-        if (value.size() != n + parameters)
-            throw bad_problem(
-                "solve_bvp: the conditions must write n + n_p numbers, n = " + std::to_string(n) +
-                ", n_p = " + std::to_string(parameters) + ", not " + std::to_string(value.size()));
-        for (int i = 0; i < n + parameters; ++i) out[i] = value[i];
-        for (int i = n + parameters; i < 2 * n + parameters; ++i) out[i] = U(0);
+    template <class R, class Out, class... Arguments>
+    void write(Out& out, const Arguments&... arguments) {
+        const int m = n + parameters;
+        condition_values<R> value(m);
+        if constexpr (std::is_invocable_v<Conditions&, const Arguments&..., condition_values<R>&>)
+            r(arguments..., value);
+        else
+            r(arguments..., static_cast<R&>(value));
+        if (value.size() != m || value.spare == value.spare)
+            throw bad_problem("solve_bvp: the conditions must write n + n_p numbers, n = " +
+                              std::to_string(n) + ", n_p = " + std::to_string(parameters) + ", not " +
+                              (value.size() != m ? std::to_string(value.size()) : "more"));
+        for (int i = 0; i < m; ++i) out[i] = value[i];
+        for (int i = m; i < 2 * n + parameters; ++i) out[i] = typename R::Scalar(0);
     }
 };
 
