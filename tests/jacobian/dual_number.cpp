@@ -3,6 +3,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <stagecraft/jacobian/automatic.hpp>
 
 using namespace stagecraft;
@@ -13,12 +14,16 @@ using dual22 = dual_number<dual2, 2>;
 
 namespace {
 
+constexpr int size = 17;
+
 // Every function and operator that dual numbers have, positive arguments.
 const auto functions = [](const auto& x, const auto& y) {
-    using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
-        std::max, std::min, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+    using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atan2, std::atanh,
+        std::cbrt, std::ceil, std::copysign, std::cos, std::cosh, std::erf, std::erfc, std::exp, std::expm1,
+        std::floor, std::fmod, std::log, std::log10, std::log1p, std::max, std::min, std::pow, std::round,
+        std::sin, std::sinh, std::sqrt, std::tan, std::tanh, std::trunc;
     using S = std::remove_cvref_t<decltype(x)>;
-    Eigen::Matrix<S, 12, 1> r;
+    Eigen::Matrix<S, size, 1> r;
     r[0] = sqrt(x * y + 1) - 2 / y;
     r[1] = exp(-x / 3) * log(y);
     r[2] = sin(x) + cos(2 * y) * tan(x / 4);
@@ -31,11 +36,16 @@ const auto functions = [](const auto& x, const auto& y) {
     r[9] = x / y - y / x + (x - y) * (1 + x);
     r[10] = 4 - x + (-y) + 3 * x - y / 2;
     r[11] = pow(sqrt(x), 4) / (1 + pow(y, -2));
+    r[12] = asinh(x * y) + acosh(x + y) + atanh(x * y / 2);
+    r[13] = erf(x * y) + erfc(x - y) + erf(-y);
+    r[14] = expm1(x / y) + log1p(x * y) + log10(x + y) + cbrt(x / y);
+    r[15] = floor(3 * x) * y + ceil(x) * x + round(2 * x - y) * y + trunc(-2 * x) * x;
+    r[16] = fmod(5 * x, y) + fmod(-5 * x, y) + copysign(x * y, y - x);
     return r;
 };
 
 // By central differences in 100 digits: a method that knows nothing of the rules of differentiation.
-Eigen::Matrix<wide, 12, 1> difference(const wide& x, const wide& y, const wide& dx, const wide& dy) {
+Eigen::Matrix<wide, size, 1> difference(const wide& x, const wide& y, const wide& dx, const wide& dy) {
     const wide h("1e-30");
     return (functions(wide(x + h * dx), wide(y + h * dy)) - functions(wide(x - h * dx), wide(y - h * dy))) /
            (2 * h);
@@ -48,7 +58,7 @@ BOOST_AUTO_TEST_CASE(derivatives_agree_with_differences_in_100_digits) {
     const auto r = functions(dual2(x, Eigen::Vector2d(1, 0)), dual2(y, Eigen::Vector2d(0, 1)));
     for (int k = 0; k < 2; ++k) {
         const auto expected = difference(x, y, k == 0 ? 1 : 0, k == 0 ? 0 : 1);
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < size; ++i) {
             BOOST_TEST(r[i].value() == static_cast<double>(functions(wide(x), wide(y))[i]),
                        boost::test_tools::tolerance(1e-14));
             BOOST_TEST(r[i].derivatives()[k] == static_cast<double>(expected[i]),
@@ -63,11 +73,39 @@ BOOST_AUTO_TEST_CASE(second_derivatives_are_dual_numbers_of_dual_numbers) {
     a.derivatives()[0] = 1;
     b.derivatives()[1] = 1;
     const auto r = functions(a, b);
-    const Eigen::Matrix<wide, 12, 1> xy = (difference(x, y + h, 1, 0) - difference(x, y - h, 1, 0)) / (2 * h);
-    for (int i = 0; i < 12; ++i) {
+    const Eigen::Matrix<wide, size, 1> xy =
+        (difference(x, y + h, 1, 0) - difference(x, y - h, 1, 0)) / (2 * h);
+    for (int i = 0; i < size; ++i) {
         BOOST_TEST(std::abs(r[i].derivatives()[0].derivatives()[1] - static_cast<double>(xy[i])) < 1e-12);
         BOOST_TEST(std::abs(r[i].derivatives()[1].derivatives()[0] - static_cast<double>(xy[i])) < 1e-12);
     }
+}
+
+// Those which 100 digits do not have, against closed forms.
+BOOST_AUTO_TEST_CASE(the_other_functions_have_the_derivatives_of_their_closed_forms) {
+    using one = dual_number<double, 1>;
+    const auto at = [](double x) { return one(x, Eigen::Matrix<double, 1, 1>(1)); };
+    const auto slope = [](const one& x) { return x.derivatives()[0]; };
+    const auto near = boost::test_tools::tolerance(1e-15);
+    const one x = at(1.7);
+    BOOST_TEST(exp2(x).value() == std::exp2(1.7));
+    BOOST_TEST(slope(exp2(x)) == std::log(2.0) * std::exp2(1.7), near);
+    BOOST_TEST(slope(log2(x)) == 1 / (1.7 * std::log(2.0)), near);
+    BOOST_TEST(slope(hypot(x, one(2), one(3))) == 1.7 / std::hypot(1.7, 2, 3), near);
+    BOOST_TEST(slope(hypot(one(0), one(0), x)) == 1);
+    BOOST_TEST(hypot(x, 2).value() == std::hypot(1.7, 2));
+    BOOST_TEST(slope(atan2(1, x)) == -1 / (1 + 1.7 * 1.7), near);
+    BOOST_TEST((rint(x).value() == 2 && slope(rint(x)) == 0));
+    BOOST_TEST((nearbyint(x).value() == 2 && slope(nearbyint(x)) == 0));
+    BOOST_TEST((remainder(x, 1).value() == std::remainder(1.7, 1.0) && slope(remainder(x, 1)) == 1));
+    BOOST_TEST(
+        (slope(fmod(3.5, x)) == -2 && slope(remainder(3.5, x)) == -2 && slope(remainder(3.3, x)) == -2));
+    const one nan = std::numeric_limits<double>::quiet_NaN();
+    BOOST_TEST((fmax(x, nan).value() == 1.7 && fmin(nan, x).value() == 1.7));
+    BOOST_TEST((slope(fmax(x, 1)) == 1 && slope(fmax(x, 2.f)) == 0 && slope(fmin(2, x)) == 1));
+    BOOST_TEST(
+        (slope(copysign(x, -1)) == -1 && copysign(1.0, -x).value() == -1 && slope(copysign(-x, 1)) == 1));
+    BOOST_TEST((signbit(-x) && !signbit(x) && signbit(one(-0.0))));
 }
 
 // What users write and what gave wrong derivatives in silence with a library of expression templates.

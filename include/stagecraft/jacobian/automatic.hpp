@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include <stagecraft/jacobian/dual_number.hpp>
+#include <stagecraft/jacobian/dual_functions.hpp>
 
 namespace stagecraft {
 

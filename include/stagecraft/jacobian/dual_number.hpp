@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -33,6 +32,7 @@ concept plain_operand = std::is_same_v<T, S> || std::is_arithmetic_v<T>;
 /// number converts. So right-hand sides and models may keep intermediate results with `auto`, return them, mix
 /// in literals of any type and fill matrices by Eigen's comma initialiser (`G << q[0], 1, 0;`), all of which
 /// silently give wrong derivatives with Eigen::AutoDiffScalar. Comparisons look at the value alone.
+/// jacobian/dual_functions.hpp has the functions of <cmath>.
 template <class S, int Width>
 class dual_number {
   public:
@@ -135,198 +135,6 @@ class dual_number {
     S value_;
     derivatives_type derivatives_;
 };
-
-namespace detail {
-
-/// g(x) where g has this value and this slope there.
-template <class S, int Width>
-dual_number<S, Width> chain(const dual_number<S, Width>& x, const S& value, const S& slope) {
-    return {value, x.derivatives() * slope};
-}
-
-}  // namespace detail
-
-/// Elementary functions, by the chain rule; the derivatives of sqrt and cbrt at 0 are not finite.
-template <class S, int W>
-dual_number<S, W> sqrt(const dual_number<S, W>& x) {
-    using std::sqrt;
-    const S root = sqrt(x.value());
-    return detail::chain<S, W>(x, root, S(1) / (root + root));
-}
-template <class S, int W>
-dual_number<S, W> cbrt(const dual_number<S, W>& x) {
-    using std::cbrt;
-    const S root = cbrt(x.value());
-    return detail::chain<S, W>(x, root, S(1) / (root * root * S(3)));
-}
-template <class S, int W>
-dual_number<S, W> exp(const dual_number<S, W>& x) {
-    using std::exp;
-    const S e = exp(x.value());
-    return detail::chain<S, W>(x, e, e);
-}
-template <class S, int W>
-dual_number<S, W> expm1(const dual_number<S, W>& x) {
-    using std::exp;
-    using std::expm1;
-    return detail::chain<S, W>(x, S(expm1(x.value())), S(exp(x.value())));
-}
-template <class S, int W>
-dual_number<S, W> log(const dual_number<S, W>& x) {
-    using std::log;
-    return detail::chain<S, W>(x, S(log(x.value())), S(S(1) / x.value()));
-}
-template <class S, int W>
-dual_number<S, W> log1p(const dual_number<S, W>& x) {
-    using std::log1p;
-    return detail::chain<S, W>(x, S(log1p(x.value())), S(S(1) / (S(1) + x.value())));
-}
-template <class S, int W>
-dual_number<S, W> log10(const dual_number<S, W>& x) {
-    using std::log;
-    return log(x) / S(log(S(10)));
-}
-template <class S, int W>
-dual_number<S, W> sin(const dual_number<S, W>& x) {
-    using std::cos;
-    using std::sin;
-    return detail::chain<S, W>(x, S(sin(x.value())), S(cos(x.value())));
-}
-template <class S, int W>
-dual_number<S, W> cos(const dual_number<S, W>& x) {
-    using std::cos;
-    using std::sin;
-    return detail::chain<S, W>(x, S(cos(x.value())), S(-sin(x.value())));
-}
-template <class S, int W>
-dual_number<S, W> tan(const dual_number<S, W>& x) {
-    using std::tan;
-    const S t = tan(x.value());
-    return detail::chain<S, W>(x, t, S(S(1) + t * t));
-}
-template <class S, int W>
-dual_number<S, W> asin(const dual_number<S, W>& x) {
-    using std::asin;
-    using std::sqrt;
-    return detail::chain<S, W>(x, S(asin(x.value())), S(S(1) / sqrt(S(S(1) - x.value() * x.value()))));
-}
-template <class S, int W>
-dual_number<S, W> acos(const dual_number<S, W>& x) {
-    using std::acos;
-    using std::sqrt;
-    return detail::chain<S, W>(x, S(acos(x.value())), S(S(-1) / sqrt(S(S(1) - x.value() * x.value()))));
-}
-template <class S, int W>
-dual_number<S, W> atan(const dual_number<S, W>& x) {
-    using std::atan;
-    return detail::chain<S, W>(x, S(atan(x.value())), S(S(1) / (S(1) + x.value() * x.value())));
-}
-template <class S, int W>
-dual_number<S, W> sinh(const dual_number<S, W>& x) {
-    using std::cosh;
-    using std::sinh;
-    return detail::chain<S, W>(x, S(sinh(x.value())), S(cosh(x.value())));
-}
-template <class S, int W>
-dual_number<S, W> cosh(const dual_number<S, W>& x) {
-    using std::cosh;
-    using std::sinh;
-    return detail::chain<S, W>(x, S(cosh(x.value())), S(sinh(x.value())));
-}
-template <class S, int W>
-dual_number<S, W> tanh(const dual_number<S, W>& x) {
-    using std::tanh;
-    const S t = tanh(x.value());
-    return detail::chain<S, W>(x, t, S(S(1) - t * t));
-}
-/// The slope at 0 is taken to be 1.
-template <class S, int W>
-dual_number<S, W> abs(const dual_number<S, W>& x) {
-    return x.value() < S(0) ? -x : x;
-}
-template <class S, int W>
-dual_number<S, W> fabs(const dual_number<S, W>& x) {
-    return abs(x);
-}
-template <class S, int W>
-dual_number<S, W> atan2(const dual_number<S, W>& y, const dual_number<S, W>& x) {
-    using std::atan2;
-    const S square = x.value() * x.value() + y.value() * y.value();
-    return {S(atan2(y.value(), x.value())),
-            (y.derivatives() * x.value() - x.derivatives() * y.value()) * S(S(1) / square)};
-}
-template <class S, int W>
-dual_number<S, W> hypot(const dual_number<S, W>& x, const dual_number<S, W>& y) {
-    using std::hypot;
-    const S length = hypot(x.value(), y.value());
-    return {length, (x.derivatives() * x.value() + y.derivatives() * y.value()) * S(S(1) / length)};
-}
-
-/// x^p for a plain exponent: p x^(p-1), right for x = 0 and p >= 1 and for negative x with integer p.
-template <class S, int W, detail::plain_operand<S> T>
-dual_number<S, W> pow(const dual_number<S, W>& x, const T& p) {
-    using std::pow;
-    if (p == T(0)) return S(1);
-    if constexpr (std::is_integral_v<T>)
-        return detail::chain<S, W>(x, S(pow(x.value(), p)), S(S(p) * S(pow(x.value(), p - 1))));
-    else
-        return detail::chain<S, W>(x, S(pow(x.value(), S(p))), S(S(p) * S(pow(x.value(), S(S(p) - S(1))))));
-}
-template <class S, int W, detail::plain_operand<S> T>
-dual_number<S, W> pow(const T& base, const dual_number<S, W>& p) {
-    using std::log;
-    using std::pow;
-    const S b(base), value = pow(b, p.value());
-    return detail::chain<S, W>(p, value, S(value * S(log(b))));
-}
-template <class S, int W>
-dual_number<S, W> pow(const dual_number<S, W>& x, const dual_number<S, W>& p) {
-    using std::log;
-    using std::pow;
-    const S value = pow(x.value(), p.value()), by_x = p.value() * S(pow(x.value(), S(p.value() - S(1)))),
-            by_p = x.value() == S(0) ? S(0) : S(value * S(log(x.value())));
-    return {value, x.derivatives() * by_x + p.derivatives() * by_p};
-}
-
-/// The operand with the larger value, the first where they are equal, with its derivatives; min accordingly.
-template <class S, int W>
-dual_number<S, W> max(const dual_number<S, W>& a, const dual_number<S, W>& b) {
-    return a.value() < b.value() ? b : a;
-}
-template <class S, int W>
-dual_number<S, W> min(const dual_number<S, W>& a, const dual_number<S, W>& b) {
-    return b.value() < a.value() ? b : a;
-}
-template <class S, int W, detail::plain_operand<S> T>
-dual_number<S, W> max(const dual_number<S, W>& a, const T& b) {
-    return max(a, dual_number<S, W>(b));
-}
-template <class S, int W, detail::plain_operand<S> T>
-dual_number<S, W> max(const T& a, const dual_number<S, W>& b) {
-    return max(dual_number<S, W>(a), b);
-}
-template <class S, int W, detail::plain_operand<S> T>
-dual_number<S, W> min(const dual_number<S, W>& a, const T& b) {
-    return min(a, dual_number<S, W>(b));
-}
-template <class S, int W, detail::plain_operand<S> T>
-dual_number<S, W> min(const T& a, const dual_number<S, W>& b) {
-    return min(dual_number<S, W>(a), b);
-}
-
-/// Of the value alone: derivatives may be infinite where it is finite.
-template <class S, int W>
-bool isfinite(const dual_number<S, W>& x) {
-    return x.value() - x.value() == S(0);
-}
-template <class S, int W>
-bool isnan(const dual_number<S, W>& x) {
-    return !(x.value() == x.value());
-}
-template <class S, int W>
-bool isinf(const dual_number<S, W>& x) {
-    return !isfinite(x) && !isnan(x);
-}
 
 }  // namespace stagecraft
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-#include <stagecraft/jacobian/dual_number.hpp>
+#include <stagecraft/jacobian/dual_functions.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
 #include <stagecraft/named_member.hpp>
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <stagecraft/jacobian/dual_number.hpp>
+#include <stagecraft/jacobian/dual_functions.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 
