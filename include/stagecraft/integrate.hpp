@@ -195,11 +195,13 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     if constexpr (good && check::without_jacobian) {
         // The first to differentiate it, if it is generic: what does not compile in it is said from here.
         using number = dual<scalar, vector::RowsAtCompileTime>;
-        [[maybe_unused]] constexpr bool differentiable =
-            requires(const number& t, const dual_vector<scalar, vector::RowsAtCompileTime>& y,
-                     dual_vector<scalar, vector::RowsAtCompileTime>& f) {
-            problem(t, y, f);
-        };
+        using numbers = dual_vector<scalar, vector::RowsAtCompileTime>;
+        if constexpr (!detail::converts_duals<problem_type, const number&, const numbers&, numbers&>()) {
+            [[maybe_unused]] constexpr bool differentiable =
+                requires(const number& t, const numbers& y, numbers& f) {
+                problem(t, y, f);
+            };
+        }
     }
     constexpr bool observed =
         detail::observes<good, Method, problem_type, vector, std::remove_reference_t<Observer>>;

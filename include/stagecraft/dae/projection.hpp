@@ -72,8 +72,7 @@ class projection_onto_equations {
         before = y;
         Scalar last(-1);
         for (int k = 0; k < 20; ++k) {
-            multipliers r;
-            g_(t, y, r);
+            const multipliers r = value<multipliers>(t, y);
             differentiate(t, y, moved, duals, G);
             Eigen::Matrix<Scalar, M, M> square;
             for (int i = 0; i < M; ++i)
@@ -121,9 +120,38 @@ class projection_onto_equations {
         Eigen::Index size() const { return before.size(); }
     };
 
+    /// g(t, y), written into a vector of M components or one of run-time size, whichever g takes.
+    template <class Values, class Scalar, class Vector>
+    Values value(const Scalar& t, const Vector& y) {
+        using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+        constexpr bool fixed = requires(Values & out) { g_(t, y, out); };
+        constexpr bool callable = fixed || requires(column & out) { g_(t, y, out); };
+        static_assert(
+            callable,
+            "projection_onto<M>(g): g must be callable as g(t, y, out), y of the type of the state and "
+            "out `auto&`, `Eigen::Matrix<Scalar, M, 1>&` or `Eigen::VectorXd&`");
+        Values result;
+        if constexpr (fixed) {
+            g_(t, y, result);
+        } else if constexpr (callable) {
+            column out(M);
+            g_(t, y, out);
+            if (out.size() != M)
+                throw std::invalid_argument("projection_onto<M>(g): g must keep the size M of its output");
+            result = out;
+        }
+        return result;
+    }
+
+    /// g takes dual numbers for t and y.
+    template <class Scalar, int N>
+    static constexpr bool dual_time =
+        detail::callable_unconverted<Constraint, const dual<Scalar, N>&, const dual_vector<Scalar, N>&,
+                                     Eigen::Matrix<dual<Scalar, N>, M, 1>&>;
+
     /// g.jacobian(t, y, G) where there is one, else automatic differentiation, else central differences.
     template <class Scalar, class Vector, class Duals, class Matrix>
-    void differentiate(const Scalar& t, const Vector& y, Vector& moved, Duals& x, Matrix& G) {
+    void differentiate(const Scalar& t, const Vector& y, Vector& moved, Duals& duals, Matrix& G) {
         using std::cbrt;
         constexpr int N = Vector::RowsAtCompileTime;
         using number = dual<Scalar, N>;
@@ -136,33 +164,30 @@ class projection_onto_equations {
             "many columns as y");
         if constexpr (analytic) {
             g_.jacobian(t, y, G);
-        } else if constexpr (
-            requires(const dual_vector<Scalar, N>& at, values& into) { g_(t, at, into); } ||
-            requires(const number& s, const dual_vector<Scalar, N>& at, values& into) { g_(s, at, into); }) {
+        } else if constexpr (dual_time<Scalar, N> ||
+                             detail::callable_unconverted<Constraint, const Scalar&,
+                                                          const dual_vector<Scalar, N>&, values&>) {
             values r;
             for (int first = 0; first < n; first += dual_width<N>) {
                 for (int i = 0; i < n; ++i) {
-                    x[i].value() = y[i];
-                    x[i].derivatives().setZero();
-                    if (i >= first && i < first + dual_width<N>) x[i].derivatives()[i - first] = Scalar(1);
+                    duals[i].value() = y[i];
+                    duals[i].derivatives().setZero();
+                    if (i >= first && i < first + dual_width<N>)
+                        duals[i].derivatives()[i - first] = Scalar(1);
                 }
-                if constexpr (requires(const number& s) { g_(s, x, r); }) {
+                if constexpr (dual_time<Scalar, N>) {
                     number time(t);
                     time.derivatives().setZero();
-                    g_(time, x, r);
+                    g_(time, std::as_const(duals), r);
                 } else {
-                    g_(t, x, r);
+                    g_(t, std::as_const(duals), r);
                 }
                 for (int j = first; j < n && j < first + dual_width<N>; ++j)
                     for (int i = 0; i < M; ++i) G(i, j) = r[i].derivatives()[j - first];
             }
         } else {
-            const auto value = [&](const Vector& at) {
-                Eigen::Matrix<Scalar, M, 1> r;
-                g_(t, at, r);
-                return r;
-            };
-            central_differences(y, moved, value, Scalar(cbrt(std::numeric_limits<Scalar>::epsilon())), G);
+            const auto at = [&](const Vector& x) { return value<Eigen::Matrix<Scalar, M, 1>>(t, x); };
+            central_differences(y, moved, at, Scalar(cbrt(std::numeric_limits<Scalar>::epsilon())), G);
         }
     }
 
@@ -172,7 +197,9 @@ class projection_onto_equations {
 };
 
 /// An observer for `integrate` that keeps 0 = g(t, y), M equations: g(t, y, out) writes them; its derivative
-/// is g.jacobian(t, y, G) where there is one, automatic where g is generic, else central differences.
+/// is g.jacobian(t, y, G) where there is one, automatic where g is generic, else central differences. out is an
+/// Eigen::Matrix<Scalar, M, 1>, or an Eigen::VectorXd of M components where g takes that (it is then made anew in every
+/// call).
 ///
 ///     auto keep = projection_onto<1>(length);
 ///     integrate(method, reduced_pendulum, y0, t0, t1, options, keep);      // then keep.largest_change()

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <stagecraft/jacobian/dual_functions.hpp>
+#include <stagecraft/jacobian/unconverted.hpp>
 
 namespace stagecraft {
 
@@ -21,20 +22,17 @@ template <class Scalar, int N>
 using dual_vector = Eigen::Matrix<dual<Scalar, N>, N, 1>;
 
 /// True if f(t, y, f) accepts dual vectors, with t dual as well or left as it is. Asking this compiles the
-/// body of a generic lambda with a deduced return type: if the body does not compile with dual_number, give
-/// its parameters concrete types or bring a Jacobian.
+/// body of a lambda with a generic y and a deduced return type: if the body does not compile with dual_number, give
+/// y a concrete type or bring a Jacobian.
 template <class Problem, class Scalar, int N>
-concept differentiable_with_dual_time = requires(Problem& p, const dual<Scalar, N>& t,
-                                                 const dual_vector<Scalar, N>& y, dual_vector<Scalar, N>& f) {
-    p(t, y, f);
-};
+concept differentiable_with_dual_time = detail::callable_unconverted < Problem,
+        const dual<Scalar, N>
+&, const dual_vector<Scalar, N>&, dual_vector<Scalar, N>& > ;
 /// The same with t as a plain number.
 template <class Problem, class Scalar, int N>
-concept differentiable_with_plain_time = requires(Problem& p, const Scalar& t,
-                                                  const dual_vector<Scalar, N>& y,
-                                                  dual_vector<Scalar, N>& f) {
-    p(t, y, f);
-};
+concept differentiable_with_plain_time = detail::callable_unconverted < Problem,
+        const Scalar&, const dual_vector<Scalar, N>
+&, dual_vector<Scalar, N>& > ;
 /// Either of them: no Jacobian has to be brought, and none is approximated by differences.
 template <class Problem, class Scalar, int N>
 concept automatically_differentiable =

@@ -14,10 +14,9 @@ namespace detail {
 
 /// F(t, y, v, out)
 template <class F, class T, class S, int N>
-concept implicit_equations = requires(const F& f, const T& t, const Eigen::Matrix<S, N, 1>& y,
-                                      const Eigen::Matrix<S, N, 1>& v, Eigen::Matrix<S, N, 1>& out) {
-    f(t, y, v, out);
-};
+concept implicit_equations = callable_unconverted < const F,
+        const T&, const Eigen::Matrix<S, N, 1>
+&, const Eigen::Matrix<S, N, 1>&, Eigen::Matrix<S, N, 1>& > ;
 /// F.jacobian(t, y, v, F_y, F_v)
 template <class F, class S, int N>
 concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix<S, N, 1>& y,

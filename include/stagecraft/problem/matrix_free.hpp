@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <stagecraft/jacobian/dual_functions.hpp>
+#include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 
@@ -19,14 +20,10 @@ using one_dual = dual_number<double, 1>;
 using dual_state = Eigen::Matrix<one_dual, Eigen::Dynamic, 1>;
 
 template <class Problem>
-concept dual_in_time_and_state = requires(const Problem& p, const one_dual& t, const dual_state& y,
-                                          dual_state& f) {
-    p(t, y, f);
-};
+concept dual_in_time_and_state =
+    callable_unconverted<const Problem, const one_dual&, const dual_state&, dual_state&>;
 template <class Problem>
-concept dual_in_state = requires(const Problem& p, double t, const dual_state& y, dual_state& f) {
-    p(t, y, f);
-};
+concept dual_in_state = callable_unconverted<const Problem, const double&, const dual_state&, dual_state&>;
 
 /// J = df/dy at a state, by its products alone, each of which evaluates f once.
 template <class Problem>

@@ -17,22 +17,19 @@ using column = Eigen::Matrix<S, N, 1>;
 
 /// f(t, y, z, out)
 template <class F, class T, class S, class Sizes>
-concept differential_equations = requires(const F& f, const T& t, const column<S, Sizes::first>& y,
-                                          const column<S, Sizes::second>& z, column<S, Sizes::first>& out) {
-    f(t, y, z, out);
-};
+concept differential_equations = callable_unconverted < const F,
+        const T&, const column<S, Sizes::first>
+&, const column<S, Sizes::second>&, column<S, Sizes::first>& > ;
 /// g(t, y, out): the constraint of a problem of index 2
 template <class G, class T, class S, class Sizes>
-concept constraint_without_z = requires(const G& g, const T& t, const column<S, Sizes::first>& y,
-                                        column<S, Sizes::second>& out) {
-    g(t, y, out);
-};
+concept constraint_without_z = callable_unconverted < const G,
+        const T&, const column<S, Sizes::first>
+&, column<S, Sizes::second>& > ;
 /// g(t, y, z, out): that of a problem of index 1
 template <class G, class T, class S, class Sizes>
-concept constraint_with_z = requires(const G& g, const T& t, const column<S, Sizes::first>& y,
-                                     const column<S, Sizes::second>& z, column<S, Sizes::second>& out) {
-    g(t, y, z, out);
-};
+concept constraint_with_z = callable_unconverted < const G,
+        const T&, const column<S, Sizes::first>
+&, const column<S, Sizes::second>&, column<S, Sizes::second>& > ;
 template <class G, class T, class S, class Sizes>
 concept constraint_equations = constraint_without_z<G, T, S, Sizes> || constraint_with_z<G, T, S, Sizes>;
 

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/system.hpp>
 
@@ -52,9 +53,11 @@ struct condition_values : R {
 
 /// Whether conditions can be called with these arguments and an R to write into.
 template <class Conditions, class R, class... Arguments>
-inline constexpr bool writes_conditions =
-    std::disjunction_v<std::is_invocable<Conditions&, const Arguments&..., condition_values<R>&>,
-                       std::is_invocable<Conditions&, const Arguments&..., R&>>;
+concept writes_watched_conditions =
+    callable_unconverted<Conditions, const Arguments&..., std::add_lvalue_reference_t<condition_values<R>>>;
+template <class Conditions, class R, class... Arguments>
+concept writes_conditions = writes_watched_conditions<Conditions, R, Arguments...> ||
+    callable_unconverted<Conditions, const Arguments&..., R&>;
 
 /// Whether f and r can be called as two_point() says with states of the type Vector and these Parameters.
 template <class Rhs, class Conditions, class Vector, class Parameters>
@@ -78,14 +81,14 @@ struct joint_rhs {
     int n, parameters;
 
     template <class T, class Z, class Out>
-    requires(P == 0 && std::is_invocable_v<Rhs&, const T&, const Z&, Out&>) void operator()(const T& t,
+    requires(P == 0 && callable_unconverted<Rhs, const T&, const Z&, Out&>) void operator()(const T& t,
                                                                                             const Z& z,
                                                                                             Out& out) {
         f(t, z, out);
     }
     template <class T, class Z, class Out, class U = typename Z::Scalar, class Y = Eigen::Matrix<U, N, 1>,
               class Q = Eigen::Matrix<U, P, 1>>
-    requires(P != 0 && std::is_invocable_v<Rhs&, const T&, const Y&, const Q&, Y&>) void operator()(
+    requires(P != 0 && callable_unconverted<Rhs, const T&, const Y&, const Q&, Y&>) void operator()(
         const T& t, const Z& z, Out& out) {
         const Y y = z.head(n);
         const Q p = z.tail(parameters);

@@ -20,10 +20,7 @@ Eigen::Matrix<S, Vector::RowsAtCompileTime, 1> promoted(const Vector& x) {
 }
 
 template <class Problem, class T, class Y, class P, class F>
-concept callable_with_parameters = requires(const Problem& problem, const T& t, const Y& y, const P& p,
-                                            F& f) {
-    problem(t, y, p, f);
-};
+concept callable_with_parameters = callable_unconverted<const Problem, const T&, const Y&, const P&, F&>;
 
 /// A Problem with its parameters, and with jacobian(t, y, J) where it has jacobian(t, y, p, J).
 template <class Problem, class Parameters>

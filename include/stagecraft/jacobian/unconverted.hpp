@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/jacobian/dual_number.hpp>
+#include <stagecraft/named_member.hpp>
+
+namespace stagecraft::detail {
+
+struct call_operator_member {
+    void operator()();
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::operator();
+    };
+};
+
+/// What an argument of type A is converted to by a rival call.
+template <class A>
+struct converted_from {
+    converted_from(A);
+};
+struct rival_called {};
+
+/// F with one more operator(), which takes argument K by a conversion and the others as they are. Overload resolution
+/// prefers it, being no template, to an operator() of F's that converts argument K as well; one of F's that takes this
+/// argument as it is, is better there. So it is found out which of them F has without compiling what F does.
+template <class F, std::size_t K, class Positions, class... Args>
+struct rival;
+template <class F, std::size_t K, std::size_t... I, class... Args>
+struct rival<F, K, std::index_sequence<I...>, Args...> : F {
+    using F::operator();
+    rival_called operator()(std::conditional_t<I == K, converted_from<Args>, Args>...);
+};
+template <class F, std::size_t K, std::size_t... I, class... Args>
+struct rival<const F, K, std::index_sequence<I...>, Args...> : F {
+    using F::operator();
+    rival_called operator()(std::conditional_t<I == K, converted_from<Args>, Args>...) const;
+};
+
+template <class F, std::size_t K, class... Args>
+concept converts_argument = requires(
+    std::conditional_t<std::is_const_v<F>, const rival<F, K, std::index_sequence_for<Args...>, Args...>,
+                       rival<F, K, std::index_sequence_for<Args...>, Args...>>& f,
+    Args... args) {
+    { f(args...) } -> std::same_as<rival_called>;
+};
+
+/// A vector of dual numbers that is read, which Eigen's matrices of plain numbers are constructible from, if only by
+/// their declarations.
+template <class A>
+concept vector_of_duals = std::is_const_v<std::remove_reference_t<A>> && requires {
+    requires is_dual<typename std::remove_cvref_t<A>::Scalar>;
+};
+
+template <class F, class... Args>
+constexpr bool converts_duals() {
+    if constexpr (has_member_named<F, call_operator_member> && !std::is_final_v<F>)
+        return []<std::size_t... K>(std::index_sequence<K...>) {
+            return ((vector_of_duals<Args> && converts_argument<F, K, Args...>) || ...);
+        }
+    (std::index_sequence_for<Args...>());
+    else return false;
+}
+
+/// F (const or not) can be called with these references, and vectors of dual numbers among them arrive as what they
+/// are: not where a parameter `const Eigen::VectorXd& y` stands beside `auto& f`.
+template <class F, class... Args>
+concept callable_unconverted = !converts_duals<F, Args...>() && requires(F & f, Args... args) {
+    f(args...);
+};
+
+}  // namespace stagecraft::detail
