@@ -105,6 +105,7 @@ BOOST_AUTO_TEST_CASE(cycles_of_a_planar_system_fold) {
         if (point.kind != sc::point_kind::fold)
             BOOST_TEST(std::abs(other.value - multiplier) <= 1e-8 * multiplier);
     }
+    BOOST_TEST(all.back().message.find("max_points") != std::string::npos);
     const auto folds = of_kind(all, sc::point_kind::fold);
     BOOST_TEST_REQUIRE(folds.size() == 1U);
     BOOST_TEST(std::abs(folds[0].p[0] + 0.25) < 1e-11);

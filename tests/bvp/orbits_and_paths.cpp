@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE bvp_orbits_and_paths
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <stagecraft/bvp/continuation.hpp>
 #include <stagecraft/bvp/periodic_orbit.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
@@ -43,6 +44,20 @@ void has(const sc::orbit_result<Vector2d>& orbit, double period, double multipli
     BOOST_TEST(std::abs(orbit.multipliers[1].value - multiplier) <= 10 * orbit.multipliers[1].error);
 }
 
+auto bratu_path(const sc::continuation_options<double>& o, bool one_condition_more = false) {
+    const auto bratu = [](const auto&, const auto& y, const auto& p, auto& f) {
+        using std::exp;
+        f[0] = y[1];
+        f[1] = -p[0] * exp(y[0]);
+    };
+    const auto zero = [=](const auto& left, const auto& right, const auto&, auto& r) {
+        r[0] = left[0];
+        r[1] = right[0];
+        if (one_condition_more) r[2] = left[1];
+    };
+    return sc::continuation(sc::gauss<5>(), sc::two_point(bratu, zero), 0.0, 1.0, Vector2d(0, 0), o);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(periods_and_multipliers_of_van_der_pol_and_the_limit_cycle) {
@@ -66,19 +81,9 @@ BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {
 }
 
 BOOST_AUTO_TEST_CASE(the_fold_of_bratu_lies_where_it_is_known_to) {
-    const auto bratu = [](const auto&, const auto& y, const auto& p, auto& f) {
-        using std::exp;
-        f[0] = y[1];
-        f[1] = -p[0] * exp(y[0]);
-    };
-    const auto zero = [](const auto& left, const auto& right, const auto&, auto& r) {
-        r[0] = left[0];
-        r[1] = right[0];
-    };
     int folds = 0;
     double last = 0, slope = 0;
-    for (const auto& point : sc::continuation(sc::gauss<5>(), sc::two_point(bratu, zero), 0.0, 1.0,
-                                              Vector2d(0, 0), {.from = 1})) {
+    for (const auto& point : bratu_path({.from = 1})) {
         BOOST_TEST(sc::name(point.status) == std::string("success"));
         if (point.kind == sc::point_kind::fold) {
             ++folds;
@@ -90,6 +95,36 @@ BOOST_AUTO_TEST_CASE(the_fold_of_bratu_lies_where_it_is_known_to) {
     BOOST_TEST(folds == 1);
     BOOST_TEST(last < 1);      // two solutions below the fold: the path comes back
     BOOST_TEST(slope > 10.8);  // on the upper branch, u'(0) = 10.8469 at p = 1
+}
+
+BOOST_AUTO_TEST_CASE(a_path_says_why_it_ends) {
+    const auto ends = [](const sc::continuation_options<double>& o) {
+        const auto path = bratu_path(o);
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) BOOST_TEST(path[i].message == "");
+        return path.back();
+    };
+    const auto reached = ends({.from = 1, .to = 2}), back = ends({.from = 1, .to = 4}),
+               stopped = ends({.from = 1, .to = 3, .max_points = 3}),
+               first = ends({.from = 1, .max_points = 1}),
+               failed = ends({.from = 5});  // beyond the fold there is no solution
+    BOOST_TEST(reached.p[0] > 2);
+    BOOST_TEST(reached.message == "");
+    BOOST_TEST(back.p[0] < 1);
+    BOOST_TEST(back.message.find("come back") != std::string::npos);
+    for (const auto& point : {stopped, first}) {
+        BOOST_TEST(point.p[0] < 3);
+        BOOST_TEST(point.message.find("max_points") != std::string::npos);
+    }
+    BOOST_TEST(!failed.ok());
+    BOOST_TEST(failed.message != "");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    BOOST_CHECK_EXCEPTION(bratu_path({.from = 1, .to = nan}), std::invalid_argument, [](const auto& e) {
+        return std::string(e.what()).find(": to must") != std::string::npos;
+    });
+    // The arclength takes the place of one condition more than there are.
+    BOOST_CHECK_EXCEPTION(bratu_path({.from = 1}, true), std::invalid_argument, [](const auto& e) {
+        return std::string(e.what()).find("conditions") != std::string::npos;
+    });
 }
 
 BOOST_AUTO_TEST_CASE(with_the_integral_phase_condition_an_orbit_is_as_near_to_its_guess_as_it_can_be) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ struct continuation_point {
     solution<Vector> y;
     point_kind kind = point_kind::regular;
     bvp_status status = bvp_status::newton_failed;
+    std::string
+        message;  ///< of the last point: why the path ends there, in words; empty where p has passed `to`
     scalar arclength{0};  ///< in the space of (y(a), y(b), p)
     std::vector<scalar> mesh;
     /// Branch points: a solution on the path that crosses, close by. continuation() follows that path from the guess
@@ -26,6 +29,8 @@ struct continuation_point {
     /// Empty (crossing_y.steps() == 0) where none was found.
     parameters crossing_p = parameters::Zero();
     solution<Vector> crossing_y;
+
+    bool ok() const { return status == bvp_status::success; }
 };
 
 /// The path of solutions of y' = f(t, y, p), r(y(a), y(b), p) = 0 with one parameter p from p[0] = o.from on, by
@@ -36,7 +41,11 @@ struct continuation_point {
 /// (point_kind::branch_point): where the determinant of the linearised problem with the arclength changes its sign, which at
 /// folds it does not. A crossing that leaves the sign as it is, of an even number of paths, is not seen, nor are two
 /// crossings between neighbouring points (largest_step). Every point costs a run of solve_bvp from a near guess,
-/// a fold about ten, a branch point about twenty. A path ends at a regular point whose status is not success.
+/// a fold about ten, a branch point about twenty.
+///
+/// A path ends where p has passed `to`; the last point's message says where it ends otherwise: p has come back to `from`, there
+/// are max_points, or solve_bvp fails (that point's status says how). A special point that could not be located to
+/// the tolerance has the status tolerance_not_met: it lies near the place, if there is one.
 template <class Scalar, int S, class Rhs, class Conditions, class Guess>
 auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
                   std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
@@ -48,8 +57,8 @@ auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Condi
     detail::path_follower<Scalar, S, Rhs, Conditions, vector, parameters> follower(method, problem, a, b, o);
     std::vector<point> path;
     for (auto& s : follower.run(guess, parameters(o.from)))
-        path.push_back({s.p, std::move(s.y), s.kind, s.status, s.arclength, std::move(s.mesh), s.other_p,
-                        std::move(s.other_y)});
+        path.push_back({s.p, std::move(s.y), s.kind, s.status, s.message, s.arclength, std::move(s.mesh),
+                        s.other_p, std::move(s.other_y)});
     return path;
 }
 

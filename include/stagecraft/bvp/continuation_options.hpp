@@ -26,7 +26,7 @@ struct continuation_options {
     Scalar rtol = Scalar(1e-10);  ///< of every point; see bvp_options
     Scalar step = Scalar(1) / 4;  ///< the first step in arclength; later ones follow from the work
     Scalar largest_step{1};
-    int max_points = 60;
+    int max_points = 60;  ///< the path ends after so many, wherever p is; the last point's message says so
     int intervals = 10;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,8 +22,12 @@ struct orbit_point {
     std::vector<floquet_multiplier<scalar>> multipliers;  ///< by decreasing modulus; see periodic_orbit
     point_kind kind = point_kind::regular;
     bvp_status status = bvp_status::newton_failed;
+    std::string
+        message;  ///< of the last point: why the path ends there, in words; empty where p has passed `to`
     scalar arclength{0};  ///< in the space of (y(0), y(1), T, p)
     std::vector<scalar> mesh;
+
+    bool ok() const { return status == bvp_status::success; }
 };
 
 namespace detail {
@@ -70,8 +75,8 @@ struct orbit_path_conditions {
 ///
 /// Located are, beside folds and branch points as by continuation(), period doublings, where a multiplier passes -1,
 /// and torus points, where a complex pair passes the unit circle. Every point costs what periodic_orbit()
-/// costs from a near guess, with the multipliers found on the orbit's mesh halved once. The path ends at `to`, after
-/// max_points, or at a regular point whose status is not success. Beyond a Hopf point, where the orbits shrink to a
+/// costs from a near guess, with the multipliers found on the orbit's mesh halved once. The path ends as that of
+/// continuation(), or at a point or an orbit run through several times. Beyond a Hopf point, where the orbits shrink to a
 /// point, it comes back over the same orbits; p turns there, and what is found between has the status
 /// tolerance_not_met or equilibrium, the latter of which ends the path.
 template <class Scalar, int S, class Rhs, class Vector>
@@ -92,12 +97,13 @@ std::vector<orbit_point<Vector>> orbit_continuation(
     std::vector<orbit_point<Vector>> path;
     for (auto& s : follower.run(detail::in_units_of_the_period(guess), start)) {
         path.push_back({Eigen::Matrix<Scalar, 1, 1>(s.p[1]), s.p[0], std::move(s.y), std::move(s.multipliers),
-                        s.kind, s.status, s.arclength, std::move(s.mesh)});
+                        s.kind, s.status, s.message, s.arclength, std::move(s.mesh)});
         auto& point = path.back();
         if (s.kind == point_kind::regular && s.status != bvp_status::success) break;
         const bvp_status judged = detail::judge_orbit(point.y, o.rtol);
         if (judged == bvp_status::success) continue;
         point.status = judged, point.kind = point_kind::regular;
+        point.message = detail::words_of(judged);
         break;
     }
     return path;

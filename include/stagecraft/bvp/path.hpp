@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -69,6 +70,7 @@ struct path_state {
     using scalar = typename Vector::Scalar;
     using column = Eigen::Matrix<scalar, Eigen::Dynamic, 1>;
     bvp_status status = bvp_status::newton_failed;
+    std::string message;  ///< of the last point
     point_kind kind = point_kind::regular;
     Parameters p = Parameters::Zero();
     solution<Vector> y;
@@ -118,7 +120,8 @@ class path_follower {
             while (!advance(now, before, last_step, step, next)) {
                 step /= 2;
                 if (step < o_.step / 10000) {
-                    path.push_back(next);  // says why
+                    if (next.message.empty()) next.message = "the path bends within the smallest step";
+                    path.push_back(next);
                     return path;
                 }
             }
@@ -131,8 +134,13 @@ class path_follower {
             if constexpr (orbits) problem_.r.follow(Vector(now.x.head(size())), now.p);
             if (now.newton_steps < 8) step = std::min(Scalar(step * Scalar(1.5)), o_.largest_step);
             const Scalar q = now.p[now.p.size() - 1];
-            if (q < std::min(o_.from, o_.to) || q > std::max(o_.from, o_.to)) break;
+            if (o_.from < o_.to ? q > o_.to : q < o_.to) return path;
+            if (o_.from < o_.to ? q < o_.from : q > o_.from) {
+                path.back().message = "the path has come back to `from`";
+                return path;
+            }
         }
+        path.back().message = "the path has max_points before it reaches `to`";
         return path;
     }
 
@@ -175,7 +183,7 @@ class path_follower {
         bvp_solver<Scalar, S, two_point_problem<Rhs, conditions>, Vector, Parameters, 0> s(method_, problem,
                                                                                            n_, p, b);
         auto solved = s.run(guess, a_, b_);
-        out.status = solved.status;
+        out.status = solved.status, out.message = solved.message;
         out.p = solved.p;
         if (!solved.ok()) return false;
         out.y = std::move(solved.y);

@@ -141,6 +141,12 @@ bvp_status judge_orbit(const solution<Vector>& y, const typename Vector::Scalar&
     return bvp_status::success;
 }
 
+/// What judge_orbit has found wrong, in words.
+constexpr const char* words_of(bvp_status judged) {
+    return judged == bvp_status::equilibrium ? "the orbit is a point"
+                                             : "the period is a multiple of the smallest one";
+}
+
 }  // namespace detail
 
 /// A periodic orbit of the autonomous y' = f(y), its period (unknown, in the border of the linear systems) and
@@ -209,9 +215,7 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
     r.error = solved.error, r.mesh = solved.mesh, r.report = solved.report;
     if (!r.ok()) return r;
     r.status = detail::judge_orbit(r.y, o.rtol);
-    if (!r.ok())
-        r.message = r.status == bvp_status::equilibrium ? "the orbit is a point"
-                                                        : "the period is a multiple of the smallest one";
+    if (!r.ok()) r.message = detail::words_of(r.status);
     r.multipliers = detail::multipliers_with_errors(*solver, n, 4);
     return r;
 }
