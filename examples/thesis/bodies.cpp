@@ -63,6 +63,14 @@ void check(outcome& o, const audit& a, long steps) {
                           "< " + scientific(bound), a.violation < bound});
 }
 
+// A curve over the share of its run, so that runs of different length fit in one picture.
+curve over_share(curve c) {
+    const double duration = c.x.back();
+    for (double& t : c.x) t /= duration;
+    c.title += ", " + general(duration) + " s";
+    return c;
+}
+
 curve path(const trajectory& r, const std::string& title, int x, int y) {
     curve c{title, {}, {}, false};
     for (const auto& p : r.path) c.x.push_back(p.y[x]), c.y.push_back(p.y[y]);
@@ -84,7 +92,7 @@ void knife(outcome& o, figure& paths, figure& energies) {
     const audit a = audited(model, r, "knife edge");
     check(o, a, r.report.steps);
     paths.curves.push_back(path(r, "knife edge", 1, 0));
-    energies.curves.push_back(a.energy);
+    energies.curves.push_back(over_share(a.energy));
 }
 
 void sleigh(outcome& o, figure& paths, figure& energies) {
@@ -104,7 +112,7 @@ void sleigh(outcome& o, figure& paths, figure& energies) {
     const audit a = audited(model, r, "Chaplygin sleigh");
     check(o, a, r.report.steps);
     paths.curves.push_back(path(r, "Chaplygin sleigh", 0, 1));
-    energies.curves.push_back(a.energy);
+    energies.curves.push_back(over_share(a.energy));
 }
 
 void ball(outcome& o, figure& heights, figure& energies) {
@@ -129,7 +137,7 @@ void ball(outcome& o, figure& heights, figure& energies) {
         angle.x.push_back(p.t), angle.y.push_back(p.y[0] / 10);
     }
     heights.curves = {height, angle};
-    energies.curves.push_back(a.energy);
+    energies.curves.push_back(over_share(a.energy));
 }
 
 // The misprint of the thesis: -4 alpha' y' where -4 alpha' y belongs. The constraint cannot tell, the energy
@@ -198,8 +206,13 @@ outcome nonholonomic_bodies() {
                    "t [s]",    "z [m], χ / 10",
                    false,      false,
                    {}};
-    figure energies{
-        "fig_energies", "Change of the energy, tol 10^{-11}", "t [s]", "|change| [J]", false, true, {}};
+    figure energies{"fig_energies",
+                    "Change of the energy, tol 10^{-11}",
+                    "t / duration of the run",
+                    "|change| [J]",
+                    false,
+                    true,
+                    {}};
     figure lost{"fig_misprint",
                 "The disc with F as printed and corrected",
                 "t [s]",

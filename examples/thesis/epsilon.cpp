@@ -171,7 +171,8 @@ outcome regularisation_error() {
         o.findings.push_back({"4.16 slope of y, kappa = " + decimal(kappa), "1", decimal(sy), "1",
                               std::abs(sy - 1) < 0.1, compared(1, sy, 0.1)});
     }
-    for (figure* f : {&fy, &fl, &fc}) f->slopes = {1};
+    fy.slopes = {{1, 2}};
+    for (figure* f : {&fl, &fc}) f->slopes = {{1, 0}};
     o.figures = {fy, fl, fc, fk};
     return o;
 }

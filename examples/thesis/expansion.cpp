@@ -36,7 +36,7 @@ void leading_term(outcome& o) {
         }
         const double order = slope({eps.begin() + 1, eps.end()}, {y.begin() + 1, y.end()});
         rest.curves.push_back({"κ = " + decimal(kappa) + ", slope " + decimal(order), eps, y, true});
-        rest.slopes.push_back(1 - kappa);
+        rest.slopes.push_back({1 - kappa, rest.curves.size() - 1});
         o.findings.push_back(order_line("order of what eps Y leaves, relative, kappa = " + decimal(kappa),
                                         order, 1 - kappa, {}, {}, 0.1));
     }
@@ -68,7 +68,7 @@ void corollary_3(outcome& o) {
                          {{"c = 2 √ε, slope " + decimal(slope(eps, weak)), eps, weak, true},
                           {"c = 2, slope " + decimal(slope(eps, fixed)), eps, fixed, true}},
                          false,
-                         {0.5, 1}});
+                         {{0.5, 0}, {1, 1}}});
     o.findings.push_back(
         order_line("Corollary 3, c = 2 sqrt(eps): |g(y)| / |y - y0|", slope(eps, quotient), 0.5));
     o.findings.push_back(order_line("Corollary 3, c = 2 sqrt(eps): y", slope(eps, weak), 0.5, "0.5",
@@ -102,7 +102,7 @@ void corollary_4(outcome& o) {
           {"  the same less ζ_0, slope " + decimal(with_layer), eps, corrected, true},
           {"  (3.61) violated, less ζ_0, " + decimal(slope(eps, violated)), eps, violated, true}},
          false,
-         {0.5}});
+         {{0.5, 3}}});
     o.text += "\nCorollary 4: from lambda0(0) + (1, 1) lambda is off by " + scientific(disturbed.back()) +
               " however small eps; less the layer term zeta_0(t/sqrt(eps)) by " +
               scientific(corrected.back()) +

@@ -170,8 +170,8 @@ outcome other_methods() {
                                   std::is_sorted(stages.y.rbegin(), stages.y.rend())});
         fs.curves.push_back(stages);
     }
-    fy.slopes = {9, 5};
-    fl.slopes = {5, 4};
+    fy.slopes = {{9, 0}, {5, 2}};
+    fl.slopes = {{5, 0}, {4, 2}};
     example_for_c_4(o);
     o.figures = {fy, fl, fs};
     return o;

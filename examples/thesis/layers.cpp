@@ -145,6 +145,9 @@ void one_layer(outcome& o, const layer_case& c) {
                          {l.disturbed, l.calm}});
     // For kappa = 1/2 steps of 1e-6 s resolve the layer: the two curves would be one.
     if (c.kappa == 1) o.figures.back().curves.push_back(true_layer(c.eps, c.kappa, c.window));
+    curve& resolved = o.figures.back().curves[c.kappa == 1 ? 2 : 0];
+    resolved.title +=
+        "; slowest mode λ_" + std::to_string(slowest + 1) + ", rate " + scientific(rate[slowest]) + " 1/s";
     const double printed = std::stod(c.printed);
     o.findings.push_back({number + " length of the layer [s]", c.printed, scientific(l.length), "",
                           l.length < 3 * printed && l.length > printed / 5,

@@ -80,7 +80,7 @@ void report(outcome& o, const component& c, const std::string& label, const std:
     std::string file = "fig_" + c.number;
     std::replace(file.begin(), file.end(), '.', '_');
     figure f{file, c.number + " " + label + ", error in " + c.name, "h [s]", "error", true, true, {}};
-    f.slopes = {c.theory};
+    f.slopes = {{c.theory, 0}};
     bool same = true;  // one curve would hide the other
     for (std::size_t k = 0; k < h.size(); ++k) same = same && c.at_end[k] > 0.99 * c.over_t[k];
     f.curves.push_back({same ? "maximum over t = value at t = 1, order " + decimal(order)

@@ -29,11 +29,11 @@ std::string escaped(const std::string& text) {
 }
 
 const char* const prologue = R"(set encoding utf8
-set terminal svg size 920,520 dynamic enhanced font 'Helvetica,15' background '#ffffff' linewidth 1.6
+set terminal svg size 920,560 dynamic enhanced font 'Helvetica,15' background '#ffffff' linewidth 1.6
 set border 3 lc rgb '#444444'
 set tics nomirror out textcolor rgb '#333333'
 set grid lc rgb '#e4e4e4' lt 1 lw 0.7
-set key outside right top Left reverse samplen 2 spacing 1.15
+set key outside bottom center horizontal Left reverse samplen 2 spacing 1.15
 array colour[8] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#777777', '#e69f00', '#000000']
 )";
 
@@ -55,19 +55,76 @@ void write_table(const std::string& directory, const std::string& file, const cu
     if (!out.flush()) throw std::runtime_error("cannot write " + directory + "/" + file);
 }
 
-// A right-angled triangle of the given slope, below all curves and as wide as a factor of 2 in x; several
-// stand side by side from the right.
-curve triangle(const figure& f, std::size_t which) {
-    double right = 0, left = 1e300, floor = 1e300;
-    for (const curve& c : f.curves)
-        for (const double x : c.x) right = std::max(right, x), left = std::min(left, x);
-    const double width = std::pow(right / left, 0.15);
-    const double x1 = right / std::pow(width, 0.5 + 1.5 * static_cast<double>(which)), x0 = x1 / width;
-    for (const curve& c : f.curves)
+// The values of an axis that is drawn.
+struct range {
+    double low = 1e300, high = 0;
+    void include(double x) { low = std::min(low, x), high = std::max(high, x); }
+    double decades() const { return std::log10(high / low); }
+};
+
+// Of what can be drawn: on a logarithmic axis only what is positive.
+range extent(const figure& f, const std::vector<curve>& curves, std::vector<double> curve::*values) {
+    range r;
+    for (const curve& c : curves)
         for (std::size_t i = 0; i < c.x.size(); ++i)
-            if (c.x[i] <= x1 * width && c.x[i] >= x0 / width && c.y[i] > 0) floor = std::min(floor, c.y[i]);
-    const double slope = f.slopes[which], head = floor / 4, foot = head / std::pow(width, slope);
-    return {"slope " + general(slope), {x0, x1, x1, x0}, {foot, foot, head, foot}, false};
+            if ((!f.log_x || c.x[i] > 0) && (!f.log_y || c.y[i] > 0)) r.include((c.*values)[i]);
+    return r;
+}
+
+// A curve of measured errors at x, a straight line between them on logarithmic scales.
+double value_at(const curve& c, double x) {
+    std::vector<std::size_t> order(c.x.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return c.x[i] < c.x[j]; });
+    std::size_t k = 1;
+    while (k + 1 < order.size() && c.x[order[k]] < x) ++k;
+    const std::size_t i = order[k - 1], j = order[k];
+    const double share = std::log(x / c.x[i]) / std::log(c.x[j] / c.x[i]);
+    return c.y[i] * std::pow(c.y[j] / c.y[i], share);
+}
+
+struct triangle {
+    curve sides;
+    std::string label;  ///< a command of gnuplot
+};
+
+// Beside its curve, below it where no other curve is, else above; a seventh of the picture wide.
+triangle triangle_at(const figure& f, const slope_mark& mark) {
+    const range x = extent(f, f.curves, &curve::x), y = extent(f, f.curves, &curve::y);
+    const double x0 = x.low * std::pow(x.high / x.low, 0.6), width = std::pow(x.high / x.low, 1.0 / 7),
+                 x1 = x0 * width, gap = std::pow(y.high / y.low, 0.04), rise = std::pow(width, mark.slope);
+    const curve& own = f.curves[mark.curve];
+    const double left = value_at(own, x0), right = value_at(own, x1) / rise;
+    const bool lowest = std::all_of(f.curves.begin(), f.curves.end(),
+                                    [&](const curve& c) { return value_at(c, x1) >= value_at(own, x1); });
+    const double foot = lowest ? std::min(left, right) / gap : std::max(left, right) * gap,
+                 head = foot * rise, middle = std::sqrt(foot * head);
+    std::ostringstream label;
+    label << "set label 'slope " << mark.slope << "' at " << (lowest ? x1 : x0) << ',' << middle
+          << (lowest ? " left offset 0.6,0" : " right offset -0.6,0") << " textcolor rgb '#555555'\n";
+    if (lowest) return {{"", {x0, x1, x1, x0}, {foot, foot, head, foot}, false}, label.str()};
+    return {{"", {x0, x0, x1, x0}, {foot, head, head, foot}, false}, label.str()};
+}
+
+// A logarithmic axis that ends where the curves do; one of less than two decades has marks within them.
+std::string logarithmic(char axis, const range& r) {
+    std::ostringstream out;
+    const double margin = std::max(std::pow(r.high / r.low, 0.04), 1.1);
+    out << "set logscale " << axis << "\nset " << axis << "range [" << r.low / margin << ':'
+        << r.high * margin << "]\nset format " << axis << " '";
+    if (r.decades() >= 2) {
+        out << "10^{%T}'\n";
+        return out.str();
+    }
+    out << (r.low >= 0.01 && r.high < 1e4 ? "%g" : "%.0l·10^{%L}") << "'\nset " << axis << "tics (";
+    const char* separator = "";
+    for (double decade = std::pow(10, std::floor(std::log10(r.low))); decade <= r.high; decade *= 10)
+        for (const int digit : {1, 2, 5}) {
+            out << separator << digit * decade;
+            separator = ", ";
+        }
+    out << ")\n";
+    return out.str();
 }
 
 // Tables of all curves and the commands that draw them.
@@ -76,22 +133,36 @@ void write_figure(const std::string& directory, const figure& f, std::ostream& s
         write_table(directory, file, c, f.log_y);
         return "'" + file + "' using 1:2 with ";
     };
-    script << "set output '" << f.name << ".svg'\nset xlabel '" << plain(f.x_label) << "'\nset ylabel '"
-           << plain(f.y_label) << "'\nset title '" << plain(f.title)
-           << "'\nunset logscale\nset format '%g'\nset size " << (f.paths ? "ratio -1" : "noratio") << '\n';
-    if (f.log_x) script << "set logscale x\nset format x '10^{%T}'\n";
-    if (f.log_y) script << "set logscale y\nset format y '10^{%T}'\n";
-    script << "plot ";
-    for (std::size_t k = 0; k < f.curves.size(); ++k) {
-        const curve& c = f.curves[k];
-        script << (k > 0 ? ", " : "") << data(c, f.name + "_" + std::to_string(k + 1) + ".dat")
-               << (c.points ? "linespoints ps 0.7 pt " + std::to_string(markers[k % 8]) : "lines")
-               << " lc rgb colour[" << k % 8 + 1 << "] title '" << plain(c.title) << "'";
+    std::vector<curve> drawn = f.curves;
+    std::string labels;
+    for (const slope_mark& mark : f.slopes) {
+        const triangle t = triangle_at(f, mark);
+        drawn.push_back(t.sides);
+        labels += t.label;
     }
-    for (std::size_t k = 0; k < f.slopes.size(); ++k) {
-        const curve c = triangle(f, k);
-        script << ", " << data(c, f.name + "_slope_" + std::to_string(k + 1) + ".dat")
-               << "lines lc rgb '#555555' dt " << k + 1 << " title '" << c.title << "'";
+    script << "set output '" << f.name << ".svg'\nset xlabel '" << plain(f.x_label)
+           << "' offset 0,0.4\nset ylabel '" << plain(f.y_label) << "'\nset title '" << plain(f.title)
+           << "'\nunset logscale\nunset label\nset autoscale\nset tics autofreq\nset format '%g'\nset size "
+           << (f.paths ? "ratio -1" : "noratio") << '\n'
+           << labels;
+    script << (f.curves.size() == 1 && !f.curves[0].points ? "unset key\n" : "set key\n");
+    if (f.log_x) script << logarithmic('x', extent(f, drawn, &curve::x));
+    if (f.log_y)
+        script << "set offsets\n" << logarithmic('y', extent(f, drawn, &curve::y));
+    else
+        script << "set offsets 0, 0, graph 0.04, graph 0.04\n";
+    script << "plot ";
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        const curve& c = drawn[k];
+        script << (k > 0 ? ", " : "") << data(c, f.name + "_" + std::to_string(k + 1) + ".dat");
+        if (k >= f.curves.size())
+            script << "lines lc rgb '#555555' notitle";
+        else  // smaller marks over larger ones: where curves meet all are seen
+            script << (c.points
+                           ? "linespoints ps " + general(std::max(0.4, 1.2 - 0.17 * static_cast<double>(k))) +
+                                 " pt " + std::to_string(markers[k % 8])
+                           : "lines")
+                   << " lc rgb colour[" << k % 8 + 1 << "] title '" << plain(c.title) << "'";
     }
     script << '\n';
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,13 +14,19 @@ struct curve {
     bool points = false;  ///< markers at the values, as for measured errors
 };
 
+/// A triangle that shows a slope beside the curve that it belongs to.
+struct slope_mark {
+    double slope;
+    std::size_t curve = 0;
+};
+
 /// One figure: `name` is the file name without ".svg".
 struct figure {
     std::string name, title, x_label, y_label;
     bool log_x = false, log_y = true;
     std::vector<curve> curves;
-    bool paths = false;               ///< x and y are places: one scale for both
-    std::vector<double> slopes = {};  ///< a triangle of each slope below the curves; both axes logarithmic
+    bool paths = false;                   ///< x and y are places: one scale for both
+    std::vector<slope_mark> slopes = {};  ///< both axes logarithmic
 };
 
 /// A picture that an experiment draws itself: `svg` is the whole file.
