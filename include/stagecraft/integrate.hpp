@@ -105,35 +105,14 @@ inline constexpr bool is_checkpoint = false;
 template <class Vector>
 inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 
-/// What tolerances under the names that other programs give them may be taken for, `{.tol = 1e-6}`, say, and neither
-/// `{}` nor `{1e-6}`.
-struct given {
-    given(double);
+/// Taken for an argument by the overloads that refuse a call, so that any other overload comes first.
+struct anything {
+    template <class T>
+    anything(const T&);
 };
-struct single_tolerance {
-    std::nullptr_t unnamed = nullptr;
-    given tol;
-    double atol = 0, abstol = 0;
-};
-struct joined_names {
-    std::nullptr_t unnamed = nullptr;
-    given reltol;
-    double abstol = 0, atol = 0;
-};
-struct parted_names {
-    std::nullptr_t unnamed = nullptr;
-    given rel_tol;
-    double abs_tol = 0, atol = 0;
-};
-struct second_joined {
-    std::nullptr_t unnamed = nullptr;
-    double rtol = 0;
-    given abstol;
-};
-struct second_parted {
-    std::nullptr_t unnamed = nullptr;
-    double rtol = 0;
-    given abs_tol;
+/// What options with tolerances under the names that other programs give them are taken for.
+struct other_options {
+    double tol = 0, reltol = 0, rel_tol = 0, rtol = 0, abstol = 0, abs_tol = 0, atol = 0;
 };
 template <class>
 inline constexpr bool never = false;
@@ -191,7 +170,14 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                    const_enough = unseen || check::const_enough, callable = unseen || check::callable,
                    writes_through = unseen || check::writes_through, band_known = unseen || check::band_known,
                    pattern_known = unseen || check::pattern_known, mass_usable = unseen || check::mass_usable,
-                   jacobian_usable = unseen || check::jacobian_usable, good = !unseen && check::good;
+                   jacobian_usable = unseen || check::jacobian_usable,
+                   pattern_usable = unseen || check::pattern_usable, good = !unseen && check::good;
+    constexpr bool same_size = [] {
+        if constexpr (returns)
+            return detail::returns_its_size<problem_type, vector>();
+        else
+            return true;
+    }();
     if constexpr (good && check::without_jacobian) {
         // The first to differentiate it, if it is generic: what does not compile in it is said from here.
         using number = dual<scalar, vector::RowsAtCompileTime>;
@@ -229,6 +215,11 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                   "`auto& f`");
     static_assert(band_known,
                   "integrate: the problem has bandwidth(): include stagecraft/linear/banded_blocks.hpp");
+    static_assert(same_size, "integrate: the problem returns a vector of another size than y0");
+    static_assert(
+        pattern_usable,
+        "integrate: problem.sparsity must be a member function `auto sparsity() const` that returns "
+        "an Eigen::SparseMatrix with the pattern of df/dy");
     static_assert(pattern_known,
                   "integrate: the problem has sparsity(): include stagecraft/linear/sparse_blocks.hpp");
     static_assert(
@@ -244,7 +235,7 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
         observed,
         "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, output), y by "
         "value or const reference and of the type of y0, and const if it is given as const");
-    if constexpr (returns) {
+    if constexpr (returns && same_size) {
         return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, y0, t0, t1, o,
                          std::forward<Observer>(observer));
     } else if constexpr (good && observed) {
@@ -340,44 +331,24 @@ requires(!detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const 
 }
 
 /// Tolerances under the names that other programs give them.
-template <class Method, class Problem, class State, class Observer = no_observer>
-result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
-                                  const detail::single_tolerance&, Observer&& = {}) {
+template <class Method, class Problem, class Observer = no_observer>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, detail::anything, detail::anything,
+                                  detail::anything, const detail::other_options&, Observer&& = {}) {
     static_assert(detail::never<Method>,
-                  "integrate: options have no tol; their tolerances are rtol (relative) and atol (absolute): "
-                  "{.rtol = 1e-6, .atol = 1e-9}");
+                  "integrate: options have no tol, reltol, rel_tol, abstol or abs_tol; their tolerances are "
+                  "rtol (relative) and atol (absolute): {.rtol = 1e-6, .atol = 1e-9}");
     return {};
 }
-template <class Method, class Problem, class State, class Observer = no_observer>
-result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
-                                  const detail::joined_names&, Observer&& = {}) {
+
+/// A tolerance, or a step size, in place of the options.
+template <class Method, class Problem, class Number, class... More>
+requires std::is_arithmetic_v<Number> result<Eigen::VectorXd> integrate(const Method&, Problem&&,
+                                                                        detail::anything, detail::anything,
+                                                                        detail::anything, const Number&,
+                                                                        const More&...) {
     static_assert(detail::never<Method>,
-                  "integrate: options have no reltol; their tolerances are rtol (relative) and atol "
-                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
-    return {};
-}
-template <class Method, class Problem, class State, class Observer = no_observer>
-result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
-                                  const detail::parted_names&, Observer&& = {}) {
-    static_assert(detail::never<Method>,
-                  "integrate: options have no rel_tol; their tolerances are rtol (relative) and atol "
-                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
-    return {};
-}
-template <class Method, class Problem, class State, class Observer = no_observer>
-result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
-                                  const detail::second_joined&, Observer&& = {}) {
-    static_assert(detail::never<Method>,
-                  "integrate: options have no abstol; their tolerances are rtol (relative) and atol "
-                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
-    return {};
-}
-template <class Method, class Problem, class State, class Observer = no_observer>
-result<Eigen::VectorXd> integrate(const Method&, Problem&&, const State&, double, double,
-                                  const detail::second_parted&, Observer&& = {}) {
-    static_assert(detail::never<Method>,
-                  "integrate: options have no abs_tol; their tolerances are rtol (relative) and atol "
-                  "(absolute): {.rtol = 1e-6, .atol = 1e-9}");
+                  "integrate: a number in place of the options; name what it is: {.rtol = 1e-6, .atol = "
+                  "1e-9}, {.fixed_step = 0.01}");
     return {};
 }
 

@@ -59,7 +59,9 @@ concept vector_of_duals = std::is_const_v<std::remove_reference_t<A>> && require
 
 template <class F, class... Args>
 constexpr bool converts_duals() {
-    if constexpr (has_member_named<F, call_operator_member> && !std::is_final_v<F>)
+    if constexpr (requires { &F::operator(); })  // no template: of plain numbers
+        return (vector_of_duals<Args> || ...);
+    else if constexpr (has_member_named<F, call_operator_member> && !std::is_final_v<F>)
         return []<std::size_t... K>(std::index_sequence<K...>) {
             return ((vector_of_duals<Args> && converts_argument<F, K, Args...>) || ...);
         }

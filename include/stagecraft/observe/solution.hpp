@@ -73,8 +73,10 @@ class solution {
         started_ = true;
     }
 
-    template <class Output>
-    void operator()(const scalar& t, const Vector&, const scalar&, const Output& output) {
+    template <class State, class Output>
+    requires(State::SizeAtCompileTime == Vector::SizeAtCompileTime ||
+             State::SizeAtCompileTime == Eigen::Dynamic || Vector::SizeAtCompileTime == Eigen::Dynamic) void
+    operator()(const scalar& t, const State&, const scalar&, const Output& output) {
         pieces_.push_back({output.t0(), output.step(), t, numbers_.size(), nodes_of(output.nodes())});
         const auto append = [&](const auto& x) {
             numbers_.insert(numbers_.end(), x.data(), x.data() + x.size());

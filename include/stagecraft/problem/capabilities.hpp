@@ -45,8 +45,8 @@ concept has_bandwidth = requires(Problem& p) {
 /// matter); jacobian(t, y, J), if there is one, then writes into a sparse matrix that arrives with that
 /// pattern. Include linear/sparse_blocks.hpp.
 template <class Problem>
-concept has_sparsity = requires(Problem& p) {
-    p.sparsity().nonZeros();
+concept has_sparsity = requires(Problem& p, std::remove_cvref_t<decltype(p.sparsity())>& pattern) {
+    pattern.makeCompressed();
 };
 
 /// Optional: a member type `linear_solver` names the solvers for shift M - J to use instead of the built-in

@@ -87,6 +87,15 @@ template <class Problem, class Vector>
 concept returning_right_hand_side = !callable_right_hand_side<Problem, Vector> &&
                                     returns_vector<Problem, typename Vector::Scalar, Vector, Vector>;
 
+/// What it returns has the size of Vector, as far as that is known at compile time.
+template <class Problem, class Vector>
+constexpr bool returns_its_size() {
+    using returned = std::remove_cvref_t<decltype(std::declval<Problem&>()(
+        std::declval<const typename Vector::Scalar&>(), std::declval<const Vector&>()))>;
+    constexpr int its = returned::SizeAtCompileTime, wanted = Vector::SizeAtCompileTime;
+    return its == wanted || its == Eigen::Dynamic || wanted == Eigen::Dynamic;
+}
+
 /// A right-hand side that returns f(t, y), with all it brings, as one that writes it.
 template <class Problem>
 struct writes_returned : Problem {
@@ -134,6 +143,8 @@ struct checked_call {
         else
             return true;
     }();
+    static constexpr bool pattern_usable =
+        !detail::has_member_named<Problem, detail::sparsity_member> || has_sparsity<Problem>;
     static constexpr bool mass_usable =
         !detail::has_member_named<Problem, detail::mass_member> || has_mass<Problem>;
     static constexpr bool jacobian_usable = [] {
@@ -153,7 +164,7 @@ struct checked_call {
                                              !detail::has_member_named<Problem, detail::jacobian_member>;
 
     static constexpr bool good = column && const_enough && callable && writes_through && band_known &&
-                                 pattern_known && mass_usable && jacobian_usable;
+                                 pattern_usable && pattern_known && mass_usable && jacobian_usable;
 };
 
 }  // namespace stagecraft

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: options have no abstol; their tolerances are rtol (relative) and atol (absolute)
+// says: options have no tol, reltol, rel_tol, abstol or abs_tol; their tolerances are rtol (relative) and atol (absolute)
 // lines: 8
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
