@@ -132,6 +132,12 @@ auto guess_value(const Guess& guess, const Scalar& t) {
     else
         return typename std::decay_t<decltype(guess(t))>::PlainObject(guess(t));
 }
+/// A guess may be this, for solvers in Scalar.
+template <class Guess, class Scalar>
+concept usable_guess = constant_guess<Guess> || requires(const Guess& guess, const Scalar& t) {
+    typename std::decay_t<decltype(guess(t))>::PlainObject;
+};
+
 /// The same, which must have n components at every t.
 template <class Scalar, class Guess>
 auto guess_value(const Guess& guess, const Scalar& t, Eigen::Index n) {

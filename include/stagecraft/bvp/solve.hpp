@@ -9,6 +9,26 @@
 
 namespace stagecraft {
 
+namespace detail {
+
+/// The type of y: that of guess, whatever where that cannot be one.
+template <class Guess, class Scalar>
+struct vector_of_guess {
+    using type = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+};
+template <class Guess, class Scalar>
+requires usable_guess<Guess, Scalar>
+struct vector_of_guess<Guess, Scalar> {
+    using type = decltype(guess_value(std::declval<const Guess&>(), std::declval<const Scalar&>()));
+};
+
+template <class Rhs>
+inline constexpr bool is_two_point = false;
+template <class Rhs, class Conditions>
+inline constexpr bool is_two_point<two_point_problem<Rhs, Conditions>> = true;
+
+}  // namespace detail
+
 /// Solves M y' = f(t, y, p) on [a, b] with r(y(a), y(b), p) = 0.
 ///
 /// method   A collocation tableau with distinct nodes: gauss<s>() (recommended), lobatto_iiia<s>(),
@@ -28,10 +48,16 @@ requires requires(const Parameters& p) { p.size(); }
 auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
                std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
                const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
-    using vector = decltype(detail::guess_value(guess, a));
+    constexpr bool guessed = detail::usable_guess<Guess, Scalar>;
+    static_assert(
+        guessed,
+        "solve_bvp: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
+        "that returns one, or a solution");
+    using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
     using parameters = typename Parameters::PlainObject;
     using check = detail::checked_two_point<Rhs, Conditions, vector, parameters>;
-    constexpr bool rhs = check::rhs, conditions = !rhs || check::conditions;
+    constexpr bool rhs = !guessed || check::rhs, conditions = !guessed || !rhs || check::conditions,
+                   writes_through = !guessed || check::writes_through;
     static_assert(rhs,
                   "solve_bvp: the first argument of two_point must be callable as f(t, y, out), with a guess "
                   "for parameters as f(t, y, p, out), and write n numbers; y and out are of the type of "
@@ -40,7 +66,10 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
                   "solve_bvp: the second argument of two_point must be callable as r(left, right, out), with "
                   "a guess for parameters as r(left, right, p, out), and write n + n_p numbers; left and "
                   "right are of the type of guess, out too without parameters");
-    if constexpr (rhs && conditions) {
+    static_assert(writes_through,
+                  "solve_bvp: f or r of two_point(f, r) takes out by value, what it writes is lost: write "
+                  "`Vector& out` or `auto& out`");
+    if constexpr (guessed && rhs && conditions && writes_through) {
         detail::validate(o, a, b);
         const int n = static_cast<int>(detail::guess_value(guess, a).size());
         detail::demand_bvp(n > 0, "guess must have at least one component");
@@ -67,6 +96,19 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
                std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
                const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
     return solve_bvp(method, std::move(problem), a, b, guess, Eigen::Matrix<Scalar, 0, 1>(), o);
+}
+
+/// f and r without two_point().
+template <class Scalar, int S, class Rhs, class Conditions, class Guess>
+requires(!detail::is_two_point<Rhs>) bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(
+    const tableau<Scalar, S>&, const Rhs&, const Conditions&, std::type_identity_t<Scalar>,
+    std::type_identity_t<Scalar>, const Guess&, const bvp_options<std::type_identity_t<Scalar>>& = {}) {
+    constexpr bool together = detail::is_two_point<Rhs>;
+    static_assert(
+        together,
+        "solve_bvp(method, two_point(f, r), a, b, guess): write two_point(f, r) for the right-hand side "
+        "f(t, y, out) and the conditions r(left, right, out)");
+    return {};
 }
 
 }  // namespace stagecraft

@@ -20,24 +20,31 @@ concept solvable = requires {
     typename default_blocks<Matrix>::type;
 };
 
-/// The last of the three parameters of a function, void where that is not known: of templates and overloads.
+template <class... Parameters>
+struct last_of : std::type_identity<void> {};
+template <class Last>
+struct last_of<Last> : std::type_identity<Last> {};
+template <class First, class Second, class... More>
+struct last_of<First, Second, More...> : last_of<Second, More...> {};
+
+/// The last of the parameters of a function, void where that is not known: of templates and overloads.
 template <class Function>
-struct third_parameter : std::type_identity<void> {};
-template <class R, class T, class Y, class F>
-struct third_parameter<R (*)(T, Y, F)> : std::type_identity<F> {};
-template <class R, class T, class Y, class F>
-struct third_parameter<R(T, Y, F)> : std::type_identity<F> {};
-template <class R, class P, class T, class Y, class F>
-struct third_parameter<R (P::*)(T, Y, F)> : std::type_identity<F> {};
-template <class R, class P, class T, class Y, class F>
-struct third_parameter<R (P::*)(T, Y, F) const> : std::type_identity<F> {};
+struct last_parameter : std::type_identity<void> {};
+template <class R, class... A>
+struct last_parameter<R (*)(A...)> : last_of<A...> {};
+template <class R, class... A>
+struct last_parameter<R(A...)> : last_of<A...> {};
+template <class R, class P, class... A>
+struct last_parameter<R (P::*)(A...)> : last_of<A...> {};
+template <class R, class P, class... A>
+struct last_parameter<R (P::*)(A...) const> : last_of<A...> {};
 
 template <class Problem>
 auto output_parameter() {
     if constexpr (requires { &Problem::operator(); })
-        return third_parameter<decltype(&Problem::operator())>{};
+        return last_parameter<decltype(&Problem::operator())>{};
     else
-        return third_parameter<Problem>{};
+        return last_parameter<Problem>{};
 }
 
 template <class Problem, class Vector>
@@ -52,15 +59,17 @@ struct passed_by_reference : Vector {
     using Vector::operator=;
     passed_by_reference(const passed_by_reference&) = delete;
 };
-/// Problem is generic and takes f by value: it can be called with a temporary, which no reference to f binds to but
-/// `auto&&` and `const auto&`, and not with what cannot be copied.
-template <class Problem, class Vector>
-concept takes_copy = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y) {
-    p(t, y, std::declval<Vector>());
-}
-&&!requires(Problem & p, const typename Vector::Scalar& t, const Vector& y, passed_by_reference<Vector>& f) {
-    p(t, y, f);
-};
+/// Problem is generic and takes its last argument by value: it can be called with a temporary, which no reference binds to
+/// but `auto&&` and `const auto&`, and not with what cannot be copied.
+template <class Problem, class Vector, class... Others>
+concept takes_copy = std::is_invocable_v<Problem&, const Others&..., Vector> &&
+    !std::is_invocable_v<Problem&, const Others&..., passed_by_reference<Vector>&>;
+/// What a callable writes into its last argument, a Vector, reaches the caller.
+template <class Problem, class Vector, class... Others>
+concept writes_into =
+    !std::is_same_v<std::remove_cv_t<typename decltype(output_parameter<std::remove_cv_t<Problem>>())::type>,
+                    Vector> &&
+    !takes_copy<Problem, Vector, Others...>;
 
 /// Problem's jacobian(t, y, J) takes J by value: what it writes is lost, and J stays zero.
 template <class Problem, class Vector, class Matrix>
@@ -71,7 +80,7 @@ concept jacobian_takes_copy = requires(Problem& p, const typename Vector::Scalar
     !requires(Problem & p, const typename Vector::Scalar& t, const Vector& y,
               passed_by_reference<Matrix>& J) { p.jacobian(t, y, J); } ||
     requires {
-        requires std::is_same_v<typename third_parameter<decltype(&Problem::jacobian)>::type, Matrix>;
+        requires std::is_same_v<typename last_parameter<decltype(&Problem::jacobian)>::type, Matrix>;
     });
 
 /// Problem may be called as problem(t, y) and returns a vector of the scalar of Vector (Eigen's matrices convert
@@ -130,10 +139,7 @@ struct checked_call {
         !column || !const_enough || detail::callable_right_hand_side<Problem, Vector>;
     static constexpr bool writes_through =
         !column || !const_enough || !callable ||
-        (!std::is_same_v<
-             std::remove_cv_t<typename decltype(detail::output_parameter<std::remove_cv_t<Problem>>())::type>,
-             Vector> &&
-         !detail::takes_copy<Problem, Vector>);
+        detail::writes_into<Problem, Vector, typename Vector::Scalar, Vector>;
     static constexpr bool band_known = has_linear_solver<Problem> || !has_bandwidth<Problem> ||
                                        detail::solvable<banded_matrix<typename Vector::Scalar>>;
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <stagecraft/jacobian/unconverted.hpp>
+#include <stagecraft/problem/checked_call.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/system.hpp>
 
@@ -72,6 +73,16 @@ struct checked_two_point {
     static constexpr bool conditions =
         alone ? writes_conditions<Conditions, values, Vector, Vector>
               : writes_conditions<Conditions, values, Vector, Vector, Parameters>;
+    static constexpr bool writes_through = [] {
+        if constexpr (!rhs || !conditions)
+            return true;  // these come first
+        else if constexpr (alone)
+            return writes_into<Rhs, Vector, scalar, Vector> &&
+                   writes_into<Conditions, values, Vector, Vector>;
+        else
+            return writes_into<Rhs, Vector, scalar, Vector, Parameters> &&
+                   writes_into<Conditions, values, Vector, Vector, Parameters>;
+    }();
 };
 
 /// f as a function of z = (y, p), with n_p trailing zeros so that it is square.
