@@ -125,6 +125,11 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said) {
     BOOST_TEST(complaint("(1") == "ends too early");
     BOOST_TEST(complaint("1)") == "unexpected ')' at character 2");
     BOOST_TEST(complaint("1 2") == "unexpected '2' at character 3");
+    BOOST_TEST(complaint("2sqrt(2)") == "a * is missing before 'sqrt'");
+    BOOST_TEST(complaint("(1+pi) cos(2)") == "a * is missing before 'cos'");
+    BOOST_TEST(complaint("2(3)") == "a * is missing before '('");
+    BOOST_TEST(complaint("2tan(1)") == "unknown symbol 'tan'");
+    BOOST_TEST(complaint("1e99999999999999999999") == "non-finite: exponent 99999999999999999999");
     BOOST_TEST(complaint("1,5") == "unexpected ',' at character 2");
     BOOST_TEST(complaint("2^(1/3)") == "an exponent must be an integer");
     BOOST_TEST(complaint("2^(10^9)") == "too large a power");

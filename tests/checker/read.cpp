@@ -89,7 +89,8 @@ BOOST_AUTO_TEST_CASE(unusable_input_names_line_and_entry) {
     BOOST_TEST(complaint("[1]") == "line 1: a tableau must be a JSON object");
     BOOST_TEST(begins(complaint("{\n\n\"A\": oops}"), 16) == "line 3: not JSON");
     BOOST_TEST(complaint("{\n\"A\": [") == "line 2: not JSON: the text ends too early");
-    BOOST_TEST(begins(complaint(""), 16) == "line 1: not JSON");
+    BOOST_TEST(complaint("") == "line 1: the text is empty");
+    BOOST_TEST(complaint("{} trailing\n\n") == "line 1: not JSON: unexpected 'trailing'");
     BOOST_TEST(begins(complaint("{\"A\":\"\xff\"}"), 16) == "line 1: not JSON");
     BOOST_TEST(begins(complaint(std::string(1000000, '[')), 16) == "line 1: not JSON");
     BOOST_CHECK_THROW(read_tableau_file("/no/such/file.json"), unusable_input);

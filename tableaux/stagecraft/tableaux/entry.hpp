@@ -114,8 +114,17 @@ inline std::string describe_failure(std::string_view text, std::size_t at) {
     };
     std::size_t end = skip;
     while (end < text.size() && letter(text[end])) ++end;
-    if (end > skip) return "unknown symbol '" + std::string(text.substr(skip, end - skip)) + "'";
+    const auto before = text.substr(0, skip).find_last_not_of(" \t");
+    const bool after_number = before != std::string_view::npos &&
+                              (text[before] == ')' || (text[before] >= '0' && text[before] <= '9'));
     const char ch = text[skip];
+    if (end > skip) {
+        const std::string word(text.substr(skip, end - skip));
+        const bool known = word == "sqrt" || word == "cos" || word == "sin" || word == "pi";
+        return known && after_number ? "a * is missing before '" + word + "'"
+                                     : "unknown symbol '" + word + "'";
+    }
+    if (ch == '(' && after_number) return "a * is missing before '('";
     const std::string shown = ch > ' ' && ch < 127 ? std::string(1, ch) : "?";
     return "unexpected '" + shown + "' at character " + std::to_string(skip + 1);
 }
@@ -183,7 +192,9 @@ inline decimal_literal parse_literal(const std::string& text) {
     if (i < text.size()) {
         x.decimal = true;
         const std::string shift = text.substr(i + 1);
-        if (shift.size() > 5) throw std::invalid_argument("non-finite: exponent " + shift.substr(0, 12));
+        if (shift.size() > 5)
+            throw std::invalid_argument("non-finite: exponent " +
+                                        (shift.size() > 40 ? shift.substr(0, 40) + "..." : shift));
         x.scale += std::stoi(shift);
     }
     // Boost reads a leading zero as octal.

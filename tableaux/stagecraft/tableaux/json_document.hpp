@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
@@ -168,7 +169,20 @@ struct document {
                          ": " + what);
 }
 
+/// What stands in the text where a parser stopped, from the beginning of its word to the end of its line.
+inline std::string around(std::string_view text, std::size_t stopped) {
+    const auto in_word = [&](std::size_t k) {
+        return std::isalnum(static_cast<unsigned char>(text[k])) != 0;
+    };
+    std::size_t start = stopped;
+    while (start > 0 && in_word(start) && in_word(start - 1)) --start;
+    const auto shown = text.substr(start, 60);
+    return in_quotes(shown.substr(0, std::max<std::size_t>(shown.find('\n'), 1)));
+}
+
 inline document parse(std::string_view text) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        throw unusable_input("line 1: the text is empty");
     int line = 1;
     const path_finder finder = find_path(text, "never", line);
     if (!finder.repeated_key().empty())
@@ -182,8 +196,7 @@ inline document parse(std::string_view text) {
         const bool end = e.byte > text.size();
         throw unusable_input(
             "line " + std::to_string(breaks + 1) + ": not JSON: " +
-            (end ? "the text ends too early"
-                 : "unexpected " + in_quotes(text.substr(e.byte == 0 ? 0 : e.byte - 1, 12))));
+            (end ? "the text ends too early" : "unexpected " + around(text, e.byte == 0 ? 0 : e.byte - 1)));
     } catch (const json::exception&) {
         throw unusable_input("line " + std::to_string(line) + ": non-finite number");
     }

@@ -116,7 +116,10 @@ inline std::string text_of_file(const std::string& path) {
     if (std::filesystem::is_other(status))
         throw unusable_input("cannot read " + path + ": neither a file nor '-' for standard input");
     std::ifstream in(path, std::ios::binary);
-    if (!in || !(text << in.rdbuf())) throw unusable_input("cannot read " + path);
+    if (!in) throw unusable_input("cannot read " + path);
+    if (in.peek() == std::ifstream::traits_type::eof() && !in.bad())
+        throw unusable_input(path + ": the file is empty");
+    if (!(text << in.rdbuf())) throw unusable_input("cannot read " + path);
     return text.str();
 }
 

@@ -49,8 +49,7 @@ inline std::vector<coupled_place> coupled_places(const tableaux::partitioned_fil
     std::vector<coupled_place> all;
     for (std::size_t k = 0; k < file.partners.size(); ++k) {
         const auto& partner = file.partners[k];
-        const auto shape = make_subject<int>(partner, [](const tableaux::entry&) { return 0; });
-        for (const place& p : places_of(partner, shape.strictly_lower, shape.lower)) {
+        for (const place& p : places_of_kind(partner)) {
             const bool absent = nystrom && k == 1 && p.part == part::A && !file.uses_velocity;
             const bool shared = nystrom && k == 1 && p.part == part::c;
             if (!absent && !shared) all.push_back({k, p});

@@ -23,7 +23,7 @@ inline std::string in_brief(const finding& f) {
 
 /// Is every entry of the tableau known exactly?
 inline bool all_exact(const tableaux::tableau_file& t) {
-    const auto places = places_of(t, false, false);
+    const auto places = places_of(t);
     return std::all_of(places.begin(), places.end(),
                        [&](const place& p) { return entry_at(t, p).exact.has_value(); });
 }
@@ -41,7 +41,7 @@ inline std::vector<std::string> differences(const certified_file& x, const certi
             if (u.exact && v.exact) return !(u.enclosure == v.enclosure);
             return u.enclosure.upper < v.enclosure.lower || v.enclosure.upper < u.enclosure.lower;
         };
-        for (const place& p : places_of(a, false, false)) {
+        for (const place& p : places_of(a)) {
             const bool missing =
                 (p.part == part::c && b.c.empty()) || (p.part == part::b_embedded && b.b_embedded.empty());
             if (missing) continue;

@@ -101,6 +101,16 @@ struct file_certificate {
             if (any(s)) return s;
         return standing::proved;
     }
+    /// Whether there was nothing to judge.
+    bool nothing_claimed() const {
+        return std::none_of(findings.begin(), findings.end(), [](const finding& f) { return f.judgement; }) &&
+               std::all_of(partners.begin(), partners.end(),
+                           [](const file_certificate& p) { return p.nothing_claimed(); });
+    }
+    /// The verdict in words: name(overall()), or that nothing was claimed.
+    std::string verdict() const {
+        return nothing_claimed() ? "nothing claimed" : std::string(theory::name(overall()));
+    }
     /// 0 nothing claimed is refuted, 1 something is, 3 something could not be tested (2 is unusable input).
     int exit_code() const {
         const standing s = overall();
@@ -123,7 +133,7 @@ inline nlohmann::ordered_json to_json(const file_certificate& c) {
                              {"source", c.source},
                              {"data", c.data},
                              {"stages", c.stages},
-                             {"verdict", name(c.overall())}};
+                             {"verdict", c.verdict()}};
     for (const finding& f : c.findings) {
         nlohmann::ordered_json entry = nlohmann::ordered_json::object();
         if (f.value) entry["value"] = *f.value;
@@ -229,7 +239,7 @@ inline std::string to_text(const file_certificate& c) {
                ", largest error " + c.nearest->error +
                (c.nearest->entry.empty() ? "" : " at " + c.nearest->entry) + "\n";
     for (const file_certificate& p : c.partners) out += detail::indented(to_text(p));
-    return out + "  verdict: " + std::string(name(c.overall())) + "\n";
+    return out + "  verdict: " + c.verdict() + "\n";
 }
 
 }  // namespace stagecraft::theory

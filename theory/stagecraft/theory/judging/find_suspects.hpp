@@ -228,8 +228,7 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
         certificate.suspects_note = "no entry is suspected: beyond order 14 the trees are not looked at";
         return;
     }
-    const auto shape = make_subject<int>(file, [](const tableaux::entry&) { return 0; });
-    const auto all = places_of(file, shape.strictly_lower, shape.lower);
+    const auto all = places_of_kind(file);
     const bool rounding = find_single_faults(file, all, certificate);
     rank(certificate.suspects);
     auto& note = certificate.suspects_note;

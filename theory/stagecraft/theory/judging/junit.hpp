@@ -18,7 +18,7 @@ struct file_outcome {
 
 /// The certificate in one line: the verdict, the orders, and what is refuted or untested.
 inline std::string one_line(const file_certificate& c) {
-    std::string line(name(c.overall()));
+    std::string line = c.verdict();
     for (const finding& f : c.findings) {
         if (f.value && f.name != "stage_order") line += ", " + f.name + " " + std::to_string(*f.value);
         if (f.judgement && f.judgement->standing() == c.overall() &&

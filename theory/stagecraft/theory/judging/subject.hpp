@@ -81,19 +81,28 @@ inline const tableaux::entry& entry_at(const tableaux::tableau_file& file, const
     }
 }
 
-/// All entries whose change leaves the kind of method alone: no entry above the diagonal of an explicit or
-/// diagonally implicit A (on the diagonal of an explicit one).
-inline std::vector<place> places_of(const tableaux::tableau_file& file, bool strictly_lower, bool lower) {
+/// The entries of the file: of A, at most those `above` the diagonal by so much.
+inline std::vector<place> places_of(const tableaux::tableau_file& file, int above = tableaux::most_stages) {
     std::vector<place> all;
     const int s = file.stages();
     for (int i = 0; i < s; ++i)
-        for (int j = 0; j < (strictly_lower ? i : lower ? i + 1 : s); ++j) all.push_back({part::A, i, j});
+        for (int j = 0; j < s && j - i <= above; ++j) all.push_back({part::A, i, j});
     for (int i = 0; i < s; ++i) all.push_back({part::b, i, 0});
     if (!file.c.empty())
         for (int i = 0; i < s; ++i) all.push_back({part::c, i, 0});
     if (!file.b_embedded.empty())
         for (int i = 0; i < s; ++i) all.push_back({part::b_embedded, i, 0});
     return all;
+}
+
+/// All entries whose change leaves the kind of method alone: no entry above the diagonal of an explicit or
+/// diagonally implicit A (on the diagonal of an explicit one), by the zeros that it has, or prints as 0.000.
+inline std::vector<place> places_of_kind(const tableaux::tableau_file& file) {
+    int above = -1;
+    for (const place& p : places_of(file))
+        if (p.part == part::A && p.column - p.row > above && entry_at(file, p).enclosure.middle() != 0)
+            above = p.column - p.row;
+    return places_of(file, above > 0 ? file.stages() : above);
 }
 
 /// The tableau of the file over K; `convert` maps an entry to K.
