@@ -33,7 +33,9 @@ struct event_function {
 };
 
 /// The event "g(t, y) reaches or crosses zero" for a continuous g, which returns a number; events() says
-/// how zeros are found, what that costs, and what a NaN does.
+/// how zeros are found, what that costs, and what a NaN does. In a distributed run (problem.add_up) y is the part of one
+/// process: g has to return the same number on all, from sums of its own. Where the numbers differ, a terminal event still
+/// ends the run on all processes, but only those that saw it end at its time.
 template <class Function>
 event_function<Function> event(Function g, event_options o = {}) {
     return {std::move(g), o};

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <stagecraft/tableaux/stage_form.hpp>
 #include <stagecraft/tableaux/tableau_file.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stagecraft::tableaux {
@@ -100,8 +102,21 @@ inline void apply(const reading& how, tableau_file& file) {
 }
 
 /// The same file with its rounded decimals understood as cut off: a value lies between the number as written and one
-/// unit of the last digit away from zero. Doubles, and what a reading has widened, stay as they are.
+/// unit of the last digit away from zero. Doubles, and what a reading has widened, stay as they are,
+/// and so does a form whose rows do not sum to 1 then.
 inline tableau_file cut_off(tableau_file file) {
+    if (file.form) {  // its own decimals are, not what was computed from them
+        tableau_file given;
+        given.A = file.form->rows;
+        try {
+            tableau_file cut = expanded({file.form->which, cut_off(std::move(given)).A});
+            file.A = std::move(cut.A);
+            file.b = std::move(cut.b);
+            file.form = std::move(cut.form);
+        } catch (const std::invalid_argument&) {  // rows of alpha sum to 1 as rounded only
+        }
+        return file;
+    }
     file.for_each_entry([](entry& e) {
         if (!e.rounded || !(read_entry(e.text).enclosure == e.enclosure)) return;
         const rational half = e.uncertainty();

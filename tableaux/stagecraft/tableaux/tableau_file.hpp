@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/claims.hpp>
@@ -28,6 +29,27 @@ constexpr std::string_view name(number_kind k) {
                                          : "rounded";
 }
 
+/// The coefficients of an explicit method as codes for partial differential equations store it (registers_of).
+struct stage_form {
+    enum class kind { shu_osher, williamson, ketcheson };
+    kind which = kind::shu_osher;
+    /// Shu-Osher: the rows of alpha, filled up with zeros, then those of beta; else the lists in the order of names().
+    std::vector<std::vector<entry>> rows;
+
+    static const std::vector<std::string>& names(kind k) {
+        static const std::vector<std::string> all[] = {
+            {"alpha", "beta"}, {"A", "B"}, {"gamma1", "gamma2", "delta", "beta"}};
+        return all[static_cast<int>(k)];
+    }
+    /// "beta[3][1]", "B[2]", counted from 1.
+    std::string name(std::size_t row, std::size_t column) const {
+        const std::size_t of_each = rows.size() / names(which).size();
+        std::string text = names(which)[row / of_each];
+        if (which == kind::shu_osher) text += "[" + std::to_string(row % of_each + 1) + "]";
+        return text + "[" + std::to_string(column + 1) + "]";
+    }
+};
+
 /// A tableau as a file gives it.
 struct tableau_file {
     std::string name;
@@ -37,7 +59,8 @@ struct tableau_file {
     std::vector<entry> c;           ///< empty where the file leaves it to the row sums
     std::vector<entry> b_embedded;  ///< empty where there is none
     std::vector<std::vector<entry>>
-        b_theta;  ///< coefficients of theta, theta^2, ... of each b_i(theta), or empty
+        b_theta;                     ///< coefficients of theta, theta^2, ... of each b_i(theta), or empty
+    std::optional<stage_form> form;  ///< what A and b were computed from, where they do not stand in the file
     tableaux::claims claims;
     int short_decimals = 0;  ///< decimals read as exact though written with a point
 

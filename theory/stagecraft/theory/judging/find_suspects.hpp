@@ -5,6 +5,7 @@
 #include <optional>
 #include <stagecraft/tableaux/rough_ball.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
+#include <stagecraft/theory/judging/form_suspects.hpp>
 #include <stagecraft/theory/judging/judge_claims.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/judging/suspects.hpp>
@@ -197,21 +198,6 @@ std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
     return all;
 }
 
-/// Whether a changed tableau keeps every claim.
-template <class K>
-bool keeps_claims(const subject<K>& changed, const tableaux::claims& claims) {
-    const bool row_sums = changed.nodes_given;
-    if constexpr (exact_scalar<K>) {  // a residue says no at once
-        const auto quick = reduced_modulo_prime(changed);
-        if (quick && refutes_a_condition(*quick, claims, row_sums)) return false;
-    } else {
-        const auto quick =
-            mapped<tableaux::rough_ball>(changed, [](const K& x) { return tableaux::rough_ball(x); });
-        if (refutes_a_condition(quick, claims, row_sums)) return false;
-    }
-    return !refutes_a_claim(changed, claims, row_sums);
-}
-
 /// Whether undoing a mix-up restores every claim.
 template <class K>
 std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims) {
@@ -228,17 +214,24 @@ inline void find_suspects(const tableaux::tableau_file& file, file_certificate& 
         certificate.suspects_note = "no entry is suspected: beyond order 14 the trees are not looked at";
         return;
     }
+    if (file.form) {
+        if (file.kind() <= tableaux::number_kind::quadratic)
+            find_form_suspects(file, exact_entry, certificate);
+        else
+            find_form_suspects(file, enclosed_entry, certificate);
+        return;
+    }
     const auto all = places_of_kind(file);
     const bool rounding = find_single_faults(file, all, certificate);
     rank(certificate.suspects);
     auto& note = certificate.suspects_note;
     if (certificate.suspects.size() == 1) return;
     if (!certificate.suspects.empty()) {
-        note = "any one of these changes restores every claim; the claims do not tell which is meant";
+        note = several_repairs;
         return;
     }
     if (rounding) {
-        note = std::string("what fails is at the level of rounding: no entry is suspected; ") + larger_errors;
+        note = only_rounding_fails;
         return;
     }
     const auto several = [&](const auto& s) {

@@ -243,7 +243,7 @@ inline verdict rounded_symmetric(const subject<ball>& s) {
 }
 
 /// b >= 0 and M >= 0: refuted by a negative weight or by a vector v with v^T M v < 0, tried for the lowest
-/// eigenvector of the middle of M.
+/// eigenvector of the middle of M. The residual is how far below 0 the middle of v^T M v lies.
 inline verdict rounded_algebraically_stable(const subject<ball>& s) {
     const int n = s.stages();
     Eigen::Matrix<ball, -1, -1> m(n, n);
@@ -264,7 +264,8 @@ inline verdict rounded_algebraically_stable(const subject<ball>& s) {
     }
     bound scale = 0;
     for (int i = 0; i < n; ++i) scale = std::max(scale, (s.t.b(i) * s.t.b(i)).magnitude());
-    return open_case(form.magnitude(), form.radius(), scale, data_reason);
+    // A positive v^T M v is what is claimed: only what is missing from 0 is a residual.
+    return open_case(form.middle() < 0 ? form.magnitude() : 0, form.radius(), scale, data_reason);
 }
 
 /// |R(z)| <= 1 for Re z <= 0: refuted for explicit methods, and by a z on the imaginary or the negative real
@@ -284,6 +285,7 @@ inline verdict rounded_a_stable(const subject<ball>& s) {
         if (certainly_negative(q - p)) return verdict::refuted("|R(iy)| > 1 at y = " + brief(y));
         if (certainly_nonzero(q)) {
             const ball gain = p / q - ball(1);
+            if (certainly_positive(gain)) return verdict::refuted("|R(iy)| > 1 at y = " + brief(y));
             if (gain.middle() > 0) gap = std::max(gap, gain.magnitude());
             radius = std::max(radius, gain.radius());
         } else {

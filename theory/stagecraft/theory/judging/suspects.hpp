@@ -331,6 +331,27 @@ inline void rank(std::vector<suspect>& suspects) {
     });
 }
 
+/// Whether a changed tableau keeps every claim.
+template <class K>
+bool keeps_claims(const subject<K>& changed, const tableaux::claims& claims) {
+    const bool row_sums = changed.nodes_given;
+    if constexpr (exact_scalar<K>) {  // a residue says no at once
+        const auto quick = reduced_modulo_prime(changed);
+        if (quick && refutes_a_condition(*quick, claims, row_sums)) return false;
+    } else {
+        const auto quick =
+            mapped<tableaux::rough_ball>(changed, [](const K& x) { return tableaux::rough_ball(x); });
+        if (refutes_a_condition(quick, claims, row_sums)) return false;
+    }
+    return !refutes_a_claim(changed, claims, row_sums);
+}
+
+/// What is said of several single faults, each of which explains everything, and of none but rounding.
+inline constexpr const char* several_repairs =
+    "any one of these changes restores every claim; the claims do not tell which is meant";
+inline const std::string only_rounding_fails =
+    std::string("what fails is at the level of rounding: no entry is suspected; ") + larger_errors;
+
 }  // namespace detail
 
 }  // namespace stagecraft::theory
