@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(the_angle_of_pade_0_6_ends_at_a_pole_although_the_axis_is_s
     angle_is(r, 74.308592674656);
     // a ray beyond the poles is stable itself; the sector inside it is not
     const rational wide(1, 1000);
-    BOOST_TEST(!tableaux::negative_point_from_zero(detail::ray_polynomial(r, wide)).has_value());
+    BOOST_TEST(!tableaux::negative_point_from_zero(theory::detail::ray_polynomial(r, wide)).has_value());
     const auto v = a_alpha_stable(r, wide);
     BOOST_TEST(v.is_refuted());
     BOOST_TEST(v.reason().starts_with("a pole in the sector"));
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(roots_in_a_sector_match_products_of_known_factors) {
             p *= poly{modulus_squared, -2 * re, 1};
             inside += re < 0 && gap > 0 ? 2 : 0;
         }
-        BOOST_TEST(detail::roots_in_sector(p, u) == inside, to_string(p) + ", cosine " + u.str());
+        BOOST_TEST(theory::detail::roots_in_sector(p, u) == inside, to_string(p) + ", cosine " + u.str());
     }
 }
 
@@ -108,10 +108,10 @@ BOOST_AUTO_TEST_CASE(an_angle_with_vanishing_chebyshev_polynomial_is_counted_rig
     const K u(0, q(1, 2), 3);
     const polynomial<K> x = polynomial<K>::x();
     const auto shift = [&](int a) { return x + polynomial<K>(K(a)); };
-    BOOST_TEST(detail::roots_in_sector(shift(1) * shift(2) * shift(3), u) == 3);
-    BOOST_TEST(detail::roots_in_sector(shift(-1) * shift(2) * shift(3), u) == 2);
-    BOOST_TEST(detail::roots_in_sector(shift(-1) * shift(-2) * shift(3), u) == 1);
-    BOOST_TEST(detail::roots_in_sector(shift(-1) * shift(-2) * shift(-3), u) == 0);
+    BOOST_TEST(theory::detail::roots_in_sector(shift(1) * shift(2) * shift(3), u) == 3);
+    BOOST_TEST(theory::detail::roots_in_sector(shift(-1) * shift(2) * shift(3), u) == 2);
+    BOOST_TEST(theory::detail::roots_in_sector(shift(-1) * shift(-2) * shift(3), u) == 1);
+    BOOST_TEST(theory::detail::roots_in_sector(shift(-1) * shift(-2) * shift(-3), u) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(verdicts_on_random_functions_agree_with_samples_of_the_left_half_plane) {
