@@ -262,7 +262,8 @@ class integrator {
     template <class Step>
     newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear, output_type& now) {
         newton_outcome<scalar> newton;
-        const newton_limits<scalar> limits = newton_limits_for(method.coupled_stages_count(), h);
+        newton_limits<scalar> limits{};
+        if (method.iterates()) limits = newton_limits_for(method.coupled_stages_count(), h);
         if (linear == linear_state::factored) {
             method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
             newton =
@@ -271,7 +272,7 @@ class integrator {
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
             if (solve_by_continuation(method, system_, t_, y_, h, weights_, limits, now, report_, newton))
                 linear_.factored_for(h, acceptance_.method());
-        if (newton.end == newton_end::converged)
+        if (newton.end == newton_end::converged && method.iterates())
             linear_.solved(newton, factorisation_cost(method, system_), report_.steps == 0);
         return newton;
     }

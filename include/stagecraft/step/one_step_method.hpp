@@ -87,6 +87,9 @@ class step_defaults {
     using scalar = typename Space::scalar;
     using output = typename Space::output;
 
+    /// False if all stages are explicit, so that solve() asks nothing of its limits and tells nothing of an iteration.
+    static constexpr bool iterates() { return true; }
+
     // Values of f at the ends of the step.
 
     /// True if the next step uses f(t, y), for its stages or (unless `fixed`) its estimate.

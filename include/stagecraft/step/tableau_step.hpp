@@ -127,6 +127,7 @@ class tableau_step : public step_defaults<Space> {
     bool forgets() const { return is_.forgets; }
     /// False if no stage needs a Jacobian.
     bool implicit() const { return !is_.lower || sequential_.implicit(); }
+    bool iterates() const { return implicit(); }
     /// True if the next step uses f at its left end.
     bool needs_left_value(bool) const {
         return !left_known_ && (is_.left_stage || (blind_.need_left_slope && slope_from_f_));
