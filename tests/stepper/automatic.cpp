@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE automatic
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <problems/equations.hpp>
 #include <problems/stored.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
@@ -74,4 +75,19 @@ BOOST_AUTO_TEST_CASE(all_kinds_of_jacobian_lead_to_the_same_solution) {
     for (const auto& r : {a, b, c}) BOOST_TEST(problems::error(r.y, ref, 1e-6) < 1e-6);
     BOOST_TEST(a.report.steps == b.report.steps);
     BOOST_TEST((a.y - b.y).norm() < 1e-14);
+}
+
+// y' = 1 - 2 sqrt(y), y(0) = 0, a tank that fills: t = -s - log(1 - 2 s)/2 with s = sqrt(y). df/dy is infinite at t = 0.
+BOOST_AUTO_TEST_CASE(a_run_may_start_where_a_generic_right_hand_side_has_an_infinite_derivative) {
+    using one = Eigen::Matrix<double, 1, 1>;
+    const auto tank = [](const auto&, const auto& y, auto& f) {
+        using std::sqrt;
+        f[0] = 1 - 2 * sqrt(y[0]);
+    };
+    for (const double tol : {1e-3, 1e-6, 1e-9}) {
+        const auto r = sc::integrate(sc::radau_iia<3>(), tank, one(0), 0, 1, {.rtol = tol, .atol = tol});
+        BOOST_TEST(r.ok());
+        const double s = std::sqrt(r.y[0]), late = r.t + s + std::log(1 - 2 * s) / 2;
+        BOOST_TEST(std::abs(late * (1 - 2 * s)) < 10 * tol);  // in y, with y' = 1 - 2 s
+    }
 }

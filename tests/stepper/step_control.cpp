@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(proportional_integral_control_rejects_less_where_stability_
 // What Newton's iteration told, contracting by theta with a Jacobian that is new.
 struct told {
     struct system {
-        static constexpr bool finite_difference = false;
+        static constexpr bool finite_difference = false, automatic = false;
         static void evaluate_jacobian(double, const V1&, const V1&, const V1&) {}
         static int size() { return 1; }
     };

@@ -71,6 +71,15 @@ class linearisation {
             system.evaluate_jacobian(t + ahead, point, f0, negligible_);
         } else {
             system.evaluate_jacobian(t, y, f0, negligible_);
+            // A derivative may be infinite where f is not, as that of sqrt(y) at 0: then a little further along the
+            // solution, if it moves.
+            if constexpr (System::automatic) {
+                if (System::mass_type::identity && !system.finite_jacobian()) {
+                    system(t, y, point);
+                    point = y + (h / 1000) * point;
+                    system.evaluate_jacobian(t, point, f0, negligible_);
+                }
+            }
         }
         jacobian_ = age::fresh;
         factored_for(scalar(0), 0);
