@@ -2,14 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include <stagecraft/bvp/conditioning.hpp>
-#include <stagecraft/linear/mass.hpp>
+#include <stagecraft/bvp/lifting_elimination.hpp>
+#include <stagecraft/bvp/lifting_rule.hpp>
+#include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {
 
@@ -39,7 +40,9 @@ class regularity {
         if (answer_ < scalar(30)) return false;
         if (std::decay_t<decltype(equations_.mass())>::identity && close()) return false;
         wide local(equations_.n(), x_.intervals());
-        for (int i = 0; i < x_.intervals(); ++i) local.col(i) = local_error(i);
+        const bool usual = rule_.nodes() == usual_nodes;
+        for (int i = 0; i < x_.intervals(); ++i)
+            usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
         resolved_ = share(local) < scalar(1) / 10;
         if (!resolved_) return false;
         iterate e;
@@ -157,27 +160,25 @@ class regularity {
     }
 
     /// u at the end of interval i by the collocation that lifts, with the Jacobians between the nodes by interpolation, less
-    /// what it is there.
-    column local_error(int i) {
-        const int n = equations_.n(), np = equations_.np(), s = equations_.s(), m = rule_.nodes();
+    /// what it is there. Nodes is the number of nodes where it is known at compile time, or 0.
+    template <int Nodes>
+    void local_error(int i, wide& local) {
+        const int n = equations_.n(), np = equations_.np(), s = equations_.s(), width = n + np;
+        const int m = Nodes > 0 ? Nodes : rule_.nodes();
         const scalar h = x_.h(i);
-        const auto all = equations_.jacobians(i);
-        matrix a = matrix::Zero(n * m, n * m), J(n, n + np);
-        column g(n * m), own(n);
+        J_.resize(n, width), hJ_.resize(n, n * m), d_.resize(n, m), g_.resize(n, m);
         for (int k = 0; k < m; ++k) {
-            J.setZero();
-            for (int j = 0; j < s; ++j) J += rule_.lagrange(k, j) * all.middleCols(j * (n + np), n + np);
-            g.segment(k * n, n) = h * (J.leftCols(n) * u_.col(i) + J.rightCols(np) * p_);
-            for (int j = 0; j < m; ++j)
-                a.block(k * n, j * n, n, n) = -h * rule_.integrals(k, j) * J.leftCols(n);
-            matrix mass = matrix::Zero(n, n);
-            add_mass(equations_.mass(), scalar(1), mass.data(), n);
-            a.block(k * n, k * n, n, n) += mass;
+            combine<NW, S>(rule_.lagrange.data() + k * s, s, equations_.jacobians(i).data(), width * n,
+                           J_.data(), width * n);
+            J_ *= h;
+            hJ_.middleCols(k * n, n) = J_.leftCols(n);
+            d_.col(k) = J_.leftCols(n).lazyProduct(u_.col(i));
+            if (np > 0) d_.col(k) += J_.rightCols(np).lazyProduct(p_);
         }
-        g = a.partialPivLu().solve(g).eval();
-        own = u_.col(i) - u_.col(i + 1);
-        for (int k = 0; k < m; ++k) own += rule_.gauss.b[k] * g.segment(k * n, n);
-        return own;
+        elimination_.template factor<Nodes>(rule_, equations_.mass(), h, hJ_);
+        elimination_.template solve<Nodes>(rule_, h, hJ_, d_, g_);
+        combine<N, Nodes>(rule_.gauss.b.data(), m, g_.data(), n, &local(0, i), n);
+        local.col(i) += u_.col(i) - u_.col(i + 1);
     }
 
     /// How large e is beside u, their components beside those of y.
@@ -207,7 +208,13 @@ class regularity {
     conditioning_of<Equations>& conditioning_;
     iterate& x_;
     const rule& rule_;
-    wide u_;
+    static constexpr int N = wide::RowsAtCompileTime, S = Equations::stages,
+                         W = added<N, Equations::parameters::RowsAtCompileTime>,
+                         NW = N > 0 && W > 0 ? N *W : Eigen::Dynamic, usual_nodes = S > 0 ? S + 2 : 0;
+
+    wide u_, hJ_, d_, g_;
+    Eigen::Matrix<scalar, N, W> J_;
+    lifting_elimination<scalar, N, Equations::positions> elimination_;
     column p_, size_, scale_;
     scalar answer_{0};
     bool resolved_ = false;
