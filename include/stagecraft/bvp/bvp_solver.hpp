@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -336,16 +335,14 @@ class bvp_solver {
     }
 
     void end(bvp_status status, const std::string& message) {
-        result_.status = status, result_.message = message;
+        result_.status = status;
+        result_.message = message;
     }
     void end_at(const Scalar& t) {
-        std::ostringstream text;
-        text.precision(std::numeric_limits<Scalar>::max_digits10);
-        text << "f or its Jacobian gave NaN or infinity at t = " << t;
-        if (const auto& c = equations_.method().c;
-            (t == x_.t.front() && c[0] == Scalar(0)) || (t == x_.t.back() && c[c.size() - 1] == Scalar(1)))
-            text << ", an end of the interval, where Gauss methods do not evaluate f";
-        end(bvp_status::non_finite, text.str());
+        const auto& c = equations_.method().c;
+        const bool first = t == x_.t.front() && c[0] == Scalar(0),
+                   last = t == x_.t.back() && c[c.size() - 1] == Scalar(1);
+        end(bvp_status::non_finite, not_finite_at(t, first || last));
     }
 
     void finish() {

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <exception>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -90,5 +92,19 @@ struct bvp_result {
 
     bool ok() const { return status == bvp_status::success; }
 };
+
+namespace detail {
+
+/// What is said of an f that was not finite at t. Is t an end of the interval, where not every method evaluates f?
+template <class Scalar>
+std::string not_finite_at(const Scalar& t, bool end) {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<Scalar>::max_digits10);
+    text << "f or its Jacobian gave NaN or infinity at t = " << t;
+    if (end) text << ", an end of the interval, where Gauss methods do not evaluate f";
+    return text.str();
+}
+
+}  // namespace detail
 
 }  // namespace stagecraft
