@@ -106,6 +106,10 @@ class acceptance {
                 jumps_.across(trial.plan.h, once, method.estimate_power(), refused.for_error > 0))
                 raise(err, once / stiff_share());
         }
+        if (inherited(err, refused)) {
+            system.weigh_raised(weights_, scalar(0));
+            err = estimate_size();
+        }
         if (err < scalar(1) && method.needs_right_value()) {
             const Vector& f1 = trial.f.right(system, trial.plan.t_next, trial.y1);
             if (const int solves = method.estimate_right(system, trial.plan.h, f1, trial.now, error_)) {
@@ -289,6 +293,13 @@ class acceptance {
                 if (size[j] == scalar(0)) x[j] = scalar(0);
         }
     }
+    /// True if what is left of the error after several attempts no longer falls with the step: the iteration of the
+    /// step before has left so much in the constraints, which takes |h| e_z of this order to mend in one step of
+    /// any length. Then z says nothing more about the step; it is wrong by that much until the next one.
+    bool inherited(const scalar& err, const refusals& refused) const {
+        return share_ < scalar(1) && refused.for_error > 3 && err >= scalar(1) && err < most_inherited() &&
+               !jumps_.smaller(err);
+    }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of
     /// the first attempts at a step only: what smaller steps do not take away does come from z_n.
@@ -297,7 +308,7 @@ class acceptance {
         system.weigh_raised(weights_, scalar(1) / share_);
         const scalar whole = weighted_norm(error_, weights_, system.size(), system.sums()) * ratio;
         system.weigh_raised(weights_, share_);
-        return whole - 40;
+        return whole - most_inherited();
     }
     /// What an estimate of 1 by method k stands for where f is smooth, of an error that any component may have.
     template <class System>
@@ -307,6 +318,7 @@ class acceptance {
     /// An estimate of one in components of index 2 and 3 stands for an error of a quarter, so that |h| e_z
     /// stays within about ten tolerances; with one it would stay within three, for a third more steps.
     static scalar raised_ratio() { return scalar(1) / 4; }
+    static scalar most_inherited() { return scalar(40); }
     /// err := the larger one; NaN is.
     static void raise(scalar& err, const scalar& other) {
         if (!(other <= err)) err = other;

@@ -173,6 +173,7 @@ class collocation_step : public step_defaults<Space> {
             return 1;
         }
         error += y;
+        system.for_each_raised([&](int i, int) { error[i] = y[i]; });
         system(t, error, f);
         defect(system, h, known_.left, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
