@@ -191,9 +191,10 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     }
     constexpr bool observed =
         detail::observes<good, Method, problem_type, vector, std::remove_reference_t<Observer>>;
-    static_assert(method_first,
-                  "integrate(method, problem, y0, t0, t1, options, observer): the first argument must be a "
-                  "tableau, a transformed_tableau or a variable_order set");
+    static_assert(
+        method_first,
+        "integrate(method, problem, y0, t0, t1, options, observer): the first argument must be a "
+        "tableau, a transformed_tableau or a variable_order set, radau_iia<3>() with its parentheses, say");
     static_assert(
         same_scalar,
         "integrate: method and y0 must have the same scalar type: y0 is Eigen::Vector3d, say, for a "

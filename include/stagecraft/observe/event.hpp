@@ -333,8 +333,8 @@ class event_watch {
 /// a step: options.max_step helps. g may be evaluated anywhere in a step, also beyond a terminal event.
 ///
 /// The time reported is the first at which g is zero or has its new sign, so that a run continued from there
-/// does not meet the same event again; an event within rounding of t0 is not reported. A g that reaches zero
-/// exactly and turns back is an event. A g that returns NaN ends the run with status::function_threw
+/// does not meet the same event again; an event within rounding of t0 is not reported. A smooth g that
+/// reaches zero exactly and turns back is an event. A g that returns NaN ends the run with status::function_threw
 /// (std::domain_error naming the event and t).
 ///
 /// A ball that bounces to rest bounces infinitely often in finite time. Its flights become shorter than t can

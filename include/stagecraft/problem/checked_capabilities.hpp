@@ -109,8 +109,8 @@ struct checked_capabilities {
 
     static_assert(
         absent<detail::mass_member> || has_mass<Problem>,
-        "problem.mass must be a member function `auto mass() const` that returns the n x n matrix M; give a "
-        "member that means something else another name");
+        "problem.mass must be a member function `auto mass() const` that returns the n x n matrix M (for "
+        "M(t) or M(y): problem/fully_implicit.hpp); give a member that means something else another name");
     static_assert(
         absent<detail::index_member> || has_index<Problem>,
         "problem.index must be a member function `auto index() const` that returns the index of every "
