@@ -96,6 +96,12 @@ BOOST_AUTO_TEST_CASE(the_error_of_what_is_no_solution_is_not_known) {
     const auto r = solve(1, {0, 0}, 7);
     BOOST_TEST(word(r.status) == "newton_failed");
     BOOST_TEST(r.error.global == std::numeric_limits<double>::infinity());
+    const auto threw = solve(1, {0, 0}, 2);
+    for (const auto& e : {r.error, threw.error}) {
+        BOOST_TEST(e.components[0] == std::numeric_limits<double>::infinity());
+        BOOST_TEST(e.components[1] == std::numeric_limits<double>::infinity());
+        BOOST_TEST(e.parameters.size() == 0);
+    }
 }
 
 // x_1(0) = c_1, x_1(T) = c_2, T = pi (1 - 10^-k): 1 / kappa_1 = sqrt(1 - |cos T|), 1 / kappa_2 = |sin T|. Written
@@ -299,17 +305,26 @@ BOOST_AUTO_TEST_CASE(intervals_are_limited_and_counts_are_what_they_cost) {
     BOOST_TEST(word(tiny.status) != "newton_failed");
 }
 
-// Where y is large somewhere, its rounding errors there are more than the tolerance allows where it is small.
+// Where y is large somewhere, its rounding errors there are more than the tolerance allows where it is small. And where
+// Green's function is large, rounding errors inside are too, though kappa_1 is small: of e y'' - t y' + y = 0 on [-1, 1],
+// y(-1) = 1, y(1) = 0, the part -t/2 hangs on exp(-1/(2 e)). It had come back as 0, with success.
 BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
-    const auto f = [](const auto&, const auto& y, auto& out) { out[0] = y[1], out[1] = y[0]; };
-    const auto with = [&](double size, int conditions = 2) {
+    const auto with = [](double size, int conditions = 2, double e = 0) {
+        const auto f = [e](const auto& t, const auto& y, auto& out) {
+            out[0] = y[1], out[1] = y[0];
+            if (e > 0) out[1] = (t * y[1] - y[0]) / e;
+        };
         const auto ends = [=](const auto& left, const auto& right, auto& r) {
             r[0] = left[0] - size, r[1] = right[0];
             for (int i = 2; i < conditions; ++i) r[i] = right[0];
         };
-        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, ends), 0.0, 1.0, Vector2d(0, 0),
+        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, ends), e > 0 ? -1.0 : 0.0, 1.0, Vector2d(0, 0),
                              {.rtol = 1e-8});
     };
+    const auto turning = with(1, 2, 0.1);
+    BOOST_TEST(turning.ok());
+    BOOST_TEST(std::abs(turning.y(0.0)[1] + 0.5) < 1e-8);
+    for (const double e : {0.01, 0.005, 0.002}) BOOST_TEST(word(with(1, 2, e).status) == "ill_conditioned");
     const auto usual = with(1e6);  // y = 1e6 sinh(1 - t) / sinh(1)
     BOOST_TEST(usual.ok());
     BOOST_TEST(std::abs(usual.y(0.5)[0] / (1e6 * std::sinh(0.5) / std::sinh(1.)) - 1) < 1e-8);
@@ -321,6 +336,7 @@ BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
     const auto differences = [](const Vector2d& left, const Vector2d& right, Vector2d& r) {
         r[0] = left[0] - 1e8, r[1] = right[0];
     };
+    const auto f = [](double, const Vector2d& y, Vector2d& out) { out = Vector2d(y[1], y[0]); };
     const auto seen = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, differences), 0.0, 1.0, Vector2d(0, 0),
                                     {.rtol = 1e-6});
     BOOST_TEST(seen.ok());

@@ -169,6 +169,7 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
         orbit_result<Vector> r;
         r.status = bvp_status::equilibrium;
         r.message = "the guess begins at an equilibrium";
+        r.error.forget(n, 1);
         return r;
     }
     Scalar shift(0);

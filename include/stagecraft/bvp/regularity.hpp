@@ -66,21 +66,22 @@ class regularity {
     /// What one rounding error in every entry makes of u, relative to it.
     scalar rounding(const scalar& floor) {
         choose(floor);
-        const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
-        const scalar eps = std::numeric_limits<scalar>::epsilon();
-        wide local(n, L);
-        for (int i = 0; i < L; ++i)
-            local.col(i) = sign(i) * eps *
-                           (equations_.left_block(i).cwiseAbs() * u_.col(i).cwiseAbs() +
-                            equations_.right_block(i).cwiseAbs() * u_.col(i + 1).cwiseAbs());
-        column ends(2 * n + np);
-        ends << u_.col(0).cwiseAbs(), u_.col(L).cwiseAbs(), p_.cwiseAbs();
-        column conditions = eps * (equations_.conditions().cwiseAbs() * ends);
-        for (int k = 0; k < n + np; ++k) conditions[k] *= sign(k);
-        wide e(n, L + 1);
-        typename Equations::parameters shift(np);
-        equations_.factors().solve(local, conditions, e, shift);
+        typename Equations::parameters shift(equations_.np());
+        const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
         return share(e, shift);
+    }
+
+    /// What one rounding error in every entry makes of y, relative to floor + |y|. Values far below floor count as if they
+    /// were as large as they are elsewhere, at most floor: that they are small may be a rounding error itself.
+    scalar rounding_of_y(const scalar& floor) {
+        wide size = x_.y.cwiseAbs();
+        for (Eigen::Index c = 0; c < size.rows(); ++c) {
+            const scalar most = size.row(c).maxCoeff();
+            size.row(c) = size.row(c).cwiseMax(most < floor ? most : floor).eval();
+        }
+        typename Equations::parameters shift(equations_.np());
+        const wide e = answer_to_rounding(size, x_.p.cwiseAbs(), shift);
+        return (e.array().abs() / (floor + x_.y.array().abs())).maxCoeff();
     }
 
     /// Do f or r depend on y or p nonlinearly? `size` is that of y.
@@ -198,6 +199,23 @@ class regularity {
         for (Eigen::Index j = 0; j < p.size(); ++j)
             if (abs(p_[j]) > scalar(0)) most = std::max(most, scalar(abs(p[j] / p_[j])));
         return most;
+    }
+    /// The answer of the linearised problem to one rounding error in every entry, y and p being of these sizes.
+    template <class Parameters>
+    wide answer_to_rounding(const wide& size, const column& p, Parameters& shift) {
+        const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
+        const scalar eps = std::numeric_limits<scalar>::epsilon();
+        wide local(n, L), e(n, L + 1);
+        for (int i = 0; i < L; ++i)
+            local.col(i) = sign(i) * eps *
+                           (equations_.left_block(i).cwiseAbs() * size.col(i) +
+                            equations_.right_block(i).cwiseAbs() * size.col(i + 1));
+        column ends(2 * n + np);
+        ends << size.col(0), size.col(L), p;
+        column conditions = eps * (equations_.conditions().cwiseAbs() * ends);
+        for (int k = 0; k < n + np; ++k) conditions[k] *= sign(k);
+        equations_.factors().solve(local, conditions, e, shift);
+        return e;
     }
     /// A sign for rounding error number i, without a pattern.
     static scalar sign(int i) {

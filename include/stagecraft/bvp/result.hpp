@@ -59,9 +59,17 @@ struct bvp_error {
     /// The largest of |error_i(t)| / (atol/rtol + |y_i(t)|), and the same for p; infinity where it is not known,
     /// Newton's iteration having ended without a solution.
     scalar global{0};
-    Vector components;  ///< the largest absolute error of each component over [a, b]
+    Vector
+        components;  ///< the largest absolute error of each component over [a, b]; infinity where it is not known
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> parameters;  ///< absolute errors of p
     scalar defect{0};  ///< the largest |y' - f(t, y)| / (atol/rtol + |f|) of the returned y(t)
+
+    /// Of n components and m parameters nothing is known.
+    void forget(Eigen::Index n, Eigen::Index m) {
+        global = std::numeric_limits<scalar>::infinity();
+        components.setConstant(n, global);
+        parameters.setConstant(m, global);
+    }
 };
 
 /// How well posed the linearised problem is, in the spectral norm, as found at mesh points and nodes.
