@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Problems u'' = g(t, u, u') with closed solutions: Cash's test set (stated in the vignette bvpTests of the R package
-// bvpSolve; the solutions of 7 and 8 printed there are corrected), Bratu's two solutions, Lane and Emden.
+// bvpSolve; the solutions of 7 and 8 printed there are corrected), Bratu's two solutions, Lane and Emden; and systems of
+// three equations: Blasius, eigenvalues of -u''.
 #include "problem.hpp"
 
 namespace bvp {
@@ -199,6 +200,44 @@ void lane_emden(std::vector<problem>& all) {
     all.push_back(p);
 }
 
+/// f''' + f f''/2 = 0; of the solution f''(0) alone is known, to all digits.
+void blasius(std::vector<problem>& all) {
+    problem p;
+    p.name = "blasius";
+    p.n = 3, p.second_order = false;
+    p.b = 20;
+    p.left = {{{1, 0, 0}, 0}, {{0, 1, 0}, 0}};
+    p.right = {{{0, 1, 0}, 1}};
+    p.f = [](double, const double* y, double* f) { f[0] = y[1], f[1] = y[2], f[2] = -y[0] * y[2] / 2; };
+    p.jacobian = [](double, const double* y, double* J) {
+        J[3] = J[7] = 1, J[2] = -y[2] / 2, J[8] = -y[0] / 2;
+    };
+    p.guess = [](double t, double* y) { y[0] = t, y[1] = 1, y[2] = 0; };
+    p.reference = {{0, {0, 0, 0.3320573362151963}}};
+    all.push_back(p);
+}
+
+/// u'' + lambda u = 0, u(0) = u(1) = 0, u'(0) = 1, with lambda as a component: lambda = (k pi)^2. The guess has the
+/// form of u and lambda = 10 k^2.
+void eigenvalue(std::vector<problem>& all, int k) {
+    problem p;
+    p.name = "eigenvalue" + std::to_string(k);
+    p.n = 3, p.second_order = false;
+    p.left = {{{1, 0, 0}, 0}, {{0, 1, 0}, 1}};
+    p.right = {{{1, 0, 0}, 0}};
+    p.f = [](double, const double* y, double* f) { f[0] = y[1], f[1] = -y[2] * y[0], f[2] = 0; };
+    p.jacobian = [](double, const double* y, double* J) { J[3] = 1, J[1] = -y[2], J[7] = -y[0]; };
+    const double w = k * pi;
+    p.guess = [=](double t, double* y) {
+        y[0] = std::sin(w * t) / w, y[1] = std::cos(w * t), y[2] = 10.0 * k * k;
+    };
+    for (int i = 0; i <= 200; ++i) {
+        const double t = i / 200.0;
+        p.reference.push_back({t, {std::sin(w * t) / w, std::cos(w * t), w * w}});
+    }
+    all.push_back(p);
+}
+
 }  // namespace
 
 std::vector<problem> closed_forms() {
@@ -210,6 +249,8 @@ std::vector<problem> closed_forms() {
     bratu(all, "_low", 1.5171645990507544, 0);
     bratu(all, "_high", 10.938702772115119, 4);
     lane_emden(all);
+    blasius(all);
+    for (const int k : {1, 2, 10}) eigenvalue(all, k);
     return all;
 }
 

@@ -17,7 +17,7 @@ struct condition {
     double value;
 };
 
-/// y' = f(t, y) on [a, b], n = 2 or 4. With second_order, y = (u, u') and f = (u', u'').
+/// y' = f(t, y) on [a, b], n = 2, 3 or 4. With second_order, y = (u, u') and f = (u', u'').
 struct problem {
     std::string name;
     int n = 2;
@@ -58,8 +58,9 @@ struct solver {
 };
 
 solver ours_2(const problem& p);
+solver ours_3(const problem& p);
 solver ours_4(const problem& p);
-inline solver ours(const problem& p) { return p.n == 2 ? ours_2(p) : ours_4(p); }
+inline solver ours(const problem& p) { return p.n == 2 ? ours_2(p) : p.n == 3 ? ours_3(p) : ours_4(p); }
 
 /// COLNEW with k collocation points, of a library that exports colnew_ and appsln_.
 bool open_colnew(const std::string& library);
