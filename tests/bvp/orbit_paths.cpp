@@ -112,6 +112,17 @@ BOOST_AUTO_TEST_CASE(cycles_of_a_planar_system_fold) {
     BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
 }
 
+BOOST_AUTO_TEST_CASE(beyond_a_hopf_point_the_cycles_come_back_and_nothing_branches) {
+    const auto all = sc::orbit_continuation(
+        sc::gauss<4>(), family{}, guess_for({}, 0.5, on_the_circle(2), 20), {.from = 0.5, .to = -1});
+    BOOST_TEST(all.back().message.find("come back") != std::string::npos);
+    BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
+    const auto folds = of_kind(all, sc::point_kind::fold);
+    BOOST_TEST_REQUIRE(folds.size() == 3U);
+    BOOST_TEST(sc::name(folds[1].status) == std::string("tolerance_not_met"));  // the point, p = 0
+    for (const std::size_t k : {0U, 2U}) BOOST_TEST(std::abs(folds[k].p[0] + 0.25) < 1e-11);
+}
+
 BOOST_AUTO_TEST_CASE(a_period_doubles_where_a_multiplier_passes_minus_1) {
     const family f{family::moebius, -0.5};
     const auto all = sc::orbit_continuation(sc::gauss<4>(), f, guess_for(f, -0.3, on_the_circle(3), 20),

@@ -22,9 +22,11 @@ class saddle_search {
     using square = Eigen::Matrix<Scalar, 2, 2>;
 
     pair at = pair::Zero(), other = pair::Zero();
+    Scalar change{0};  ///< of F by the last step of the iteration
 
     template <class Solve>
-    bool run(const Solve& solve, const Scalar& reach) {
+    bool run(Solve&& solve, const Scalar& reach) {
+        using std::abs;
         const Scalar d = Scalar(1) / 1000;
         square H;
         for (int c = 0; c < 2; ++c) {
@@ -44,6 +46,7 @@ class saddle_search {
             const pair step((H(1, 1) * gradient[0] - mixed * gradient[1]) / determinant,
                             (H(0, 0) * gradient[1] - mixed * gradient[0]) / determinant);
             at -= step;
+            change = abs(gradient.dot(step)) / 2;
             if (!(at.norm() <= reach)) return false;
             // Rounding errors end it, or the goal; divided differences make the convergence linear, but fast.
             const bool idle = k > 2 && step.norm() > size / 2;

@@ -43,8 +43,14 @@ struct continuation_point {
 /// crossings between neighbouring points (largest_step). Every point costs a run of solve_bvp from a near guess,
 /// a fold about ten, a branch point about twenty.
 ///
+/// A branch point solves the problem to the tolerance. Where an imperfection (a small load on a rod, say) leaves two paths that
+/// come close and turn away from each other, there is none, and a step from one to the other is refused, as is one whose
+/// chord or tangent turns by more than 30 or 60 degrees: smaller steps follow the path round its bend, down to
+/// step / 10000, at a cost of some ten to a hundred solutions for each halving.
+///
 /// A path ends where p has passed `to`; the last point's message says where it ends otherwise: p has come back to `from`, there
-/// are max_points, or solve_bvp fails (that point's status says how). A special point that could not be located to
+/// are max_points, the smallest step still is refused (that point, whose status is tolerance_not_met, may lie on another path),
+/// or solve_bvp fails (that point's status says how). A special point that could not be located to
 /// the tolerance has the status tolerance_not_met: it lies near the place, if there is one.
 template <class Scalar, int S, class Rhs, class Conditions, class Guess>
 auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,

@@ -62,9 +62,12 @@ struct orbit_path_conditions {
     template <class Parameters>
     void follow(const Vector& left, const Parameters& q) {
         using scalar = typename Vector::Scalar;
+        const Vector last = normal;
         at = left;
         f(scalar(0), left, Eigen::Matrix<scalar, 1, 1>(q[1]), normal);
         normal.normalize();
+        // Beyond a Hopf point f has turned round: the sign of a condition is that of the determinant.
+        if (normal.dot(last) < scalar(0)) normal = -normal;
     }
 };
 

@@ -115,18 +115,23 @@ class path_follower {
         path.back() = now;
         state before = now;
         Scalar step = o_.step, last_step(0);
+        const Scalar least = o_.step / 10000;
         while (static_cast<int>(path.size()) < o_.max_points) {
             state next;
-            while (!advance(now, before, last_step, step, next)) {
+            std::vector<state> special;
+            while (!advance(now, before, last_step, step, next) ||
+                   !special_points({now, before, next, last_step, step}, step < 2 * least, special)) {
                 step /= 2;
-                if (step < o_.step / 10000) {
-                    if (next.message.empty()) next.message = "the path bends within the smallest step";
+                if (step < least) {
+                    if (next.status == bvp_status::success) {
+                        next.status = bvp_status::tolerance_not_met;
+                        next.message = "within the smallest step the path bends, or another one is as close";
+                    }
                     path.push_back(next);
                     return path;
                 }
             }
-            const leg between{now, before, next, last_step, step};
-            for (state& special : special_points(between)) path.push_back(std::move(special));
+            for (state& s : special) path.push_back(std::move(s));
             path.push_back(next);
             before = std::move(now);
             now = std::move(next);
@@ -171,7 +176,12 @@ class path_follower {
         const Parameters p = now.p + step * now.tangent.tail(now.p.size());
         const bool solved = solve(further, extrapolated<Vector>{now.y, before.y, factor}, p, now.mesh, out);
         out.arclength = now.arclength + step;
-        return solved && now.tangent.dot(out.tangent) > Scalar(1) / 2;  // else the step was too bold
+        if (!solved) return false;
+        // Else the step was too bold: on a circle the chord leaves both tangents by half of the angle between these.
+        const column chord = (out.x - now.x).normalized();
+        const Scalar turn(0.5), half_turn(0.866);
+        return now.tangent.dot(out.tangent) > turn && now.tangent.dot(chord) > half_turn &&
+               out.tangent.dot(chord) > half_turn;
     }
 
     template <class Guess>
@@ -198,22 +208,28 @@ class path_follower {
         return true;
     }
 
-    /// What lies between two points, in the order of the path.
-    std::vector<state> special_points(const leg& l) {
+    /// Finds what lies between two points, in the order of the path. False where these are on different paths: a test
+    /// changes its sign between them, but vanishes at no fold and no branch point. Where a crossing could not be located,
+    /// nobody knows; then `last` says that smaller steps will not tell.
+    bool special_points(const leg& l, bool last, std::vector<state>& found) {
         using std::abs;
-        std::vector<state> found;
+        found.clear();
         const auto fold = [](const state& s) { return s.slope(); };
-        if (fold(l.now) * fold(l.next) < Scalar(0))
+        if (fold(l.now) * fold(l.next) < Scalar(0)) {
             found.push_back(locate(l, fold, Scalar(1e-8), point_kind::fold));
+            if (jumps(l, fold, found.back())) return false;
+        }
         const auto crossing = [&](const state& s) {
             return (l.now.traces.orientation(s.traces) < Scalar(0) ? Scalar(-1) : Scalar(1)) /
                    s.traces.largest().size;
         };
         if (crossing(l.next) < Scalar(0)) {
             state near = locate(l, crossing, crossing(l.now) / 100, point_kind::branch_point);
-            // Without a saddle, and where the test has not become small, the spaces of solutions have turned by too much.
-            if (cross(l, near) || abs(crossing(near)) < crossing(l.now) / 20)
-                found.push_back(std::move(near));
+            if (jumps(l, crossing, near)) return false;
+            const auto verdict = cross(l, near);
+            if (verdict == crossing_verdict::apart || (verdict == crossing_verdict::unknown && !last))
+                return false;
+            found.push_back(std::move(near));
         }
         if constexpr (orbits) {
             const auto doubling = [](const state& s) { return doubling_test(s.multipliers); };
@@ -227,62 +243,102 @@ class path_follower {
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const state& a, const state& b) { return a.arclength < b.arclength; });
-        return found;
+        return true;
     }
 
-    /// From a point near a crossing to the crossing (branch_point.hpp). Where that fails the point stays what it is, with the
-    /// status tolerance_not_met.
-    bool cross(const leg& l, state& near) {
-        const auto kernel = near.traces.largest();
-        const int n = n_, np = static_cast<int>(near.p.size());
-        conditions r{problem_.r, near.x, near.tangent};
-        kernel.conditions.head(n + np - 1).cwiseAbs().maxCoeff(&r.replaced);
-        r.across = (kernel.x - near.tangent.dot(kernel.x) * near.tangent).normalized();
-        const int replaced = r.replaced;
-        conditions whole{problem_.r, near.x, near.tangent};
-        report<Scalar> ignored;
-        two_point_system<Rhs, conditions, Vector, Parameters> original(problem_.f, whole, n, np, ignored);
-        state on_surface;
-        const auto move = [&](const auto& at) {
-            r.step = at[0], r.amount = at[1];
-            return solve(r, near.y, near.p, near.mesh, on_surface);
-        };
+    /// Is `test` as large as ever where it changes its sign?
+    template <class Test>
+    static bool jumps(const leg& l, const Test& test, const state& where) {
+        using std::abs;
+        return where.status == bvp_status::success &&
+               abs(test(where)) > std::max(abs(test(l.now)), abs(test(l.next))) / 50;
+    }
+
+    /// The solutions near a crossing where one condition gives way (branch_point.hpp).
+    class surface {
+      public:
         using pair = typename saddle_search<Scalar>::pair;
-        const auto gradient = [&](const pair& at, pair& out) {
-            if (!move(at)) return false;
-            const auto& x = on_surface.x;
-            original.conditions(x.head(n), x.segment(n, n), on_surface.p);
-            const column row = original.conditions_jacobian().row(replaced).transpose();
-            out = pair(row.dot(on_surface.traces.last()), row.dot(on_surface.traces.all().col(replaced)));
+        state here;
+
+        surface(path_follower& path, const state& near)
+            : path_(path),
+              near_(near),
+              r_{path.problem_.r, near.x, near.tangent},
+              whole_(r_),
+              original_(path.problem_.f, whole_, path.n_, static_cast<int>(near.p.size()), ignored_) {
+            const auto kernel = near.traces.largest();
+            kernel.conditions.head(kernel.conditions.size() - 1).cwiseAbs().maxCoeff(&r_.replaced);
+            r_.across = (kernel.x - near.tangent.dot(kernel.x) * near.tangent).normalized();
+        }
+        bool move(const pair& at) {
+            r_.step = at[0], r_.amount = at[1];
+            if (!path_.solve(r_, near_.y, near_.p, near_.mesh, here)) return false;
+            const int n = path_.n_;
+            const auto& x = here.x;
+            value_ = original_.conditions(x.head(n), x.segment(n, n), here.p)[r_.replaced];
+            row_ = original_.conditions_jacobian().row(r_.replaced).transpose();
             return true;
-        };
+        }
+        bool operator()(const pair& at, pair& gradient) {
+            if (!move(at)) return false;
+            gradient = pair(row_.dot(along()), row_.dot(across()));
+            return true;
+        }
+        column along() const { return here.traces.last(); }
+        column across() const { return here.traces.all().col(r_.replaced); }
+        /// With a value other than 0 at the saddle the paths turn away from each other there.
+        bool apart(const Scalar& uncertain) const {
+            using std::abs;
+            const auto size = (here.x.cwiseAbs().array() + Scalar(1)).matrix();
+            return abs(value_) > path_.o_.rtol * row_.cwiseAbs().dot(size) + uncertain;
+        }
+
+      private:
+        path_follower& path_;
+        const state& near_;
+        conditions r_, whole_;
+        report<Scalar> ignored_;
+        two_point_system<Rhs, conditions, Vector, Parameters> original_;
+        column row_;
+        Scalar value_{0};
+    };
+
+    /// crossing: two paths cross. apart: they only come close to each other.
+    enum class crossing_verdict { crossing, apart, unknown };
+
+    /// From a point near a crossing to the crossing. Where that fails the point stays what it is, with the status
+    /// tolerance_not_met.
+    crossing_verdict cross(const leg& l, state& near) {
+        surface on(*this, near);
         rtol_ = sharp();
         // The error of the kernel, which is not that of the solution, shows when every interval is halved.
         saddle_search<Scalar> saddle;
-        bool good = saddle.run(gradient, l.step), settled = false;
-        for (int pass = 0; good && !settled && pass < 6; ++pass) {
+        bool good = saddle.run(on, l.step) && on.move(saddle.at), settled = false;
+        bool never = good && on.apart(saddle.change);
+        for (int pass = 0; good && !never && !settled && pass < 6; ++pass) {
             const auto before = saddle;
             near.mesh = halved(near.mesh);
-            good = saddle.run(gradient, l.step) && move(saddle.at);
+            good = saddle.run(on, l.step) && on.move(saddle.at);
             settled = (saddle.at - before.at).norm() <= o_.rtol * (Scalar(1) + near.x.norm());
         }
-        if (good) {
-            state found = on_surface;
+        never = never || (settled && on.apart(Scalar(0)));
+        if (good && !never) {
+            state found = on.here;
             found.kind = point_kind::branch_point;
             found.arclength = near.arclength + saddle.at[0];
-            const auto& traces = found.traces;
             const column direction =
-                (saddle.other[0] * traces.last() + saddle.other[1] * traces.all().col(replaced)).normalized();
-            good = move(pair(saddle.at + o_.step / 2 * saddle.other));
-            const state guess = on_surface;
-            if (good && solve(conditions{problem_.r, found.x, direction, o_.step / 2}, guess.y, guess.p,
-                              found.mesh, on_surface))
-                found.other_p = on_surface.p, found.other_y = on_surface.y;
+                (saddle.other[0] * on.along() + saddle.other[1] * on.across()).normalized();
+            good = on.move(saddle.at + o_.step / 2 * saddle.other);
+            state other;
+            if (good && solve(conditions{problem_.r, found.x, direction, o_.step / 2}, on.here.y, on.here.p,
+                              found.mesh, other))
+                found.other_p = other.p, found.other_y = std::move(other.y);
             near = std::move(found);
         }
         near.status = settled ? bvp_status::success : bvp_status::tolerance_not_met;
         rtol_ = o_.rtol;
-        return settled;
+        if (never) return crossing_verdict::apart;
+        return settled ? crossing_verdict::crossing : crossing_verdict::unknown;
     }
 
     /// Between two points where `test` changes its sign: the step at which it vanishes, by false position
