@@ -26,9 +26,10 @@ struct converted_from {
 };
 struct rival_called {};
 
-/// F with one more operator(), which takes argument K by a conversion and the others as they are. Overload resolution
-/// prefers it, being no template, to an operator() of F's that converts argument K as well; one of F's that takes this
-/// argument as it is, is better there. So it is found out which of them F has without compiling what F does.
+/// F with one more operator(), which takes argument K by a conversion and the others as they are, and the object as it
+/// is, not const. Overload resolution prefers it to an operator() const of F's that converts argument K as well; with one
+/// of F's that takes this argument as it is, the call is ambiguous. So it is found out which of them F has without
+/// compiling what F does (unless its operator() is not const: that one is better then, and compiled).
 template <class F, std::size_t K, class Positions, class... Args>
 struct rival;
 template <class F, std::size_t K, std::size_t... I, class... Args>
@@ -36,17 +37,10 @@ struct rival<F, K, std::index_sequence<I...>, Args...> : F {
     using F::operator();
     rival_called operator()(std::conditional_t<I == K, converted_from<Args>, Args>...);
 };
-template <class F, std::size_t K, std::size_t... I, class... Args>
-struct rival<const F, K, std::index_sequence<I...>, Args...> : F {
-    using F::operator();
-    rival_called operator()(std::conditional_t<I == K, converted_from<Args>, Args>...) const;
-};
 
 template <class F, std::size_t K, class... Args>
-concept converts_argument = requires(
-    std::conditional_t<std::is_const_v<F>, const rival<F, K, std::index_sequence_for<Args...>, Args...>,
-                       rival<F, K, std::index_sequence_for<Args...>, Args...>>& f,
-    Args... args) {
+concept converts_argument =
+    requires(rival<std::remove_const_t<F>, K, std::index_sequence_for<Args...>, Args...>& f, Args... args) {
     { f(args...) } -> std::same_as<rival_called>;
 };
 
