@@ -32,8 +32,13 @@ S bell(const S& x) {
     return S(2) * S(exp(S(-x * x))) / S(sqrt(pi));
 }
 
+/// The type of two operands, a dual number and another one or a plain number; no type otherwise.
 template <class A, class B>
 struct dual_among {};
+template <class S, int Width>
+struct dual_among<dual_number<S, Width>, dual_number<S, Width>> {
+    using type = dual_number<S, Width>;
+};
 template <class S, int Width, plain_operand<S> T>
 struct dual_among<dual_number<S, Width>, T> {
     using type = dual_number<S, Width>;
@@ -44,11 +49,6 @@ struct dual_among<T, dual_number<S, Width>> {
 };
 template <class A, class B>
 using dual_of = typename dual_among<A, B>::type;
-/// One of the two is a dual number, the other a plain one.
-template <class A, class B>
-concept dual_beside_number = requires {
-    typename dual_of<A, B>;
-};
 
 }  // namespace detail
 
@@ -244,16 +244,20 @@ dual_number<S, W> nearbyint(const dual_number<S, W>& x) {
     using std::nearbyint;
     return S(nearbyint(x.value()));
 }
-template <class S, int W>
-dual_number<S, W> atan2(const dual_number<S, W>& y, const dual_number<S, W>& x) {
+template <class A, class B, class D = detail::dual_of<A, B>>
+D atan2(const A& a, const B& b) {
     using std::atan2;
+    using S = typename D::scalar;
+    const D &y = a, &x = b;
     const S square = x.value() * x.value() + y.value() * y.value();
     return {S(atan2(y.value(), x.value())),
             (y.derivatives() * x.value() - x.derivatives() * y.value()) * S(S(1) / square)};
 }
-template <class S, int W>
-dual_number<S, W> hypot(const dual_number<S, W>& x, const dual_number<S, W>& y) {
+template <class A, class B, class D = detail::dual_of<A, B>>
+D hypot(const A& a, const B& b) {
     using std::hypot;
+    using S = typename D::scalar;
+    const D &x = a, &y = b;
     const S length = hypot(x.value(), y.value());
     return {length, (x.derivatives() * x.value() + y.derivatives() * y.value()) * S(S(1) / length)};
 }
@@ -269,24 +273,29 @@ dual_number<S, W> hypot(const dual_number<S, W>& x, const dual_number<S, W>& y, 
 }
 
 /// The rest of x / y, with the sign of x; between its jumps its derivative is x' - trunc(x / y) y'.
-template <class S, int W>
-dual_number<S, W> fmod(const dual_number<S, W>& x, const dual_number<S, W>& y) {
+template <class A, class B, class D = detail::dual_of<A, B>>
+D fmod(const A& a, const B& b) {
     using std::fmod;
     using std::round;
+    using S = typename D::scalar;
+    const D &x = a, &y = b;
     const S rest = fmod(x.value(), y.value());
     return {rest, x.derivatives() - y.derivatives() * S(round(S((x.value() - rest) / y.value())))};
 }
 /// The same with the quotient rounded to the nearest.
-template <class S, int W>
-dual_number<S, W> remainder(const dual_number<S, W>& x, const dual_number<S, W>& y) {
+template <class A, class B, class D = detail::dual_of<A, B>>
+D remainder(const A& a, const B& b) {
     using std::remainder;
     using std::round;
+    using S = typename D::scalar;
+    const D &x = a, &y = b;
     const S rest = remainder(x.value(), y.value());
     return {rest, x.derivatives() - y.derivatives() * S(round(S((x.value() - rest) / y.value())))};
 }
 /// |x| with the sign of y.
-template <class S, int W>
-dual_number<S, W> copysign(const dual_number<S, W>& x, const dual_number<S, W>& y) {
+template <class A, class B, class D = detail::dual_of<A, B>>
+D copysign(const A& a, const B& b) {
+    const D &x = a, &y = b;
     return signbit(x) == signbit(y) ? x : -x;
 }
 
@@ -317,78 +326,24 @@ dual_number<S, W> pow(const dual_number<S, W>& x, const dual_number<S, W>& p) {
 }
 
 /// The operand with the larger value, the first where they are equal, with its derivatives; min accordingly.
-template <class S, int W>
-dual_number<S, W> max(const dual_number<S, W>& a, const dual_number<S, W>& b) {
-    return a.value() < b.value() ? b : a;
+template <class A, class B, class D = detail::dual_of<A, B>>
+D max(const A& a, const B& b) {
+    return a < b ? D(b) : D(a);
 }
-template <class S, int W>
-dual_number<S, W> min(const dual_number<S, W>& a, const dual_number<S, W>& b) {
-    return b.value() < a.value() ? b : a;
+template <class A, class B, class D = detail::dual_of<A, B>>
+D min(const A& a, const B& b) {
+    return b < a ? D(b) : D(a);
 }
 /// The same, but a NaN is passed over, as by those of <cmath>.
-template <class S, int W>
-dual_number<S, W> fmax(const dual_number<S, W>& a, const dual_number<S, W>& b) {
-    return isnan(a) ? b : isnan(b) ? a : max(a, b);
+template <class A, class B, class D = detail::dual_of<A, B>>
+D fmax(const A& a, const B& b) {
+    const D &x = a, &y = b;
+    return isnan(x) ? y : isnan(y) ? x : max(x, y);
 }
-template <class S, int W>
-dual_number<S, W> fmin(const dual_number<S, W>& a, const dual_number<S, W>& b) {
-    return isnan(a) ? b : isnan(b) ? a : min(a, b);
-}
-
-// One of the two operands may be a plain number.
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto max(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return max(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto min(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return min(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto fmax(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return fmax(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto fmin(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return fmin(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto fmod(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return fmod(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto remainder(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return remainder(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto copysign(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return copysign(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto atan2(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return atan2(number(a), number(b));
-}
-template <class A, class B>
-requires detail::dual_beside_number<A, B>
-auto hypot(const A& a, const B& b) {
-    using number = detail::dual_of<A, B>;
-    return hypot(number(a), number(b));
+template <class A, class B, class D = detail::dual_of<A, B>>
+D fmin(const A& a, const B& b) {
+    const D &x = a, &y = b;
+    return isnan(x) ? y : isnan(y) ? x : min(x, y);
 }
 
 }  // namespace stagecraft
