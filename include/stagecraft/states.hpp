@@ -312,7 +312,7 @@ struct result<State> {
 /// An observer that is a plain callable sees states of the type of y0, its output(time) vectors of Eigen's; one with
 /// further members (events, solution, progress) sees these alone.
 template <class Method, class Problem, detail::split_state State, class Observer = no_observer>
-result<State> integrate(const Method& method, const Problem& problem, const State& y0,
+result<State> integrate(const Method& method, Problem&& problem, const State& y0,
                         std::type_identity_t<detail::scalar_of<State>> t0,
                         std::type_identity_t<detail::scalar_of<State>> t1,
                         const options<detail::scalar_of<State>>& o = {}, Observer&& observer = {}) {
