@@ -147,7 +147,8 @@ class bvp_solver {
         conditioning_.forget();
         const Scalar tight = o_.rtol / 50,
                      loose = std::min(Scalar(Scalar(1) / 10000), Scalar(expected / 100));
-        outcome_ = newton_.run(x_, tight > loose || !o_.adapt ? tight : loose, o_.newton_iterations);
+        outcome_ = newton_.run(x_, tight > loose || !o_.adapt ? tight : loose, o_.newton_iterations,
+                               failures_ % 2 == 1);
         remainder_ = outcome_.remainder;
         return outcome_.end == damped_newton_end::converged;
     }

@@ -32,8 +32,9 @@ class damped_newton {
     damped_newton(Equations& equations, bvp_report& counts, const scalar& floor)
         : equations_(equations), counts_(counts), floor_(floor) {}
 
-    /// Improves x until what is left is estimated below `target`.
-    outcome run(iterate& x, const scalar& target, int most) {
+    /// Improves x until what is left is estimated below `target`. A bold iteration takes a sixteenth of a step even where a larger
+    /// correction follows it: that leads past iterates at which the equations are singular, before which damping ends.
+    outcome run(iterate& x, const scalar& target, int most, bool bold = false) {
         using std::sqrt;
         const scalar rounding = 100 * std::numeric_limits<scalar>::epsilon();
         equations_.resize(x);
@@ -53,7 +54,7 @@ class damped_newton {
             }
             scalar lambda(1);
             scalar bar(0);
-            const bool decreased = search(x, size, lambda, bar);
+            const bool decreased = search(x, size, bold, lambda, bar);
             if (!decreased) {
                 const scalar left = accuracy(x, d_);
                 return {left <= sqrt(rounding) ? damped_newton_end::converged : damped_newton_end::failed,
@@ -95,8 +96,8 @@ class damped_newton {
         return {damped_newton_end::failed, scalar(0)};
     }
 
-    bool search(const iterate& x, const scalar& size, scalar& lambda, scalar& bar) {
-        const scalar least = scalar(1) / 10000;
+    bool search(const iterate& x, const scalar& size, bool bold, scalar& lambda, scalar& bar) {
+        const scalar least = scalar(1) / 10000, boldest = scalar(1) / 16;
         while (lambda >= least) {
             add(x, lambda, d_, trial_);
             if (!equations_.residual(trial_)) {
@@ -105,13 +106,14 @@ class damped_newton {
             }
             solve(x, bar_);
             bar = norm(bar_);
-            if (bar <= (1 - lambda / 4) * size) return true;
+            if (bar <= (1 - lambda / 4) * size || (bold && lambda <= boldest)) return true;
             combine(bar_, 1 - lambda, d_, difference_);
             const scalar change = norm(difference_);
             const scalar next =
                 change > scalar(0) ? scalar(size * lambda * lambda / (2 * change)) : scalar(0);
             lambda =
                 next < lambda / 2 ? (next > lambda / 10 ? next : scalar(lambda / 10)) : scalar(lambda / 2);
+            if (bold && lambda < boldest) lambda = boldest;
         }
         return false;
     }

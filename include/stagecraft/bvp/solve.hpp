@@ -33,7 +33,8 @@ inline constexpr bool is_two_point<two_point_problem<Rhs, Conditions>> = true;
 ///
 /// method   A collocation tableau with distinct nodes: gauss<s>() (recommended), lobatto_iiia<s>(),
 ///          radau_iia<s>(), or one's own.
-/// problem  two_point(f, r), problem/two_point.hpp.
+/// problem  two_point(f, r), problem/two_point.hpp. Where f has a domain (y > 0, say) it should write NaN outside:
+///          Newton's iteration then keeps inside, where else it may be caught on the other side.
 /// guess    For y: a vector, a function of t, or a solution, which is asked for derivative(t) as well.
 /// p        A guess for the unknown parameters; n + n_p conditions then.
 ///
