@@ -31,7 +31,7 @@ unset multiplot
 set output dir . '/track.svg'
 set key above horizontal center maxrows 1
 set size ratio -1
-set label 1 'start' at 0.004,0.008
+set label 1 'start' at -0.005,0.008 right
 set xlabel 'x_{lab} [m]'; set ylabel 'y_{lab} [m]'
 # The contact point is (x, y) turned by α; the centre lies R sin β further to the side.
 lx(x,y,a) = cos(a)*x - sin(a)*y
@@ -58,22 +58,24 @@ set autoscale y
 set logscale y
 set format y '10^{%T}'
 set ylabel '|energy − energy at 0| [J]'
-above(x) = x > 1e-17 ? x : 1e-17
-plot data('steps_4') using 1:(above(abs($5))) with lines lc rgb orange title 'tol 10^{-4}', \
-     data('steps_8') using 1:(above(abs($5))) with lines lc rgb green title 'tol 10^{-8}', \
-     data('steps_12') using 1:(above(abs($5))) with lines lc rgb blue title 'tol 10^{-12}'
+# What is exactly zero has no logarithm and is left out. At tolerance 10^{-12} only rounding errors are left, from step
+# to step anew: points, as lines between them would fill the picture.
+shown(x) = x > 0 ? x : NaN
+plot data('steps_4') using 1:(shown(abs($5))) with lines lc rgb orange title 'tol 10^{-4}', \
+     data('steps_8') using 1:(shown(abs($5))) with lines lc rgb green title 'tol 10^{-8}', \
+     data('steps_12') using 1:(shown(abs($5))) with points pt 7 ps 0.2 lc rgb blue title 'tol 10^{-12}'
 unset multiplot
 
 # --- constraint violation ---------------------------------------------------------------------------------
 set output dir . '/violation.svg'
 set ylabel "|G(q) q'| [m/s] at accepted steps"
-larger(a,b) = above(abs(a) > abs(b) ? abs(a) : abs(b))
+larger(a,b) = shown(abs(a) > abs(b) ? abs(a) : abs(b))
 set yrange [1e-17:1e-7]
 set key above horizontal center maxrows 2 width -4
 plot data('reduced_8') using 1:(larger($3,$4)) with lines lc rgb orange title 'index-reduced ODE, tol 10^{-8}: drift', \
      data('steps_8') using 1:(larger($3,$4)) with lines lc rgb green title 'index-2 DAE, tol 10^{-8}', \
      data('reduced_12') using 1:(larger($3,$4)) with lines lc rgb pink title 'index-reduced ODE, tol 10^{-12}: drift', \
-     data('steps_12') using 1:(larger($3,$4)) with lines lc rgb blue title 'index-2 DAE, tol 10^{-12}'
+     data('steps_12') using 1:(larger($3,$4)) with points pt 7 ps 0.2 lc rgb blue title 'index-2 DAE, tol 10^{-12}: rounding'
 
 # --- step sizes -------------------------------------------------------------------------------------------
 set output dir . '/steps.svg'
@@ -91,8 +93,8 @@ set output dir . '/work.svg'
 set logscale x
 set format x '%g'
 set xlabel 'run time [µs], minimum of the repeats'
-set ylabel 'maximum error at t = 1'
+set ylabel 'maximum error at t = 1 s, in SI units'
 set key maxrows 2
-plot for [s in methods] data('work_' . s) using 8:6 with linespoints pt 7 ps 0.6 lc rgb (s eq '3' ? blue : s eq '5' ? green : pink) title "q, q'  Radau IIA-" . s, \
-     for [s in methods] data('work_' . s) using 8:7 with linespoints pt 6 ps 0.6 dt 2 lc rgb (s eq '3' ? blue : s eq '5' ? green : pink) title 'λ  Radau IIA-' . s
+plot for [s in methods] data('work_' . s) using 8:6 with linespoints pt 7 ps 0.6 lc rgb (s eq '3' ? blue : s eq '5' ? green : pink) title "q, q': Radau IIA, s = " . s, \
+     for [s in methods] data('work_' . s) using 8:7 with linespoints pt 6 ps 0.6 dt 2 lc rgb (s eq '3' ? blue : s eq '5' ? green : pink) title 'λ: Radau IIA, s = ' . s
 set output
