@@ -122,16 +122,9 @@ Scalar absolute_tolerance(const options<Scalar>& o, Eigen::Index i) {
 /// weights_i := 1/(atol_i + rtol |y_i|).
 template <class Vector, class Scalar>
 void set_weights(const options<Scalar>& o, const Vector& y, Vector& weights) {
-    if constexpr (built_in<Scalar>) {  // in packets: a packet of quotients takes no longer than one
-        if (o.atol_components.size() == 0)
-            weights.array() = (o.rtol * y.array().abs() + o.atol).inverse();
-        else
-            weights.array() = (o.rtol * y.array().abs() + o.atol_components.array()).inverse();
-    } else {
-        using std::abs;
-        for (Eigen::Index i = 0; i < y.size(); ++i)
-            weights[i] = Scalar(1) / (absolute_tolerance(o, i) + o.rtol * abs(y[i]));
-    }
+    using std::abs;
+    for (Eigen::Index i = 0; i < y.size(); ++i) weights[i] = o.rtol * abs(y[i]) + absolute_tolerance(o, i);
+    weights = weights.cwiseInverse();  // in packets: a packet of quotients takes no longer than one
 }
 
 }  // namespace stagecraft

@@ -19,7 +19,7 @@ namespace detail {
 /// g(x) where g has this value and this slope there.
 template <class S, int Width>
 dual_number<S, Width> chain(const dual_number<S, Width>& x, const S& value, const S& slope) {
-    return {value, x.derivatives() * slope};
+    return dual_number<S, Width>::scaled(value, x, slope);
 }
 
 /// The derivative of erf, 2 exp(-x^2) / sqrt(pi).
@@ -250,8 +250,8 @@ D atan2(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &y = a, &x = b;
     const S square = x.value() * x.value() + y.value() * y.value();
-    return {S(atan2(y.value(), x.value())),
-            (y.derivatives() * x.value() - x.derivatives() * y.value()) * S(S(1) / square)};
+    return dual_number<S, W>::combined(S(atan2(y.value(), x.value())), y, S(x.value() / square), x,
+                                       S(-y.value() / square));
 }
 template <class A, class B, class D = detail::dual_of<A, B>>
 D hypot(const A& a, const B& b) {
@@ -259,7 +259,7 @@ D hypot(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &x = a, &y = b;
     const S length = hypot(x.value(), y.value());
-    return {length, (x.derivatives() * x.value() + y.derivatives() * y.value()) * S(S(1) / length)};
+    return dual_number<S, W>::combined(length, x, S(x.value() / length), y, S(y.value() / length));
 }
 
 /// The length of (x, y, z).
@@ -267,9 +267,8 @@ template <class S, int W>
 dual_number<S, W> hypot(const dual_number<S, W>& x, const dual_number<S, W>& y, const dual_number<S, W>& z) {
     using std::hypot;
     const S length = hypot(S(hypot(x.value(), y.value())), z.value());
-    return {length,
-            (x.derivatives() * x.value() + y.derivatives() * y.value() + z.derivatives() * z.value()) *
-                S(S(1) / length)};
+    return dual_number<S, W>::combined(length, x, S(x.value() / length), y, S(y.value() / length)) +
+           dual_number<S, W>::scaled(S(0), z, S(z.value() / length));
 }
 
 /// The rest of x / y, with the sign of x; between its jumps its derivative is x' - trunc(x / y) y'.
@@ -280,7 +279,7 @@ D fmod(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &x = a, &y = b;
     const S rest = fmod(x.value(), y.value());
-    return {rest, x.derivatives() - y.derivatives() * S(round(S((x.value() - rest) / y.value())))};
+    return dual_number<S, W>::combined(rest, x, S(1), y, S(-round(S((x.value() - rest) / y.value()))));
 }
 /// The same with the quotient rounded to the nearest.
 template <class A, class B, class D = detail::dual_of<A, B>>
@@ -290,7 +289,7 @@ D remainder(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &x = a, &y = b;
     const S rest = remainder(x.value(), y.value());
-    return {rest, x.derivatives() - y.derivatives() * S(round(S((x.value() - rest) / y.value())))};
+    return dual_number<S, W>::combined(rest, x, S(1), y, S(-round(S((x.value() - rest) / y.value()))));
 }
 /// |x| with the sign of y.
 template <class A, class B, class D = detail::dual_of<A, B>>
@@ -322,7 +321,7 @@ dual_number<S, W> pow(const dual_number<S, W>& x, const dual_number<S, W>& p) {
     using std::pow;
     const S value = pow(x.value(), p.value()), by_x = p.value() * S(pow(x.value(), S(p.value() - S(1)))),
             by_p = x.value() == S(0) ? S(0) : S(value * S(log(x.value())));
-    return {value, x.derivatives() * by_x + p.derivatives() * by_p};
+    return dual_number<S, W>::combined(value, x, by_x, p, by_p);
 }
 
 /// The operand with the larger value, the first where they are equal, with its derivatives; min accordingly.

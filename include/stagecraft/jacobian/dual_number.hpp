@@ -40,17 +40,35 @@ class dual_number {
     using derivatives_type = Eigen::Matrix<S, Width, 1>;
 
     /// The constant 0.
-    dual_number() : value_(0) { derivatives_.setConstant(S(0)); }
+    dual_number() : dual_number(S(0)) {}
     /// A constant.
-    dual_number(const S& value) : value_(value) { derivatives_.setConstant(S(0)); }
-    template <class T>
-    requires(std::is_arithmetic_v<T> && !std::is_same_v<T, S>) dual_number(T value) : value_(S(value)) {
-        derivatives_.setConstant(S(0));
+    dual_number(const S& value) : value_(value) {
+        for (int i = 0; i < Width; ++i) slope(i) = S(0);
     }
+    template <class T>
+    requires(std::is_arithmetic_v<T> && !std::is_same_v<T, S>) dual_number(T value) : dual_number(S(value)) {}
     /// A value with its derivatives.
-    template <class Derived>
-    dual_number(const S& value, const Eigen::MatrixBase<Derived>& derivatives)
+    dual_number(const S& value, const derivatives_type& derivatives)
         : value_(value), derivatives_(derivatives) {}
+    /// A value with the derivatives a x.
+    static dual_number scaled(const S& value, const dual_number& a, const S& x) {
+        dual_number r(value, no_slopes());
+        if constexpr (wide)
+            r.derivatives_ = a.derivatives_ * x;
+        else
+            for (int i = 0; i < Width; ++i) r.slope(i) = a.slope(i) * x;
+        return r;
+    }
+    /// A value with the derivatives a x + b y.
+    static dual_number combined(const S& value, const dual_number& a, const S& x, const dual_number& b,
+                                const S& y) {
+        dual_number r(value, no_slopes());
+        if constexpr (wide)
+            r.derivatives_ = a.derivatives_ * x + b.derivatives_ * y;
+        else
+            for (int i = 0; i < Width; ++i) r.slope(i) = a.slope(i) * x + b.slope(i) * y;
+        return r;
+    }
 
     const S& value() const { return value_; }
     S& value() { return value_; }
@@ -59,12 +77,18 @@ class dual_number {
 
     dual_number& operator+=(const dual_number& b) {
         value_ += b.value_;
-        derivatives_ += b.derivatives_;
+        if constexpr (wide)
+            derivatives_ += b.derivatives_;
+        else
+            for (int i = 0; i < Width; ++i) slope(i) += b.slope(i);
         return *this;
     }
     dual_number& operator-=(const dual_number& b) {
         value_ -= b.value_;
-        derivatives_ -= b.derivatives_;
+        if constexpr (wide)
+            derivatives_ -= b.derivatives_;
+        else
+            for (int i = 0; i < Width; ++i) slope(i) -= b.slope(i);
         return *this;
     }
     dual_number& operator*=(const dual_number& b) { return *this = *this * b; }
@@ -72,42 +96,48 @@ class dual_number {
 
     // Members, which what is compiled may leave undefined without a warning where a right-hand side is refused.
     dual_number operator+() const { return *this; }
-    dual_number operator-() const { return {-value_, -derivatives_}; }
+    dual_number operator-() const { return scaled(-value_, *this, S(-1)); }
     dual_number operator+(const dual_number& b) const {
-        return {value_ + b.value_, derivatives_ + b.derivatives_};
+        dual_number r(*this);
+        return r += b;
     }
     dual_number operator-(const dual_number& b) const {
-        return {value_ - b.value_, derivatives_ - b.derivatives_};
+        dual_number r(*this);
+        return r -= b;
     }
     dual_number operator*(const dual_number& b) const {
-        return {value_ * b.value_, derivatives_ * b.value_ + b.derivatives_ * value_};
+        return combined(value_ * b.value_, *this, b.value_, b, value_);
     }
     dual_number operator/(const dual_number& b) const {
         const S inverse = S(1) / b.value_, value = value_ / b.value_;
-        return {value, (derivatives_ - b.derivatives_ * value) * inverse};
+        return combined(value, *this, inverse, b, -value * inverse);
     }
 
     // Beside a plain number half of the work goes.
     template <detail::plain_operand<S> T>
     friend dual_number operator+(const dual_number& a, const T& b) {
-        return {a.value_ + S(b), a.derivatives_};
+        dual_number r(a);
+        r.value_ += S(b);
+        return r;
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator+(const T& a, const dual_number& b) {
-        return {S(a) + b.value_, b.derivatives_};
+        return b + a;
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator-(const dual_number& a, const T& b) {
-        return {a.value_ - S(b), a.derivatives_};
+        dual_number r(a);
+        r.value_ -= S(b);
+        return r;
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator-(const T& a, const dual_number& b) {
-        return {S(a) - b.value_, -b.derivatives_};
+        return scaled(S(a) - b.value_, b, S(-1));
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator*(const dual_number& a, const T& b) {
         const S factor(b);
-        return {a.value_ * factor, a.derivatives_ * factor};
+        return scaled(a.value_ * factor, a, factor);
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator*(const T& a, const dual_number& b) {
@@ -115,13 +145,13 @@ class dual_number {
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator/(const dual_number& a, const T& b) {
-        const S divisor(b), inverse = S(1) / divisor;
-        return {a.value_ / divisor, a.derivatives_ * inverse};
+        const S divisor(b);
+        return scaled(a.value_ / divisor, a, S(1) / divisor);
     }
     template <detail::plain_operand<S> T>
     friend dual_number operator/(const T& a, const dual_number& b) {
-        const S value = S(a) / b.value_, slope = -value / b.value_;
-        return {value, b.derivatives_ * slope};
+        const S value = S(a) / b.value_;
+        return scaled(value, b, -value / b.value_);
     }
 
     friend bool operator==(const dual_number& a, const dual_number& b) { return a.value_ == b.value_; }
@@ -132,6 +162,14 @@ class dual_number {
     friend bool operator>=(const dual_number& a, const dual_number& b) { return a.value_ >= b.value_; }
 
   private:
+    // Few derivatives, and numbers that are dual themselves, are plain loops, which the compiler unrolls: every expression
+    // of Eigen's takes it 10 ms for every scalar and width. Many are left to Eigen, which unrolls them at -O2 as well.
+    static constexpr bool wide = std::is_floating_point_v<S> && Width > 8;
+    struct no_slopes {};
+    dual_number(const S& value, no_slopes) : value_(value) {}
+    S& slope(int i) { return derivatives_.data()[i]; }
+    const S& slope(int i) const { return derivatives_.data()[i]; }
+
     S value_;
     derivatives_type derivatives_;
 };

@@ -54,25 +54,26 @@ struct velocity_constraint_jacobian {
         Gv_q = derivative(v);
         if constexpr (has_prescribed_velocity<Model>) {
             const multiplier_vector<dual, Model> b = prescribed_velocity<dual>(model, moving, time);
-            for (int k = 0; k < m; ++k) Gv_q.row(k) += b[k].derivatives().transpose();
+            for (int k = 0; k < m; ++k)
+                for (int i = 0; i < n; ++i) Gv_q(k, i) += b[k].derivatives()[i];
         }
     }
     /// d(G(q) w)/dq with w held fixed.
     matrix derivative(const coordinate_vector<S, Model>& w) const {
         matrix result;
-        for (int k = 0; k < m; ++k) {
-            result.row(k) = w[0] * dG(k, 0).derivatives().transpose();
-            for (int j = 1; j < n; ++j) result.row(k) += w[j] * dG(k, j).derivatives().transpose();
-        }
+        detail::fill(result, S(0));
+        for (int k = 0; k < m; ++k)
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) result(k, i) += w[j] * dG(k, j).derivatives()[i];
         return result;
     }
     /// d(G(q)^T w)/dq with w held fixed.
     Eigen::Matrix<S, n, n> force_derivative(const multiplier_vector<S, Model>& w) const {
         Eigen::Matrix<S, n, n> result;
-        for (int i = 0; i < n; ++i) {
-            result.row(i) = w[0] * dG(0, i).derivatives().transpose();
-            for (int k = 1; k < m; ++k) result.row(i) += w[k] * dG(k, i).derivatives().transpose();
-        }
+        detail::fill(result, S(0));
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < m; ++k)
+                for (int j = 0; j < n; ++j) result(i, j) += w[k] * dG(k, i).derivatives()[j];
         return result;
     }
 };
@@ -95,22 +96,25 @@ struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
                           const S& t)
         : constraint(model, q, v, t) {
         const mass_inverse<S, Model> solve(model, q);
-        a = solve(force<S>(model, q, v, t) - G.transpose() * lambda);
+        a = force<S>(model, q, v, t);
+        detail::subtract_transposed(G, lambda, a);
+        a = solve(a);
         const dual time = detail::constant<dual>(t);
         const dual_vector q_moving = detail::variables<dual>(q), q_fixed = detail::constants<dual>(q);
         const dual_vector v_moving = detail::variables<dual>(v), v_fixed = detail::constants<dual>(v);
         const dual_vector F_q = balance(model, q_moving, v_fixed, a, time);
         const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
-        a_q = -this->force_derivative(lambda);
-        for (int i = 0; i < n; ++i) {
-            a_q.row(i) += F_q[i].derivatives().transpose();
-            a_v.row(i) = F_v[i].derivatives().transpose();
-        }
-        for (int j = 0; j < n; ++j) {
-            a_q.col(j) = solve(a_q.col(j));
-            a_v.col(j) = solve(a_v.col(j));
-        }
-        for (int k = 0; k < m; ++k) a_lambda.col(k) = -solve(G.row(k).transpose());
+        a_q = this->force_derivative(lambda);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                a_q(i, j) = F_q[i].derivatives()[j] - a_q(i, j);
+                a_v(i, j) = F_v[i].derivatives()[j];
+            }
+        solve.in_place(a_q);
+        solve.in_place(a_v);
+        a_lambda = solve.of_transposed(G);
+        for (int k = 0; k < m; ++k)
+            for (int i = 0; i < n; ++i) a_lambda(i, k) = -a_lambda(i, k);
         Ga_q = this->derivative(a);
     }
 
@@ -168,29 +172,31 @@ coordinate_vector<S, Model> motion(const Model& model, const S& t, const Eigen::
                                    const Eigen::Matrix<S, Model::constraints, Model::coordinates>& G,
                                    const multiplier_vector<S, Model>& lambda, Eigen::Matrix<S, Size, 1>& f) {
     constexpr int n = Model::coordinates;
-    const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template segment<n>(n);
-    const coordinate_vector<S, Model> a =
-        mass_inverse<S, Model>(model, q)(force<S>(model, q, v, t) - G.transpose() * lambda);
-    f.template head<n>() = v;
-    f.template segment<n>(n) = a;
+    const coordinate_vector<S, Model> q = part<n>(y, 0), v = part<n>(y, n);
+    coordinate_vector<S, Model> r = force<S>(model, q, v, t);
+    subtract_transposed(G, lambda, r);
+    const coordinate_vector<S, Model> a = mass_inverse<S, Model>(model, q)(r);
+    put(v, f, 0);
+    put(a, f, n);
     return a;
 }
 
 /// Writes their derivatives into a Jacobian that is zero elsewhere; lambda begins at component `at`.
 template <class S, class Model, int Size>
 void motion_jacobian(const acceleration_jacobian<S, Model>& d, int at, Eigen::Matrix<S, Size, Size>& J) {
-    constexpr int n = Model::coordinates, m = Model::constraints;
-    J = Eigen::Matrix<S, Size, Size>::Constant(S(0));
+    constexpr int n = Model::coordinates;
+    fill(J, S(0));
     for (int j = 0; j < n; ++j) J(j, n + j) = S(1);
-    J.template block<n, n>(n, 0) = d.a_q;
-    J.template block<n, n>(n, n) = d.a_v;
-    J.template block<n, m>(n, at) = d.a_lambda;
+    put(d.a_q, J, n, 0);
+    put(d.a_v, J, n, n);
+    put(d.a_lambda, J, n, at);
 }
 
 /// diag(1, ..., 1, 0, ..., 0) with `ones` ones.
 template <class Scalar, int Size>
 Eigen::Matrix<Scalar, Size, Size> leading_identity(int ones) {
-    Eigen::Matrix<Scalar, Size, Size> M = Eigen::Matrix<Scalar, Size, Size>::Constant(Scalar(0));
+    Eigen::Matrix<Scalar, Size, Size> M;
+    fill(M, Scalar(0));
     for (int i = 0; i < ones; ++i) M(i, i) = Scalar(1);
     return M;
 }

@@ -29,20 +29,19 @@ class index_2_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>();
+        const coordinate_vector<S, Model> q = detail::part<n>(y, 0);
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
-        const multiplier_vector<S, Model> b = prescribed_velocity<S>(model_, q, t);
-        detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
-        f.template tail<m>() = G * y.template segment<n>(n) + b;
+        detail::motion<S, Model>(model_, t, y, G, detail::part<m>(y, 2 * n), f);
+        detail::put(velocity_constraint<S>(model_, G, q, detail::part<n>(y, n), t), f, 2 * n);
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const acceleration_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
-                                                y.template tail<m>(), t);
+        const acceleration_jacobian<S, Model> d(model_, detail::part<n>(y, 0), detail::part<n>(y, n),
+                                                detail::part<m>(y, 2 * n), t);
         detail::motion_jacobian(d, 2 * n, J);
-        J.template block<m, n>(2 * n, 0) = d.Gv_q;
-        J.template block<m, n>(2 * n, n) = d.G;
+        detail::put(d.Gv_q, J, 2 * n, 0);
+        detail::put(d.G, J, 2 * n, n);
     }
 
     /// diag(1, ..., 1, 0, ..., 0): singular in the rows of the constraint.
@@ -56,13 +55,12 @@ class index_2_dae {
                                                  const coordinate_vector<Scalar, Model>& v,
                                                  const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        const multiplier_vector<Scalar, Model> lambda = consistent_multiplier(model_, q, v, t);
-        return (Eigen::Matrix<Scalar, size, 1>() << q, v, lambda).finished();
+        return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
     }
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,
                                                 const Scalar& = Scalar(0)) const {
-        return y.template tail<m>();
+        return detail::part<m>(y, 2 * n);
     }
 
     const Model& model() const { return model_; }
@@ -94,25 +92,36 @@ class index_reduced_ode {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template tail<n>();
-        f.template head<n>() = v;
-        f.template tail<n>() = constrained<S>(q, v, t).acceleration;
+        const coordinate_vector<S, Model> q = detail::part<n>(y, 0), v = detail::part<n>(y, n);
+        detail::put(v, f, 0);
+        detail::put(constrained<S>(q, v, t).acceleration, f, n);
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const coordinate_vector<S, Model> q = y.template head<n>(), v = y.template tail<n>();
+        const coordinate_vector<S, Model> q = detail::part<n>(y, 0), v = detail::part<n>(y, n);
         const hidden_constraint_jacobian<S, Model> d(model_, q, v, multiplier(q, v, t), t);
         // 0 = Phi(q, v, lambda) + r G v gives d lambda = (G M^-1 G^T)^-1 (Phi_q + r (G v)_q, Phi_v + r G).
-        const small_ldlt<S, m> inertia(multiplier_matrix<S, Model>(-d.phi_lambda));
-        J = Eigen::Matrix<S, size, size>::Constant(S(0));
+        multiplier_matrix<S, Model> inertia;
+        for (int k = 0; k < m; ++k)
+            for (int i = 0; i < m; ++i) inertia(i, k) = -d.phi_lambda(i, k);
+        const small_ldlt<S, m> factors(inertia);
+        const S r(r_), s(s_);
+        detail::fill(J, S(0));
         for (int j = 0; j < n; ++j) {
             J(j, n + j) = S(1);
-            multiplier_vector<S, Model> by_q = d.phi_q.col(j) + S(r_) * d.Gv_q.col(j);
-            if constexpr (holonomic_model<Model>) by_q += S(s_) * d.G.col(j);
-            const multiplier_vector<S, Model> by_v = d.phi_v.col(j) + S(r_) * d.G.col(j);
-            J.template block<n, 1>(n, j) = d.a_q.col(j) + d.a_lambda * inertia.solve(by_q);
-            J.template block<n, 1>(n, n + j) = d.a_v.col(j) + d.a_lambda * inertia.solve(by_v);
+            multiplier_vector<S, Model> by_q, by_v;
+            for (int k = 0; k < m; ++k) {
+                by_q[k] = d.phi_q(k, j) + r * d.Gv_q(k, j);
+                if constexpr (holonomic_model<Model>) by_q[k] += s * d.G(k, j);
+                by_v[k] = d.phi_v(k, j) + r * d.G(k, j);
+            }
+            const coordinate_vector<S, Model> from_q = detail::times(d.a_lambda, factors.solve(by_q)),
+                                              from_v = detail::times(d.a_lambda, factors.solve(by_v));
+            for (int i = 0; i < n; ++i) {
+                J(n + i, j) = d.a_q(i, j) + from_q[i];
+                J(n + i, n + j) = d.a_v(i, j) + from_v[i];
+            }
         }
     }
 
@@ -125,7 +134,7 @@ class index_reduced_ode {
     /// The same in a state (q, v).
     multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,
                                                 const Scalar& t = Scalar(0)) const {
-        return multiplier<Scalar>(y.template head<n>(), y.template tail<n>(), t);
+        return multiplier<Scalar>(detail::part<n>(y, 0), detail::part<n>(y, n), t);
     }
 
     /// (q, v); see index_2_dae::initial_state.
@@ -134,9 +143,7 @@ class index_reduced_ode {
                                                  const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
         consistent_multiplier(model_, q, v, t);  // throws where there is none
-        Eigen::Matrix<Scalar, size, 1> y;
-        y << q, v;
-        return y;
+        return detail::joined<size>(q, v);
     }
     const Model& model() const { return model_; }
 
@@ -153,19 +160,19 @@ class index_reduced_ode {
         const mass_inverse<S, Model> solve(model_, q);
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
         const coordinate_vector<S, Model> free = solve(force<S>(model_, q, v, t));
-        Eigen::Matrix<S, n, m> W;
-        multiplier_matrix<S, Model> inertia;
-        for (int k = 0; k < m; ++k) {
-            const coordinate_vector<S, Model> row = G.row(k).transpose(), column = solve(row);
-            W.col(k) = column;
-            inertia.col(k) = G * column;
-        }
+        const Eigen::Matrix<S, n, m> W = solve.of_transposed(G);
         const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model_, q, v, t),
-                                          b = prescribed_velocity<S>(model_, q, t);
-        multiplier_vector<S, Model> rhs = G * free + curvature + S(r_) * (G * v + b);
-        if constexpr (holonomic_model<Model>) rhs += S(s_) * position_constraint<S>(model_, q, t);
-        const multiplier_vector<S, Model> lambda = small_ldlt<S, m>(inertia).solve(rhs);
-        return {free - W * lambda, lambda};
+                                          w = velocity_constraint<S>(model_, G, q, v, t);
+        multiplier_vector<S, Model> rhs = detail::times(G, free);
+        for (int k = 0; k < m; ++k) rhs[k] += curvature[k] + S(r_) * w[k];
+        if constexpr (holonomic_model<Model>) {
+            const multiplier_vector<S, Model> g = position_constraint<S>(model_, q, t);
+            for (int k = 0; k < m; ++k) rhs[k] += S(s_) * g[k];
+        }
+        motion<S> result{free, small_ldlt<S, m>(detail::product(G, W)).solve(rhs)};
+        const coordinate_vector<S, Model> held = detail::times(W, result.multiplier);
+        for (int i = 0; i < n; ++i) result.acceleration[i] -= held[i];
+        return result;
     }
 
     Model model_;

@@ -21,18 +21,18 @@ class index_3_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>();
+        const coordinate_vector<S, Model> q = detail::part<n>(y, 0);
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
-        detail::motion<S, Model>(model_, t, y, G, y.template tail<m>(), f);
-        f.template tail<m>() = position_constraint<S>(model_, q, t);
+        detail::motion<S, Model>(model_, t, y, G, detail::part<m>(y, 2 * n), f);
+        detail::put(position_constraint<S>(model_, q, t), f, 2 * n);
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const acceleration_jacobian<S, Model> d(model_, y.template head<n>(), y.template segment<n>(n),
-                                                y.template tail<m>(), t);
+        const acceleration_jacobian<S, Model> d(model_, detail::part<n>(y, 0), detail::part<n>(y, n),
+                                                detail::part<m>(y, 2 * n), t);
         detail::motion_jacobian(d, 2 * n, J);
-        J.template block<m, n>(2 * n, 0) = d.G;
+        detail::put(d.G, J, 2 * n, 0);
     }
 
     Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
@@ -42,12 +42,11 @@ class index_3_dae {
     state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
                         const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        const multiplier_vector<Scalar, Model> lambda = consistent_multiplier(model_, q, v, t);
-        return (state() << q, v, lambda).finished();
+        return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
     }
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
-        return y.template tail<m>();
+        return detail::part<m>(y, 2 * n);
     }
     const Model& model() const { return model_; }
 
@@ -72,26 +71,29 @@ class stabilised_dae {
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = y.template head<n>();
+        const coordinate_vector<S, Model> q = detail::part<n>(y, 0);
+        coordinate_vector<S, Model> rate = detail::part<n>(y, n);
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
-        detail::motion<S, Model>(model_, t, y, G, y.template segment<m>(2 * n), f);
-        f.template head<n>() -= G.transpose() * y.template tail<m>();
-        const multiplier_vector<S, Model> b = prescribed_velocity<S>(model_, q, t);
-        f.template segment<m>(2 * n) = G * y.template segment<n>(n) + b;
-        f.template tail<m>() = position_constraint<S>(model_, q, t);
+        detail::motion<S, Model>(model_, t, y, G, detail::part<m>(y, 2 * n), f);
+        detail::put(velocity_constraint<S>(model_, G, q, rate, t), f, 2 * n);
+        detail::put(position_constraint<S>(model_, q, t), f, 2 * n + m);
+        detail::subtract_transposed(G, detail::part<m>(y, 2 * n + m), rate);
+        detail::put(rate, f, 0);
     }
 
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const coordinate_vector<S, Model> q = y.template head<n>();
-        const acceleration_jacobian<S, Model> d(model_, q, y.template segment<n>(n),
-                                                y.template segment<m>(2 * n), t);
+        const acceleration_jacobian<S, Model> d(model_, detail::part<n>(y, 0), detail::part<n>(y, n),
+                                                detail::part<m>(y, 2 * n), t);
+        const Eigen::Matrix<S, n, n> moved = d.force_derivative(detail::part<m>(y, 2 * n + m));
         detail::motion_jacobian(d, 2 * n, J);
-        J.template block<n, n>(0, 0) = -d.force_derivative(y.template tail<m>());
-        J.template block<n, m>(0, 2 * n + m) = -d.G.transpose();
-        J.template block<m, n>(2 * n, 0) = d.Gv_q;
-        J.template block<m, n>(2 * n, n) = d.G;
-        J.template block<m, n>(2 * n + m, 0) = d.G;
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) J(i, j) = -moved(i, j);
+            for (int k = 0; k < m; ++k) J(j, 2 * n + m + k) = -d.G(k, j);
+        }
+        detail::put(d.Gv_q, J, 2 * n, 0);
+        detail::put(d.G, J, 2 * n, n);
+        detail::put(d.G, J, 2 * n + m, 0);
     }
 
     Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
@@ -101,12 +103,11 @@ class stabilised_dae {
     state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
                         const Scalar& t = Scalar(0)) const {
         detail::check_start(model_, q, v, t);
-        const multiplier_vector<Scalar, Model> lambda = consistent_multiplier(model_, q, v, t);
-        return (state() << q, v, lambda, multiplier_vector<Scalar, Model>::Constant(Scalar(0))).finished();
+        return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
     }
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
-        return y.template segment<m>(2 * n);
+        return detail::part<m>(y, 2 * n);
     }
     const Model& model() const { return model_; }
 

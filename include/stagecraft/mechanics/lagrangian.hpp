@@ -83,8 +83,7 @@ class lagrangian_model {
     template <class S>
     Eigen::Matrix<S, Coordinates, Coordinates> M(const vector<S>& q) const {
         Eigen::Matrix<S, Coordinates, Coordinates> M;
-        const vector<S> rest = vector<S>::Constant(S(0));
-        const S least = T_(q, rest);
+        const S least = T_(q, zero<S>());
         vector<S> single;
         for (int i = 0; i < Coordinates; ++i) single[i] = T_(q, unit<S>(i));
         for (int i = 0; i < Coordinates; ++i) {
@@ -101,17 +100,19 @@ class lagrangian_model {
     template <class S>
     bool quadratic_in_v(const vector<S>& q) const {
         using std::abs;
-        vector<S> w;
-        for (int i = 0; i < Coordinates; ++i) w[i] = S(6 + i) / S(4);
-        const vector<S> rest = vector<S>::Constant(S(0)), twice = S(2) * w;
-        const S far = T_(q, twice), near = S(2) * T_(q, w), least = T_(q, rest), by_mass = w.dot(M<S>(q) * w);
+        vector<S> w, twice;
+        for (int i = 0; i < Coordinates; ++i) w[i] = S(6 + i) / S(4), twice[i] = S(2) * w[i];
+        const vector<S> Mw = detail::times(M<S>(q), w);
+        const S far = T_(q, twice), near = S(2) * T_(q, w), least = T_(q, zero<S>());
+        S by_mass(0);
+        for (int i = 0; i < Coordinates; ++i) by_mass += w[i] * Mw[i];
         const S size = abs(far) + abs(near) + abs(least) + abs(by_mass);
         return abs(far - near + least - by_mass) <= S(1000) * Eigen::NumTraits<S>::epsilon() * size;
     }
 
     template <class S>
     vector<S> F(const vector<S>& q, const vector<S>& v, const S& t) const {
-        return balance<S>(q, v, vector<S>::Constant(S(0)), t);
+        return balance<S>(q, v, zero<S>(), t);
     }
 
     /// F(q, v) - M(q) a at the cost of F: the equations of Lagrange along q' = v, v' = a. Derivatives of the motion
@@ -141,7 +142,7 @@ class lagrangian_model {
         }
         if constexpr (!std::is_same_v<Forces, no_forces>) {
             const vector<S> force = Q_(q, v, t);
-            F += force;
+            for (int i = 0; i < Coordinates; ++i) F[i] += force[i];
         }
         return F;
     }
@@ -153,7 +154,8 @@ class lagrangian_model {
             using dual = dual_number<S, Coordinates>;
             const auto g = constraint(detail::variables<dual>(q), detail::constant<dual>(t));
             Eigen::Matrix<S, constraints, Coordinates> G;
-            for (int k = 0; k < constraints; ++k) G.row(k) = g[k].derivatives().transpose();
+            for (int k = 0; k < constraints; ++k)
+                for (int i = 0; i < Coordinates; ++i) G(k, i) = g[k].derivatives()[i];
             return G;
         } else {
             return constraint(q, t).template leftCols<Coordinates>();
@@ -189,8 +191,14 @@ class lagrangian_model {
 
   private:
     template <class S>
+    static vector<S> zero() {
+        vector<S> x;
+        detail::fill(x, S(0));
+        return x;
+    }
+    template <class S>
     static vector<S> unit(int i) {
-        vector<S> e = vector<S>::Constant(S(0));
+        vector<S> e = zero<S>();
         e[i] = S(1);
         return e;
     }

@@ -3,12 +3,12 @@
 
 #include <Eigen/Core>
 #include <concepts>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
 #include <stagecraft/jacobian/dual_functions.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
+#include <stagecraft/linear/small_loops.hpp>
 #include <stagecraft/named_member.hpp>
 
 namespace stagecraft {
@@ -197,21 +197,28 @@ template <class S, class Model, class Time>
 multiplier_vector<S, Model> prescribed_velocity([[maybe_unused]] const Model& model,
                                                 [[maybe_unused]] const coordinate_vector<S, Model>& q,
                                                 [[maybe_unused]] const Time& t) {
-    if constexpr (requires { model.b(q, S(t)); })
-        return model.b(q, S(t));
-    else if constexpr (requires { model.b(q); })
-        return model.b(q);
-    else
-        return multiplier_vector<S, Model>::Constant(S(0));
+    if constexpr (requires { model.b(q, S(t)); }) return model.b(q, S(t));
+    if constexpr (requires { model.b(q); }) return model.b(q);
+    multiplier_vector<S, Model> b;
+    detail::fill(b, S(0));
+    return b;
 }
 
-/// The velocity constraint G(q, t) v + b(q, t), which vanishes along the motion.
+/// The velocity constraint G(q, t) v + b(q, t), which vanishes along the motion, with this G.
+template <class S, class Model>
+multiplier_vector<S, Model> velocity_constraint(
+    const Model& model, const Eigen::Matrix<S, Model::constraints, Model::coordinates>& G,
+    const coordinate_vector<S, Model>& q, const coordinate_vector<S, Model>& v, const S& t) {
+    multiplier_vector<S, Model> w = detail::times(G, v);
+    if constexpr (has_prescribed_velocity<Model>) w += prescribed_velocity<S>(model, q, t);
+    return w;
+}
+/// The same with G of the model at q and t.
 template <class S, class Model>
 multiplier_vector<S, Model> velocity_constraint(const Model& model, const coordinate_vector<S, Model>& q,
                                                 const coordinate_vector<S, Model>& v,
                                                 const std::type_identity_t<S>& t = S(0)) {
-    const multiplier_vector<S, Model> b = prescribed_velocity<S>(model, q, t);
-    return constraint_gradient<S>(model, q, t) * v + b;
+    return velocity_constraint<S>(model, constraint_gradient<S>(model, q, t), q, v, t);
 }
 
 /// M(q)^-1 for one q: the model's closed form, or one factorisation at construction.
@@ -227,6 +234,26 @@ class mass_inverse : checked_model<Model> {
         else
             return factors_.solve(r);
     }
+    /// Replaces every column of B by M^-1 times it.
+    template <int Columns>
+    void in_place(Eigen::Matrix<S, Model::coordinates, Columns>& B) const {
+        coordinate_vector<S, Model> r;
+        for (int j = 0; j < Columns; ++j) {
+            for (int i = 0; i < Model::coordinates; ++i) r[i] = B(i, j);
+            r = (*this)(r);
+            for (int i = 0; i < Model::coordinates; ++i) B(i, j) = r[i];
+        }
+    }
+    /// M^-1 G^T.
+    template <int Rows>
+    Eigen::Matrix<S, Model::coordinates, Rows> of_transposed(
+        const Eigen::Matrix<S, Rows, Model::coordinates>& G) const {
+        Eigen::Matrix<S, Model::coordinates, Rows> W;
+        for (int k = 0; k < Rows; ++k)
+            for (int i = 0; i < Model::coordinates; ++i) W(i, k) = G(k, i);
+        in_place(W);
+        return W;
+    }
 
   private:
     struct closed_form {
@@ -241,15 +268,16 @@ class mass_inverse : checked_model<Model> {
     [[no_unique_address]] std::conditional_t<has_mass_solver<Model>, closed_form, factored> factors_;
 };
 
-/// What d/dt (G(q, t) v + b(q, t)) has along q' = v beside G v': (dG/dt) v + db/dt.
-template <class S, class Model>
+/// What d/dt (G(q, t) v + b(q, t)) has along q' = v beside G v': (dG/dt) v + db/dt. Derivatives of `Width` directions are
+/// taken, of which one is used: who has G in such numbers already compiles nothing more.
+template <class S, class Model, int Width = 1>
 multiplier_vector<S, Model> constraint_curvature(const Model& model, const coordinate_vector<S, Model>& q,
                                                  const coordinate_vector<S, Model>& v,
                                                  const std::type_identity_t<S>& t = S(0)) {
     if constexpr (has_constraint_rate<Model>) {
         return model.G_rate(q, v) * v;
     } else {
-        using dual = dual_number<S, 1>;
+        using dual = dual_number<S, Width>;
         coordinate_vector<dual, Model> moving;
         for (int i = 0; i < Model::coordinates; ++i) {
             moving[i].value() = q[i];
@@ -273,12 +301,8 @@ multiplier_vector<S, Model> constraint_curvature(const Model& model, const coord
 template <class S, class Model>
 multiplier_matrix<S, Model> constraint_inertia(const Model& model, const coordinate_vector<S, Model>& q,
                                                const std::type_identity_t<S>& t = S(0)) {
-    const mass_inverse<S, Model> solve(model, q);
     const Eigen::Matrix<S, Model::constraints, Model::coordinates> G = constraint_gradient<S>(model, q, t);
-    multiplier_matrix<S, Model> result;
-    for (int j = 0; j < Model::constraints; ++j)
-        result.col(j) = G * solve(coordinate_vector<S, Model>(G.row(j).transpose()));
-    return result;
+    return detail::product(G, mass_inverse<S, Model>(model, q).of_transposed(G));
 }
 
 /// The positions where M(q) is singular, in the model's words, if q is one of them to working precision, else
@@ -290,72 +314,6 @@ std::string singular_position(const Model& model, const coordinate_vector<double
         if (!(s * s > Eigen::NumTraits<double>::epsilon())) return Model::singular_position;
     }
     return {};
-}
-
-namespace detail {
-
-/// The factors of G M^-1 G^T. Throws std::domain_error that names the first constraint that depends on those before it,
-/// to working precision, or whose row of G vanishes.
-template <class S, int m>
-small_ldlt<S, m> independent_constraints(const Eigen::Matrix<S, m, m>& inertia) {
-    small_ldlt<S, m> factors(inertia);
-    for (int k = 0; k < m; ++k) {
-        if (factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * inertia(k, k)) continue;
-        const std::string which = "mechanical: constraint " + std::to_string(k);
-        if (inertia(k, k) > S(0))
-            throw std::domain_error(which + " depends on those before it here: G has not full rank");
-        if (inertia(k, k) == S(0)) throw std::domain_error(which + " has a row of zeros in G here");
-        throw std::domain_error(which + " has a G M^-1 G^T that is not positive, or not finite, here");
-    }
-    return factors;
-}
-
-/// Throws std::domain_error that says where M is not finite or, to working precision, not positive definite.
-template <class S, int n>
-void check_mass(const Eigen::Matrix<S, n, n>& M) {
-    const small_ldlt<S, n> factors(M);
-    for (int k = 0; k < n; ++k) {
-        if (factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * M(k, k)) continue;
-        const std::string row = std::to_string(k);
-        if (const S size = M.row(k).head(k + 1).squaredNorm(); !(size - size == S(0)))
-            throw std::domain_error("mechanical: M(q) is not finite here, in row " + row);
-        throw std::domain_error("mechanical: M(q) is not positive definite here: " +
-                                (M(k, k) > S(0) ? "with coordinate " + row + " it is singular or indefinite"
-                                                : "the mass of coordinate " + row + " is not positive"));
-    }
-}
-
-/// Throws std::domain_error that names the first component of `values` that is not finite.
-template <class Vector>
-void check_finite(const Vector& values, const char* what) {
-    for (int k = 0; k < values.size(); ++k)
-        if (!(values[k] - values[k] == typename Vector::Scalar(0)))
-            throw std::domain_error(std::string("mechanical: ") + what +
-                                    " is not finite here, in component " + std::to_string(k));
-}
-
-}  // namespace detail
-
-/// The multiplier consistent with (q, v) at time t: lambda of G M^-1 G^T lambda = G M^-1 F + (dG/dt) v, the
-/// once differentiated constraint (thesis (3.17); the factor c belongs to G v only, and G v = 0 here). Throws
-/// std::domain_error that says which of M, F, G and dG/dt is not finite here, where M(q) is not positive definite (in
-/// the model's words where it has them), and which constraint depends on others.
-template <class S, class Model>
-multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coordinate_vector<S, Model>& q,
-                                                  const coordinate_vector<S, Model>& v,
-                                                  const std::type_identity_t<S>& t = S(0)) {
-    if constexpr (names_singular_positions<Model> && std::is_same_v<S, double>) {
-        if (const std::string where = singular_position(model, q); !where.empty())
-            throw std::domain_error("mechanical: M(q) is singular: " + where);
-    }
-    detail::check_mass<S, Model::coordinates>(model.M(q));
-    const coordinate_vector<S, Model> F = force<S>(model, q, v, t);
-    detail::check_finite(F, "F (with lagrangian: from Q and the derivatives of T and V)");
-    const multiplier_vector<S, Model> curvature = constraint_curvature<S>(model, q, v, t);
-    detail::check_finite(curvature, "the derivative of G v + b along the motion");
-    const mass_inverse<S, Model> solve(model, q);
-    const multiplier_vector<S, Model> rhs = constraint_gradient<S>(model, q, t) * solve(F) + curvature;
-    return detail::independent_constraints(constraint_inertia<S>(model, q, t)).solve(rhs);
 }
 
 /// Kinetic energy v^T M(q) v / 2.
@@ -376,7 +334,7 @@ S total_energy(const Model& model, const coordinate_vector<S, Model>& q,
 template <class S, class Model>
 S constraint_violation(const Model& model, const coordinate_vector<S, Model>& q,
                        const coordinate_vector<S, Model>& v, const std::type_identity_t<S>& t = S(0)) {
-    return velocity_constraint<S>(model, q, v, t).cwiseAbs().maxCoeff();
+    return detail::largest(velocity_constraint<S>(model, q, v, t));
 }
 
 }  // namespace stagecraft

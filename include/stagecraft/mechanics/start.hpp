@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-#include <stagecraft/mechanics/model.hpp>
+#include <stagecraft/mechanics/consistent_multiplier.hpp>
 
 // Checks of the initial values that the formulations are given.
 
@@ -61,10 +61,11 @@ void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
     std::ostringstream violated;
     if constexpr (holonomic_model<Model>)
         list_violations(violated, "position constraint", position_constraint<Scalar>(model, q, t),
-                        Scalar(eps * at_least(q.cwiseAbs().maxCoeff(), 1)));
-    const Scalar G = constraint_gradient<Scalar>(model, q, t).cwiseAbs().maxCoeff();
-    list_violations(violated, "velocity constraint", velocity_constraint<Scalar>(model, q, v, t),
-                    Scalar(eps * G * at_least(v.cwiseAbs().maxCoeff(), 1)));
+                        Scalar(eps * at_least(largest(q), 1)));
+    const Eigen::Matrix<Scalar, Model::constraints, Model::coordinates> G =
+        constraint_gradient<Scalar>(model, q, t);
+    list_violations(violated, "velocity constraint", velocity_constraint<Scalar>(model, G, q, v, t),
+                    Scalar(eps * largest(G) * at_least(largest(v), 1)));
     if (const std::string text = violated.str(); !text.empty())
         throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" + text +
                                     " (assemble(model, q, v) finds such q and v nearby)");
