@@ -250,8 +250,7 @@ D atan2(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &y = a, &x = b;
     const S square = x.value() * x.value() + y.value() * y.value();
-    return dual_number<S, W>::combined(S(atan2(y.value(), x.value())), y, S(x.value() / square), x,
-                                       S(-y.value() / square));
+    return D::combined(S(atan2(y.value(), x.value())), y, S(x.value() / square), x, S(-y.value() / square));
 }
 template <class A, class B, class D = detail::dual_of<A, B>>
 D hypot(const A& a, const B& b) {
@@ -259,7 +258,7 @@ D hypot(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &x = a, &y = b;
     const S length = hypot(x.value(), y.value());
-    return dual_number<S, W>::combined(length, x, S(x.value() / length), y, S(y.value() / length));
+    return D::combined(length, x, S(x.value() / length), y, S(y.value() / length));
 }
 
 /// The length of (x, y, z).
@@ -279,7 +278,7 @@ D fmod(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &x = a, &y = b;
     const S rest = fmod(x.value(), y.value());
-    return dual_number<S, W>::combined(rest, x, S(1), y, S(-round(S((x.value() - rest) / y.value()))));
+    return D::combined(rest, x, S(1), y, S(-round(S((x.value() - rest) / y.value()))));
 }
 /// The same with the quotient rounded to the nearest.
 template <class A, class B, class D = detail::dual_of<A, B>>
@@ -289,7 +288,7 @@ D remainder(const A& a, const B& b) {
     using S = typename D::scalar;
     const D &x = a, &y = b;
     const S rest = remainder(x.value(), y.value());
-    return dual_number<S, W>::combined(rest, x, S(1), y, S(-round(S((x.value() - rest) / y.value()))));
+    return D::combined(rest, x, S(1), y, S(-round(S((x.value() - rest) / y.value()))));
 }
 /// |x| with the sign of y.
 template <class A, class B, class D = detail::dual_of<A, B>>
