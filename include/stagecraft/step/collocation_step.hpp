@@ -139,6 +139,7 @@ class collocation_step : public step_defaults<Space> {
     }
 
     bool stiffly_accurate() const { return known_.stiffly_accurate; }
+    bool has_stage_order_two() const { return known_.stage_order_two; }
     /// |R(infinity)| < 1, R(infinity) = 1 - b^T A^-1 1.
     bool forgets() const {
         using std::abs;
@@ -317,7 +318,7 @@ class collocation_step : public step_defaults<Space> {
         weights start;              // z -> value at 0 of the polynomial through the stages alone
         weights leading;            // z -> a_{s-1} of the polynomial through the stages alone
         weights left, right, ends;  // z -> h u'(0), h u'(1), change at 1 without the node 0
-        bool stiffly_accurate = true, jump = false;
+        bool stiffly_accurate = true, jump = false, stage_order_two = false;
         int order = 0;
     };
     static const method_type& checked(const method_type& method) {
@@ -336,6 +337,7 @@ class collocation_step : public step_defaults<Space> {
         for (int j = 0; j < s; ++j)
             known.stiffly_accurate = known.stiffly_accurate && method.A(s - 1, j) == method.b[j];
         known.jump = method.c[0] == Scalar(0);
+        known.stage_order_two = stagecraft::has_stage_order_two(method);
         known.order = method.facts.order > 0 ? method.facts.order : quadrature_conditions(method, 2 * s);
         // Node list of the continuous polynomial: 0 carries y, a first stage at 0 gives way to the end point
         // (Radau IA) or drops out where the end point is a node already (Lobatto IIIC).

@@ -43,6 +43,7 @@ struct run_demands {
 ///   - m.count(): s. m.coupled_stages_count(): how many of them one Newton iteration solves for.
 ///   - m.columns(): columns of increments that an output needs.
 ///   - m.implicit(): false if no stage needs a Jacobian. m.stiffly_accurate(): y1 is the last stage.
+///   - m.has_stage_order_two(): C(2) holds.
 ///   - m.estimate_power(): q, the estimate is O(h^q).
 ///   - m.estimate_ratio(rtol): the estimate times this has tolerance 1 where the solution is smooth.
 ///   - m.guess(before, y, h, now, from): first guess of the stages by the step before (or null); s^2 n.
@@ -70,6 +71,7 @@ concept one_step_method = requires(
     { c.columns() } -> std::same_as<int>;
     { c.implicit() } -> std::same_as<bool>;
     { c.stiffly_accurate() } -> std::same_as<bool>;
+    { c.has_stage_order_two() } -> std::same_as<bool>;
     { c.estimate_power() } -> std::same_as<int>;
     { c.estimate_ratio(h) } -> std::convertible_to<typename Step::vector::Scalar>;
     m.guess(before, x, h, now, h);
@@ -176,6 +178,14 @@ void demand_free_steps(const Step& m, int largest_index, bool continuous) {
         throw std::invalid_argument(
             "integrate: method must be stiffly accurate for problem.index() 3, "
             "where the errors of others have no bound; use options.fixed_step");
+    // What a step of stage order q leaves in u is O(h^{q-1}) (HLR89, section 6). Implicit Euler's u converges if all steps
+    // are equal, since then what z leaves, divided by h, is the same in every step and cancels.
+    if (largest_index > 2 && !m.has_stage_order_two())
+        throw std::invalid_argument(
+            "integrate: method must have stage order 2 at least, sum_j a_ij c_j = c_i^2/2 in every stage, "
+            "for "
+            "problem.index() 3: with less, components of index 3 do not converge; take radau_iia<3>() or "
+            "radau_iia_variable(), a formulation of index 2, or options.fixed_step");
     if (continuous && !m.knows_output_error())
         throw std::invalid_argument(
             "integrate: continuous needs a transformed_tableau of two stages at least, other than Radau IA");

@@ -124,6 +124,7 @@ class tableau_step : public step_defaults<Space> {
     /// Of a jump of f they show a part.
     Scalar jump_ratio(const Scalar&) const { return blind_.largest_ratio; }
     bool stiffly_accurate() const { return is_.stiffly_accurate; }
+    bool has_stage_order_two() const { return stagecraft::has_stage_order_two(v_.method); }
     bool forgets() const { return is_.forgets; }
     /// False if no stage needs a Jacobian.
     bool implicit() const { return !is_.lower || sequential_.implicit(); }

@@ -48,6 +48,14 @@ struct equal_but_for_rounding {
     }
 };
 
+/// C(2): every stage is of order two at least.
+template <class Scalar, int Stages>
+bool has_stage_order_two(const tableau<Scalar, Stages>& m) {
+    node_power<Scalar> power(m.stages());
+    power.advance(m.c);
+    return satisfies_stages(m, power, equal_but_for_rounding{});
+}
+
 /// visit(phi, gamma, n) for each rooted tree of at most `most` vertices, by their number n: the stages
 /// phi(tau), for which the condition of order n is b^T phi(tau) = 1/gamma(tau) (Hairer-Norsett-Wanner
 /// I.II.2), until it returns false. Where c is not the row sums of A, as `equal` decides, the trees of
