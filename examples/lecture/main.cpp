@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The examples and pictures of R. Maerz, "Numerik gewoehnlicher Differentialgleichungen" (lecture notes),
-// chapters 1 to 3, computed: build/lecture --all --svg DIRECTORY.
+// chapters 1 to 3, computed: cmake --build build --target lecture, then build/lecture --all --svg DIRECTORY.
 #include "program.hpp"
 
 int main(int argc, char** argv) {
