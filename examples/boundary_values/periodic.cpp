@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Section 4.4: the limit cycle (sin t, cos t).
+#include <problems/dense_once.hpp>
 #include <stagecraft/bvp/periodic_orbit.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>

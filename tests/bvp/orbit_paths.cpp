@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
+#include <problems/dense_once.hpp>
 #include <stagecraft/bvp/orbit_continuation.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <problems/dense_once.hpp>
 #include <stagecraft/bvp/continuation.hpp>
 #include <stagecraft/bvp/periodic_orbit.hpp>
 #include <stagecraft/coefficients/gauss.hpp>

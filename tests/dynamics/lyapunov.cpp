@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 #include <random>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/theory/dynamics/lyapunov.hpp>

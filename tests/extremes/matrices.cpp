@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
+#include <problems/sparse_once.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
 #include <stagecraft/tableaux/rounded.hpp>

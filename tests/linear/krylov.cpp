@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/sparse_once.hpp>
 #include <stagecraft/families.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>

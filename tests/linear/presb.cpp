@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE presb
 #include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
+#include <problems/dense_once.hpp>
 #include <random>
 #include <stagecraft/families.hpp>
 

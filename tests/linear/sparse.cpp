@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/sparse_once.hpp>
 #include <random>
 #include <stagecraft/linear/sparse_blocks.hpp>
 

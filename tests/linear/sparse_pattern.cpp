@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 #include <complex>
 #include <limits>
+#include <problems/sparse_once.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
 
 #include "../allocations.hpp"

@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE suitesparse
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/sparse_once.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/klu.hpp>

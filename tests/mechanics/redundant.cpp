@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <problems/sparse_once.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
 #include <stagecraft/mechanics/sized_formulations.hpp>
 

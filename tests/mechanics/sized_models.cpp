@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE sized_models
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/sparse_once.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/constraint_forces.hpp>
