@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE structured
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <problems/sparse_once.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/banded_blocks.hpp>
