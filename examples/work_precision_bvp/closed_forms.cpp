@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Problems u'' = g(t, u, u') with closed solutions: Cash's test set (stated in the vignette bvpTests of the R package
-// bvpSolve; the solutions of 7 and 8 printed there are corrected), Bratu's two solutions, Lane and Emden; and systems of
-// three equations: Blasius, eigenvalues of -u''.
+// bvpSolve; the solutions of 7 and 8 printed there are corrected), Bratu's two solutions, Lane and Emden, a sine of a
+// cubic; and systems of three equations: Blasius, eigenvalues of -u''.
 #include "problem.hpp"
 
 namespace bvp {
@@ -200,6 +200,37 @@ void lane_emden(std::vector<problem>& all) {
     all.push_back(p);
 }
 
+/// u'' + (lambda pi)^2 sin(u + u^2 + u^3) = 0 with lambda = 3/2, where coarse fixed meshes have solutions that the equation
+/// has not. The positive solution by its energy: u'^2/2 is the integral of the force from u to the height u(1/2), and the
+/// way there takes 1/2; between them by extrapolation, at points where the energy is the same to 6e-15.
+void sine_of_cubic(std::vector<problem>& all) {
+    const double height = 1.0095775455192477, slope = 5.0531587127081306, k = 2.25 * pi * pi;
+    problem p;
+    p.name = "sine_cubic";
+    p.left = p.right = {{{1, 0}, 0}};
+    p.f = [=](double, const double* y, double* f) {
+        const double u = y[0];
+        f[0] = y[1], f[1] = -k * std::sin(u + u * u + u * u * u);
+    };
+    p.jacobian = [=](double, const double* y, double* J) {
+        const double u = y[0];
+        J[2] = 1, J[1] = -k * std::cos(u + u * u + u * u * u) * (1 + 2 * u + 3 * u * u);
+    };
+    p.guess = [](double t, double* y) { y[0] = 4 * t * (1 - t), y[1] = 4 - 8 * t; };
+    p.reference = {{0, {0, slope}},
+                   {0.03, {0.1510494952877602, 4.9972353340341185}},
+                   {0.07, {0.3460801739231534, 4.7083186112353221}},
+                   {0.14, {0.6389691402300064, 3.5317561317236579}},
+                   {0.23, {0.8698510736982030, 1.6764196171670209}},
+                   {0.37, {0.9906941415524174, 0.3428047651247145}},
+                   {0.5, {height, 0}}};
+    for (int i = 5; i >= 0; --i) {
+        const auto [t, y] = p.reference[i];
+        p.reference.push_back({1 - t, {y[0], -y[1]}});
+    }
+    all.push_back(p);
+}
+
 /// f''' + f f''/2 = 0; of the solution f''(0) alone is known, to all digits.
 void blasius(std::vector<problem>& all) {
     problem p;
@@ -249,6 +280,7 @@ std::vector<problem> closed_forms() {
     bratu(all, "_low", 1.5171645990507544, 0);
     bratu(all, "_high", 10.938702772115119, 4);
     lane_emden(all);
+    sine_of_cubic(all);
     blasius(all);
     for (const int k : {1, 2, 10}) eigenvalue(all, k);
     return all;
