@@ -43,6 +43,43 @@ void with_methods(const right_hand_side& f, const VectorXd& y0, double t1, Look&
 
 }  // namespace
 
+// What is absent, or at rest in an unstable state, has nothing to grow from: where f is exactly zero the steps are as long as
+// without the modes that would grow.
+BOOST_AUTO_TEST_CASE(nothing_grows_from_nothing) {
+    const right_hand_side infection = [](double t, const VectorXd& y, VectorXd& f) {
+        f[0] = -3e7 * y[0] * y[1], f[1] = 3e7 * y[0] * y[1] - 2e3 * y[1];  // susceptible and infected
+        f[2] = -y[2] + std::cos(t);
+    };
+    with_methods(infection, Eigen::Vector3d(1, 0, 0), 10, [](const auto& r) {
+        BOOST_TEST(r.ok());
+        BOOST_TEST((r.y[0] == 1 && r.y[1] == 0));
+        BOOST_TEST(std::abs(r.y[2] - (std::cos(10.) + std::sin(10.) - std::exp(-10.)) / 2) < 1e-4);
+        BOOST_TEST(r.report.steps + r.report.rejected() < 250);
+    });
+    const right_hand_side upright = [](double, const VectorXd& y, VectorXd& f) {
+        f[0] = y[1], f[1] = 1e6 * std::sin(y[0]);
+    };
+    with_methods(upright, Eigen::Vector2d(0, 0), 1000, [](const auto& r) {
+        BOOST_TEST(r.ok());
+        BOOST_TEST(r.report.steps + r.report.rejected() < 10);
+    });
+    // 0 = S + I + R - 1 in place of an equation for R, which is of index 1.
+    struct closed {
+        void operator()(double, const VectorXd& y, VectorXd& f) const {
+            f[0] = -y[0] * y[1], f[1] = y[0] * y[1] - y[1] / 2, f[2] = y.sum() - 1;
+        }
+        Eigen::MatrixXd mass() const { return Eigen::Vector3d(1, 1, 0).asDiagonal(); }
+    };
+    const auto r = sc::integrate(sc::radau_iia<3>(), closed{}, VectorXd(Eigen::Vector3d(1, 0, 0)), 0, 1e6);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(r.report.steps + r.report.rejected() < 10);
+    // One infected in 1e12 is an epidemic.
+    const auto some =
+        sc::integrate(sc::radau_iia<3>(), closed{}, VectorXd(Eigen::Vector3d(1, 1e-12, -1e-12)), 0, 1e3);
+    BOOST_TEST(some.ok());
+    BOOST_TEST(std::abs(some.y[0] - 0.2031878700) < 1e-4);  // log S = 2 (S - 1)
+}
+
 BOOST_AUTO_TEST_CASE(species_live_from_small_seeds) {
     const auto live = [](const VectorXd& a) {
         const VectorXd seeds = VectorXd::Constant(a.size(), 1e-9);

@@ -33,15 +33,17 @@ namespace stagecraft {
 template <class Scalar>
 class growth_watch {
   public:
-    /// True if the stages, which have just been factored, show such growth beyond what rounding can explain.
-    template <class System, class Stages>
-    bool sees(const System& system, Stages& stages) {
+    /// True if the stages, which have just been factored, show such growth beyond what rounding can explain, and it
+    /// has something to begin with: slope() is f at the left end, asked for where there is a growing mode.
+    template <class System, class Stages, class Slope>
+    bool sees(const System& system, Stages& stages, Slope&& slope) {
         if constexpr (!System::structured && System::sums_type::complete && Stages::knows_determinant) {
             const Scalar shift = stages.growth_shift();
-            if (shift == Scalar(0)) return false;
-            if (mass_sign(system) == 0) return sees_with_singular_mass(system, stages, shift);
-            const int expected = system.size() % 2 == 1 && shift < Scalar(0) ? -mass_sign_ : mass_sign_;
-            return stages.determinant_sign() != expected && sign_of(system, shift, true) == -expected;
+            if (shift == Scalar(0) || !has_growing_mode(system, shift, stages.determinant_sign(), {}))
+                return false;
+            const components resting = at_rest(system, slope());
+            return resting.empty() ||
+                   has_growing_mode(system, shift, sign_of(system, shift, true, resting), resting);
         } else {
             return false;
         }
@@ -165,26 +167,62 @@ class growth_watch {
         return highest > before + log(Scalar(5) / 2);
     }
 
-    /// The sign beyond all eigenvalues is found once, and again where it disagrees: constraints may be switched.
-    template <class System, class Stages>
-    bool sees_with_singular_mass(const System& system, Stages& stages, const Scalar& shift) {
-        const int now = stages.determinant_sign();
-        if (now == 0 || now == far_sign_ || shift < Scalar(0)) return false;
-        far_sign_ = sign_of(system, shift * far, true);
-        return far_sign_ != 0 && now == -far_sign_ && sign_of(system, shift, true) == now;
+    /// Empty, or for each component whether it is at rest for ever: f is zero there, and neither f nor M leads from the others
+    /// to them (a species that is absent, say). What would grow in them alone has nothing to grow from.
+    using components = std::vector<bool>;
+    template <class System, class Vector>
+    [[gnu::cold]] static components at_rest(const System& system, const Vector& f) {
+        if constexpr (!has_entries<typename System::mass_type>) return {};
+        const int n = system.size();
+        components rest(static_cast<std::size_t>(n));
+        for (int i = 0; i < n; ++i) rest[i] = f[i] == Scalar(0);
+        const auto leads = [&](int to, int from) {
+            return !(system.jacobian().data()[to + from * n] == Scalar(0));
+        };
+        for (bool changes = true; changes;) {
+            changes = false;
+            const auto moves = [&](int to, int from, bool coupled) {
+                if (rest[to] && !rest[from] && coupled) rest[to] = false, changes = true;
+            };
+            for (int from = 0; from < n; ++from)
+                for (int to = 0; to < n; ++to) moves(to, from, leads(to, from));
+            if constexpr (!System::mass_type::identity && has_entries<typename System::mass_type>)
+                for (const auto& e : system.mass().entries()) moves(e.row, e.column, true);
+        }
+        for (int i = 0; i < n; ++i)
+            if (rest[i]) return rest;
+        return {};
+    }
+
+    /// `now`, the sign of det(shift M - J) without what rests, is not the one that it has without growing modes. With a
+    /// singular M that one, beyond all eigenvalues, is found once, and again where it disagrees: constraints may be
+    /// switched.
+    template <class System>
+    bool has_growing_mode(const System& system, const Scalar& shift, int now, const components& resting) {
+        if (mass_sign(system) != 0) {
+            int expected = resting.empty() ? mass_sign_ : sign_of(system, Scalar(1), false, resting);
+            if (shift < Scalar(0))
+                for (int i = 0; i < system.size(); ++i)
+                    if (resting.empty() || !resting[i]) expected = -expected;
+            return now != expected && sign_of(system, shift, true, resting) == -expected;
+        }
+        if (now == 0 || (now == far_sign_ && resting.empty()) || shift < Scalar(0)) return false;
+        const int beyond = sign_of(system, shift * far, true, resting);
+        if (resting.empty()) far_sign_ = beyond;
+        return beyond != 0 && now == -beyond && sign_of(system, shift, true, resting) == now;
     }
 
     /// The sign of det M, found once.
     template <class System>
     int mass_sign(const System& system) {
-        if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false);
+        if (mass_sign_ == unknown) mass_sign_ = sign_of(system, Scalar(1), false, {});
         return mass_sign_;
     }
 
     /// The sign of det(shift M - J), or of det(shift M) without J; 0 if a pivot is as small as what rounding
-    /// makes of the column it stands in.
+    /// makes of the column it stands in. Without the components that rest.
     template <class System>
-    int sign_of(const System& system, const Scalar& shift, bool with_jacobian) {
+    int sign_of(const System& system, const Scalar& shift, bool with_jacobian, const components& resting) {
         using std::abs;
         const int n = system.size();
         if constexpr (System::mass_type::identity)
@@ -196,6 +234,10 @@ class growth_watch {
         for (int i = 0; i < n * n; ++i)
             a[i] = with_jacobian ? Scalar(-system.jacobian().data()[i]) : Scalar(0);
         add_mass(system.mass(), shift, a, n);
+        for (int k = 0; k < n && !resting.empty(); ++k) {
+            if (!resting[k]) continue;
+            for (int i = 0; i < n; ++i) a[i + k * n] = a[k + i * n] = Scalar(i == k ? 1 : 0);
+        }
         for (int j = 0; j < n; ++j) {
             largest[j] = Scalar(0);
             for (int i = 0; i < n; ++i)

@@ -252,9 +252,10 @@ class integrator {
                              y1_);
         }
         const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
-        const Vector* f0 = left && 2 * abs(h) > 3 * abs(last) ? &f_.value() : nullptr;
-        return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(), f0, weights_,
-                              report_.factorisations);
+        const bool longer = left && 2 * abs(h) > 3 * abs(last);
+        const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
+        return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(), slope,
+                              longer, weights_, report_.factorisations);
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed

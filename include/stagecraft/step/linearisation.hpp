@@ -87,15 +87,17 @@ class linearisation {
 
     /// Factors the systems of a step h with method number k, unless they are already: for h, or for one that
     /// differs from it by no more than rounding of large t explains, which slows the iteration by as little.
-    /// `watch` looks for growth; in what moves, too, where f0 is given: for a step much longer than the one before.
-    template <class Stages>
+    /// `watch` looks for growth, with slope() = f at the left end; in what moves, too, if the step is much `longer` than
+    /// the one before.
+    template <class Stages, class Slope>
     linear_state factor(const System& system, Stages& stages, const scalar& h, int k, bool watch,
-                        const Vector* f0, const Vector& weights, long& factorisations) {
+                        Slope&& slope, bool longer, const Vector& weights, long& factorisations) {
         if (factored_method_ == k && factored_within(h, scalar(1) / 100000)) return linear_state::factored;
         ++factorisations;
         factored_for(scalar(0), 0);
         if (!stages.factor(system, h)) return linear_state::singular;
-        if (watch && (growth_.sees(system, stages) || (f0 && growth_.sees_in(system, *f0, weights, h))))
+        if (watch &&
+            (growth_.sees(system, stages, slope) || (longer && growth_.sees_in(system, slope(), weights, h))))
             return linear_state::growing;
         factored_for(h, k);
         return linear_state::factored;
