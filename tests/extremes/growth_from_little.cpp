@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
+#include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
@@ -90,6 +91,9 @@ BOOST_AUTO_TEST_CASE(species_live_from_small_seeds) {
         });
     };
     live(Eigen::Vector2d(1, 0.9));
+    const auto others = sc::integrate(sc::lobatto_iiic<3>(), species(Eigen::Vector2d(1, 0.9)),
+                                      VectorXd(Eigen::Vector2d(1e-9, 1e-9)), 0, 100);
+    BOOST_TEST(std::abs(others.y.sum() - 1) < 1e-4);
     live(Eigen::Vector2d(1, 1));
     live(Eigen::Vector2d(1, 0.5));
     live(Eigen::Vector3d(1, 0.9, 0.8));

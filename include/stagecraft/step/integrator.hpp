@@ -240,8 +240,7 @@ class integrator {
     template <class Step>
     linear_state linearise(Step& method, const scalar& h) {
         using std::abs;
-        const bool left = needs_left_value(method);
-        if (left) f_.left(system_, t_, y_);
+        if (needs_left_value(method)) f_.left(system_, t_, y_);
         weights_ = scale_;
         system_.weigh_by_index(weights_, h);
         method.begin(f_.value());
@@ -252,7 +251,7 @@ class integrator {
                              y1_);
         }
         const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
-        const bool longer = left && 2 * abs(h) > 3 * abs(last);
+        const bool longer = 2 * abs(h) > 3 * abs(last);
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
         return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(), slope,
                               longer, weights_, report_.factorisations);
