@@ -51,60 +51,44 @@ void combine(int n, int count, const Scalar* c, const Scalar* in, Scalar* out) {
     }
 }
 
-/// out := base + h c[0] from(0) + h c[1] from(1) + ..., n being N or, where that is -1, any number; from(j) points at
-/// n numbers. The term of the largest j, known last in the stages of a method, is added last. To four components
-/// numbers are taken one by one: a packet that is read where two numbers have just been written waits for them.
-template <int N, class Scalar, class From, int... j>
-requires(built_in<Scalar>)
-    [[gnu::flatten]] inline void combine_onto(int any, const Scalar* base, const Scalar& h, const Scalar* c,
-                                              const From& from, Scalar* out,
-                                              std::integer_sequence<int, j...>) {
-    if constexpr (N >= 0 && N <= 4) {
-        const auto one = [&](int i) { out[i] = (base[i] + ... + (from(j)[i] * (h * c[j]))); };
-        [&]<int... i>(std::integer_sequence<int, i...>) { (one(i), ...); }
-        (std::make_integer_sequence<int, N>());
-    } else {
-        const int n = N >= 0 ? N : any;
-        int i = 0;
-        const auto run = [&]<class P>(P) {
-            const Scalar* const in[] = {from(j)...};
-            const typename P::type by[] = {P::all(h * c[j])...};
-            for (; i + P::size <= n; i += P::size)
-                P::store(out + i, (P::load(base + i) + ... + (P::load(in[j] + i) * by[j])));
-        };
-        run(packet<Scalar>());
-        run(single<Scalar>());
-    }
-}
+/// A term of a linear combination: `factor` times the vector that begins `offset` numbers behind the first one.
+template <class Scalar>
+struct combination_term {
+    Scalar factor;
+    std::ptrdiff_t offset;
+};
 
-/// out := factor (c[0] a[0] + c[1] a[1] + ...) for `count` > 0 vectors of n numbers, wherever they are; added
-/// to what is in `out` if `Add`.
-template <bool Add, class Scalar>
-requires(!built_in<Scalar>) void combine_scattered(int n, int count, const Scalar& factor, const Scalar* c,
-                                                   const Scalar* const* a, Scalar* out) {
+/// out := `factor` times the sum of `count` > 0 terms, vectors of n numbers from `in` on; on top of what is in `base` if
+/// `Onto`. `base` may be `out`.
+template <bool Onto, class Scalar>
+requires(!built_in<Scalar>) void combine_terms(int n, int count, const Scalar& factor,
+                                               const combination_term<Scalar>* term, const Scalar* in,
+                                               const Scalar* base, Scalar* out) {
     for (int i = 0; i < n; ++i) {
-        Scalar sum = a[0][i] * c[0];
-        for (int t = 1; t < count; ++t) sum += a[t][i] * c[t];
-        out[i] = Add ? Scalar(out[i] + factor * sum) : Scalar(factor * sum);
+        Scalar sum = in[term[0].offset + i] * term[0].factor;
+        for (int t = 1; t < count; ++t) sum += in[term[t].offset + i] * term[t].factor;
+        out[i] = Onto ? Scalar(base[i] + factor * sum) : Scalar(factor * sum);
     }
 }
-template <bool Add, class Scalar>
+template <bool Onto, class Scalar>
 requires(built_in<Scalar>)
-    [[gnu::flatten]] inline void combine_scattered(int n, int count, const Scalar& factor, const Scalar* c,
-                                                   const Scalar* const* a, Scalar* out) {
+    [[gnu::flatten]] inline void combine_terms(int n, int count, const Scalar& factor,
+                                               const combination_term<Scalar>* term, const Scalar* in,
+                                               const Scalar* base, Scalar* out) {
     int i = 0;
     const auto run = [&]<class P, int... q>(P, std::integer_sequence<int, q...>) {
         constexpr int width = P::size * static_cast<int>(sizeof...(q));
         for (; i + width <= n; i += width) {
-            typename P::type sum[] = {P::load(a[0] + i + q * P::size) * P::all(c[0])...};
+            const Scalar* const x = in + i;
+            typename P::type sum[] = {P::load(x + term[0].offset + q * P::size) * P::all(term[0].factor)...};
             for (int t = 1; t < count; ++t) {
-                const auto by = P::all(c[t]);
-                const Scalar* x = a[t] + i;
-                ((sum[q] = sum[q] + P::load(x + q * P::size) * by), ...);
+                const auto by = P::all(term[t].factor);
+                const Scalar* const y = x + term[t].offset;
+                ((sum[q] = sum[q] + P::load(y + q * P::size) * by), ...);
             }
             const auto by = P::all(factor);
-            if constexpr (Add)
-                (P::store(out + i + q * P::size, P::load(out + i + q * P::size) + sum[q] * by), ...);
+            if constexpr (Onto)
+                (P::store(out + i + q * P::size, P::load(base + i + q * P::size) + sum[q] * by), ...);
             else
                 (P::store(out + i + q * P::size, sum[q] * by), ...);
         }

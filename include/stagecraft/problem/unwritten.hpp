@@ -13,9 +13,8 @@ template <class Vector>
 void expect_written([[maybe_unused]] Vector& f) {
 #ifndef NDEBUG
     using scalar = typename Vector::Scalar;
-    if constexpr (std::is_floating_point_v<
-                      scalar>) {  // no division, and not in packets: f's numbers would wait for them
-        for (auto i = f.size(); i-- > 0;) f[i] = std::numeric_limits<scalar>::quiet_NaN();
+    if constexpr (std::is_floating_point_v<scalar>) {  // without a division
+        f.setConstant(std::numeric_limits<scalar>::quiet_NaN());
     } else {
         const scalar zero(0);  // of any kind of number, dual ones too
         for (auto i = f.size(); i-- > 0;) f[i] = zero / zero;

@@ -3,13 +3,13 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/lanes.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
@@ -26,8 +26,6 @@ template <class Vector, int Stages, class Blocks>
 class sequential_stages {
     using Scalar = typename Vector::Scalar;
     static constexpr int N = Vector::RowsAtCompileTime;
-    // With more, f inlined as often costs the compiler more than the run gains.
-    static constexpr bool unrolls = Stages > 0 && Stages <= 7 && N >= 0;
 
   public:
     using slopes = stage_slopes<Vector, Stages, Blocks>;
@@ -51,23 +49,22 @@ class sequential_stages {
             block_.push_back(k);
         }
         shift_.resize(diagonal_.size());
-        if constexpr (unrolls) {
-            for (int i = 0; i < Stages; ++i)
-                for (int j = 0; j < Stages; ++j) rows_[i * Stages + j] = m.A(i, j);
-        } else if (!implicit()) {
+        implicit_ = !diagonal_.empty();
+        if (!implicit_) {
             terms_.reserve(static_cast<std::size_t>(m.stages()) * static_cast<std::size_t>(m.stages()) / 2);
             row_ends_.reserve(static_cast<std::size_t>(m.stages()));
             for (int i = 0; i < m.stages(); ++i) {
                 for (int j = 0; j < i; ++j)
-                    if (!(m.A(i, j) == Scalar(0))) terms_.push_back({m.A(i, j), j});
+                    if (!(m.A(i, j) == Scalar(0)))
+                        terms_.push_back({m.A(i, j), static_cast<std::ptrdiff_t>(j) * n});
                 row_ends_.push_back(terms_.size());
             }
         }
     }
 
-    bool implicit() const { return !diagonal_.empty(); }
+    bool implicit() const { return implicit_; }
     /// Y_s of the last solve.
-    const vector& last_stage() const { return last_; }
+    const vector& last_stage() const { return implicit_ ? last_ : yi_; }
 
     /// Factors M/(h a) - J for every distinct diagonal entry a; false if one is singular or not finite.
     template <class System>
@@ -101,7 +98,7 @@ class sequential_stages {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
-        if constexpr (built_in<Scalar> && (unrolls || N < 0 || N > 4))
+        if constexpr (built_in<Scalar>)
             if (!implicit() && !v.by_value) {
                 if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
                 return slowest;
@@ -170,11 +167,6 @@ class sequential_stages {
     }
 
   private:
-    struct term {
-        Scalar entry;
-        int column;
-    };
-
     void set_shifts(const Scalar& h) {
         for (std::size_t k = 0; k < diagonal_.size(); ++k) shift_[k] = Scalar(1) / (h * diagonal_[k]);
     }
@@ -186,75 +178,58 @@ class sequential_stages {
         x = r_;
     }
 
-    /// The slopes of an explicit method. False if one is not finite.
+    /// The slopes of an explicit method, from the entries of A that are not zero. False if one is not finite.
     template <class System>
     bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
-        if constexpr (unrolls)
-            return evaluate_unrolled(system, t, y, h, v);
-        else
-            return evaluate_by_terms(system, t, y, h, v);
-    }
-    /// The loop over the stages is unrolled; slopes and stage values are local variables.
-    template <class System>
-    bool evaluate_unrolled(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
-        std::array<vector, Stages> k;
-        vector yi, fi;
-        std::copy_n(v.k.data(), N, k[0].data());
-        const auto slope = [&](int j) { return k[j].data(); };
-        bool finite = true;
-        unrolled<Stages>(Stages, [&](auto number) {
-            constexpr int i = decltype(number)::value;
-            if ((i == 0 && v.left_stage) || !finite) return;
-            if constexpr (i == 0)
-                yi = y;
-            else
-                combine_onto<N>(N, y.data(), h, rows_.data() + i * Stages, slope, yi.data(),
-                                std::make_integer_sequence<int, i>());
-            system(t + v.method.c[i] * h, yi, fi);
-            if constexpr (!System::mass_type::identity) v.mass.solve(fi.data());
-            // Few numbers are read one by one: a packet that is read where f has just written two numbers
-            // waits until both have reached the cache.
-            Scalar* const kept = v.k.data() + i * N;
-            if constexpr (N <= 4)
-                unrolled<N>(N,
-                            [&](auto c) { kept[c] = k[i][c] = const_cast<const volatile Scalar&>(fi[c]); });
-            else
-                std::copy_n(fi.data(), N, kept), k[i] = fi;
-            finite = all_finite(fi, N, system.sums());
-        });
-        last_ = yi;
-        return finite;
-    }
-    /// Stage by stage, each from the entries of A that are not zero; for states of more than a few components.
-    template <class System>
-    bool evaluate_by_terms(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
-        for (int i = v.left_stage ? 1 : 0; i < v.method.stages(); ++i) {
-            sum_terms(i, y, h, v.k.data());
-            system(t + v.method.c[i] * h, yi_, fi_);
-            if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
+        const int first = v.left_stage ? 1 : 0;
+        if constexpr (fits_lanes<N> && System::sums_type::complete) {
+            auto newest = lanes<Scalar, N>::load(v.k.data());
+            for (int i = first; i < v.method.stages(); ++i) {
+                sum_row(i, y.data(), h, v.k.data(), newest).store(yi_.data());
+                call(system, t + v.method.c[i] * h, v);
+                newest = lanes<Scalar, N>::load_written(fi_.data());
+                newest.store(v.k.data() + i * N);
+                if (!newest.finite()) return false;
+            }
+        } else {
             const int n = N >= 0 ? N : n_;
-            std::copy_n(fi_.data(), n, v.k.data() + static_cast<std::ptrdiff_t>(i) * n);
-            if (!all_finite(fi_, n, system.sums())) return false;
+            for (int i = first; i < v.method.stages(); ++i) {
+                const auto terms = row(i);
+                if (terms.empty())
+                    yi_ = y;
+                else
+                    combine_terms<true>(n, static_cast<int>(terms.size()), h, terms.data(), v.k.data(),
+                                        y.data(), yi_.data());
+                call(system, t + v.method.c[i] * h, v);
+                std::copy_n(fi_.data(), n, v.k.data() + static_cast<std::ptrdiff_t>(i) * n);
+                if (!all_finite(fi_, n, system.sums())) return false;
+            }
         }
-        last_ = yi_;
         return true;
     }
-    /// yi_ := y + h sum_j a_ij k_j.
-    void sum_terms(int i, const vector& y, const Scalar& h, const Scalar* k) {
-        const term *from = terms_.data() + (i > 0 ? row_ends_[i - 1] : 0), *const to =
-                                                                               terms_.data() + row_ends_[i];
-        constexpr int room = 16;  // terms that are summed in one pass
-        std::array<Scalar, room> entries;
-        std::array<const Scalar*, room> columns;
-        yi_ = y;
-        while (from < to) {
-            int count = 0;
-            for (; from < to && count < room; ++from, ++count) {
-                entries[count] = from->entry;
-                columns[count] = k + static_cast<std::ptrdiff_t>(from->column) * n_;
-            }
-            combine_scattered<true>(n_, count, h, entries.data(), columns.data(), yi_.data());
-        }
+    /// fi_ := M^-1 f(t, yi_).
+    template <class System>
+    [[gnu::always_inline]] void call(System& system, const Scalar& t, slopes& v) {
+        system(t, yi_, fi_);
+        if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
+    }
+    /// The terms of row i of A.
+    std::span<const combination_term<Scalar>> row(int i) const {
+        const std::size_t from = i > 0 ? row_ends_[i - 1] : 0;
+        return {terms_.data() + from, row_ends_[i] - from};
+    }
+    /// y + h sum_j a_ij k_j. k_{i-1}, which has just been found, is taken from `newest`, last.
+    template <class Lanes>
+    [[gnu::always_inline]] Lanes sum_row(int i, const Scalar* y, const Scalar& h, const Scalar* k,
+                                         const Lanes& newest) const {
+        auto sum = Lanes::load(y);
+        const auto terms = row(i);
+        const bool with_newest =
+            !terms.empty() && terms.back().offset == static_cast<std::ptrdiff_t>(i - 1) * N;
+        for (const auto& term : terms.first(terms.size() - (with_newest ? 1 : 0)))
+            sum.add(h * term.factor, k + term.offset);
+        if (with_newest) sum.add(h * terms.back().factor, newest);
+        return sum;
     }
     template <class System>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
@@ -278,13 +253,13 @@ class sequential_stages {
     }
 
     int n_;
-    workspace<Scalar, (unrolls ? squared<Stages> : 0)> rows_;  // of A
-    std::vector<term> terms_;                                  // of the rows of an explicit A
-    std::vector<std::size_t> row_ends_;                        // where those of a row end
-    std::vector<Scalar> diagonal_, shift_;                     // distinct non-zero a_ii and 1/(h a_ii)
-    std::vector<int> block_;                                   // of each stage, -1 for an explicit one
+    std::vector<combination_term<Scalar>> terms_;  // of the rows of an explicit A
+    std::vector<std::size_t> row_ends_;            // where those of a row end
+    std::vector<Scalar> diagonal_, shift_;         // distinct non-zero a_ii and 1/(h a_ii)
+    std::vector<int> block_;                       // of each stage, -1 for an explicit one
     std::vector<typename Blocks::real> blocks_;
     vector r_, z_, d_, yi_, fi_, last_;
+    bool implicit_ = false;
 };
 
 }  // namespace stagecraft

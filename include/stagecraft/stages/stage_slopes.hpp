@@ -3,8 +3,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include <stagecraft/linear/combinations.hpp>
+#include <stagecraft/linear/lanes.hpp>
 #include <stagecraft/linear/mass_solver.hpp>
 #include <stagecraft/tableau.hpp>
 
@@ -35,41 +38,34 @@ struct stage_slopes {
     /// r := h sum over j < last of coefficient(j) k_j.
     template <class Coefficients>
     void combine(const Coefficients& coefficient, int last, const Scalar& h, vector& r) const {
-        if constexpr (Stages > 0)
-            if (last == Stages && !by_value) {
-                std::array<Scalar, Stages> c;
-                for (int j = 0; j < Stages; ++j) c[j] = coefficient(j);
-                if constexpr (N >= 0 && N <= 4 && Stages <= 7 && built_in<Scalar>) {
-                    const std::array<Scalar, N> zero{};
-                    combine_onto<N>(
-                        N, zero.data(), h, c.data(), [this](int j) { return k.data() + j * N; }, r.data(),
-                        std::make_integer_sequence<int, Stages>());
-                } else {
-                    for (Scalar& x : c) x = h * x;
-                    stagecraft::combine<false, Stages>(N >= 0 ? N : static_cast<int>(r.size()), Stages,
-                                                       c.data(), k.data(), r.data());
+        if constexpr (built_in<Scalar> && fits_lanes<N>) {
+            lanes<Scalar, N> sum{};
+            if constexpr (Stages > 0)
+                if (last == Stages && !by_value) {  // to look for zeros would take as long as to add them
+                    [&]<int... j>(std::integer_sequence<int, j...>) {
+                        (sum.add(h * coefficient(j), k.data() + j * N), ...);
+                    }
+                    (std::make_integer_sequence<int, Stages>());
+                    sum.store(r.data());
+                    return;
                 }
-                return;
-            }
-        if constexpr (N >= 0 && N <= 4) {  // too few components for passes over several slopes at once
-            r.setZero();
             for (int j = first_needed(); j < last; ++j) {
                 const Scalar a = coefficient(j);
-                if (!(a == Scalar(0))) r += (h * a) * k.col(j);
+                if (!(a == Scalar(0))) sum.add(h * a, k.data() + j * N);
             }
+            sum.store(r.data());
             return;
         }
         constexpr int room = 16;  // terms that are summed in one pass
-        std::array<Scalar, room> c;
-        std::array<const Scalar*, room> from;
+        std::array<combination_term<Scalar>, room> term;
         const int n = static_cast<int>(r.size());
         int count = 0;
         bool begun = false;
         const auto sum = [&] {
             if (begun)
-                combine_scattered<true>(n, count, h, c.data(), from.data(), r.data());
+                combine_terms<true>(n, count, h, term.data(), k.data(), r.data(), r.data());
             else
-                combine_scattered<false>(n, count, h, c.data(), from.data(), r.data());
+                combine_terms<false>(n, count, h, term.data(), k.data(), r.data(), r.data());
             begun = true;
             count = 0;
         };
@@ -77,8 +73,7 @@ struct stage_slopes {
             const Scalar a = coefficient(j);
             if (a == Scalar(0)) continue;
             if (count == room) sum();
-            c[count] = a;
-            from[count++] = k.col(j).data();
+            term[count++] = {a, static_cast<std::ptrdiff_t>(j) * n};
         }
         if (count > 0)
             sum();

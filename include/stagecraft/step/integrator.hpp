@@ -225,7 +225,7 @@ class integrator {
         method.advance(y_, now, y1_);
         if (plan_.fixed()) return accept(method, plan, now);
 
-        const trial_step<Vector, output_type> trial{plan, t_, y_, weights_, f_, y1_, now};
+        const trial_step<Vector, output_type> trial{plan, t_, y_, weights(), f_, y1_, now};
         const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
         if (!(error < scalar(1)) &&
             !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
@@ -241,8 +241,7 @@ class integrator {
     linear_state linearise(Step& method, const scalar& h) {
         using std::abs;
         if (needs_left_value(method)) f_.left(system_, t_, y_);
-        weights_ = scale_;
-        system_.weigh_by_index(weights_, h);
+        if (system_.largest_index() > 1) system_.weigh_by_index(weights_ = scale_, h);
         method.begin(f_.value());
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
@@ -254,7 +253,7 @@ class integrator {
         const bool longer = 2 * abs(h) > 3 * abs(last);
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
         return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(), slope,
-                              longer, weights_, report_.factorisations);
+                              longer, weights(), report_.factorisations);
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
@@ -266,11 +265,11 @@ class integrator {
         if (method.iterates()) limits = newton_limits_for(method.coupled_stages_count(), h);
         if (linear == linear_state::factored) {
             method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
-            newton =
-                method.stages().solve(system_, t_, y_, h, weights_, limits, now.increments(), report_.solves);
+            newton = method.stages().solve(system_, t_, y_, h, weights(), limits, now.increments(),
+                                           report_.solves);
         }
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
-            if (solve_by_continuation(method, system_, t_, y_, h, weights_, limits, now, report_, newton))
+            if (solve_by_continuation(method, system_, t_, y_, h, weights(), limits, now, report_, newton))
                 linear_.factored_for(h, acceptance_.method());
         if (newton.end == newton_end::converged && method.iterates())
             linear_.solved(newton, factorisation_cost(method, system_), report_.steps == 0);
@@ -361,6 +360,7 @@ class integrator {
         return progress::accepted;
     }
 
+    const Vector& weights() const { return system_.largest_index() > 1 ? weights_ : scale_; }
     template <class Step>
     bool needs_left_value(const Step& method) const {
         return method.needs_left_value(plan_.fixed()) || (method.implicit() && linear_.needs_left_value());
