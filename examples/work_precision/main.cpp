@@ -13,6 +13,9 @@ void compete_on_diffusion(const settings&, std::vector<curve>&);
 void compete_on_kinetics(const settings&, std::vector<curve>&);
 void compete_on_chains(const settings&, std::vector<curve>&);
 void compete_on_full_matrices(const settings&, std::vector<curve>&);
+bool open_dopri5(const std::string& library);
+bool open_dop853(const std::string& library);
+void compete_on_nonstiff(const settings&, std::vector<curve>&);
 void print_growth();
 
 int main(int argc, char** argv) {
@@ -22,7 +25,8 @@ int main(int argc, char** argv) {
     app.add_option(
         "--problem", set.problems,
         "only these: vdpol rober orego hires transamp kepler disc pollution network60 chain14 chain40 "
-        "spectral24 spectral64 diodes20 bruss200 front400 bruss bruss-sparse");
+        "spectral24 spectral64 diodes20 bruss200 front400 bruss bruss-sparse; with "
+        "--dopri5 or --dop853 also arenstorf lorenz pleiades");
     app.add_option("--solver", set.solvers, "only these, by the names in the table");
     app.add_option("--tolerances", set.tolerances, "relative tolerances (default 1e-2 ... 1e-12)")
         ->check(CLI::PositiveNumber);
@@ -31,6 +35,11 @@ int main(int argc, char** argv) {
     app.add_option("--svg", svg, "write one work-precision diagram per problem to this directory");
     std::string radau;
     app.add_option("--radau", radau, "library with RADAU, built of its published source radau.f")
+        ->check(CLI::ExistingFile);
+    std::string dopri5, dop853;
+    app.add_option("--dopri5", dopri5, "library with DOPRI5, built of its published source dopri5.f")
+        ->check(CLI::ExistingFile);
+    app.add_option("--dop853", dop853, "library with DOP853, built of its published source dop853.f")
         ->check(CLI::ExistingFile);
     bool growth = false;
     app.add_flag("--growth", growth, "only the table of how the cost grows with n, s and the tolerance");
@@ -45,6 +54,14 @@ int main(int argc, char** argv) {
         std::cerr << "--radau: the library has no radau_\n";
         return 2;
     }
+    if (!dopri5.empty() && !open_dopri5(dopri5)) {
+        std::cerr << "--dopri5: the library has no dopri5_\n";
+        return 2;
+    }
+    if (!dop853.empty() && !open_dop853(dop853)) {
+        std::cerr << "--dop853: the library has no dop853_\n";
+        return 2;
+    }
     if (!peers::radau5_available()) std::cerr << "radau5 is left out: install r-cran-desolve to have it\n";
 
     std::vector<curve> curves;
@@ -55,6 +72,7 @@ int main(int argc, char** argv) {
     compete_on_chains(set, curves);
     compete_on_full_matrices(set, curves);
     compete_on_diffusion(set, curves);
+    if (!dopri5.empty() || !dop853.empty()) compete_on_nonstiff(set, curves);
     std::cerr << "\r                              \r";
     if (curves.empty()) {
         std::cerr << "--problem: no problem of that name\n";

@@ -78,30 +78,42 @@ void write_diagrams(const std::vector<curve>& curves, const std::string& directo
     }
 }
 
+/// The mean of the time ratio over the problems that are `counted`, and the worst of them.
+template <class Counted>
+static void print_mean(const std::vector<curve>& curves, const std::string& ours, const std::string& peer,
+                       const std::string& what, const Counted& counted) {
+    double sum = 0, worst = 0;
+    int count = 0;
+    std::string which;
+    for (const std::string& problem : distinct(curves, &curve::problem)) {
+        const auto this_one = [&](const curve& c) { return c.problem == problem && counted(c); };
+        const time_ratio r = ratio_at_equal_error(curves, ours, peer, 3, 10, this_one);
+        if (r.points == 0) continue;
+        sum += std::log(r.mean), ++count;
+        if (r.mean > worst) worst = r.mean, which = problem;
+    }
+    if (count > 0)
+        std::printf("to %s, %s: mean %.3f over %d problems, worst %.3f (%s)\n", peer.c_str(), what.c_str(),
+                    std::exp(sum / count), count, worst, which.c_str());
+}
+
 /// Per peer and class the mean over its problems, and the worst of them.
 static void print_classes(const std::vector<curve>& curves, const std::string& ours) {
     for (const std::string& peer : distinct(curves, &curve::solver)) {
         if (peer.starts_with(ours)) continue;
         std::set<std::string> classes;
         for (const curve& c : curves) classes.insert(class_of(c));
-        for (const std::string& name : classes) {
-            double sum = 0, worst = 0;
-            int count = 0;
-            std::string which;
-            for (const std::string& problem : distinct(curves, &curve::problem)) {
-                const auto counted = [&](const curve& c) {
-                    return c.problem == problem && class_of(c) == name;
-                };
-                const time_ratio r = ratio_at_equal_error(curves, ours, peer, 3, 10, counted);
-                if (r.points == 0) continue;
-                sum += std::log(r.mean), ++count;
-                if (r.mean > worst) worst = r.mean, which = problem;
-            }
-            if (count > 0)
-                std::printf("to %s, %s: mean %.3f over %d problems, worst %.3f (%s)\n", peer.c_str(),
-                            name.c_str(), std::exp(sum / count), count, worst, which.c_str());
-        }
+        for (const std::string& name : classes)
+            print_mean(curves, ours, peer, name, [&](const curve& c) { return class_of(c) == name; });
     }
+}
+
+/// The same for explicit methods, each beside the peers with its coefficients.
+static void print_explicit(const std::vector<curve>& curves) {
+    const auto everything = [](const curve&) { return true; };
+    print_mean(curves, "stagecraft 5(4)", "dopri5", "explicit", everything);
+    print_mean(curves, "stagecraft 5(4)", "odeint", "explicit", everything);
+    print_mean(curves, "stagecraft 8(5,3)", "dop853", "explicit", everything);
 }
 
 void print_ratios(const std::vector<curve>& curves, const std::string& ours) {
@@ -123,5 +135,6 @@ void print_ratios(const std::vector<curve>& curves, const std::string& ours) {
             line(peer, " (" + problem + ")", 3, 10, [&](const curve& c) { return c.problem == problem; });
     }
     print_classes(curves, ours);
+    print_explicit(curves);
     std::printf("compiled by %s with %s\n", COMPILER, OPTIMISATION);
 }
