@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <numbers>
 #include <stagecraft/tableau/simplifying_assumptions.hpp>
@@ -106,8 +107,11 @@ inline dae_traits<tableaux::rational> enclosed_dae_traits(const subject<ball>& s
         if (equal(t.c(i), ball(0))) m.zero_node = i;
     m.ends_at_one = equal(t.c(t.stages() - 1), ball(1));
     m.last_node = m.ends_at_one ? "1" : shown(t.c(t.stages() - 1));
-    if (!m.regular) return m;
-    const ball limit = f.numerator.back() / f.denominator.back();
+    const std::size_t below = most_implicit_stages(t);
+    std::size_t above = f.numerator.size() - 1;
+    while (above > 0 && !certainly_nonzero(f.numerator[above])) --above;
+    if (above > below || !certainly_nonzero(f.denominator[below])) return m;
+    const ball limit = above < below ? ball(0) : f.numerator[above] / f.denominator[below];
     const auto special = [&](int x) { return equal(limit, ball(x)); };
     // To twelve digits, and on the side of 1 where it is.
     const rational unit(1, 1000000000000), middle = limit.middle();

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <stagecraft/theory/judging/order_finding.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
@@ -132,6 +135,22 @@ inline enclosed_stability_function stability_function_of(const tableau<ball>& t)
         r.numerator.push_back(sum);
     }
     return r;
+}
+
+/// The degree of Q, at most: the number of stages that are left when those whose equations contain none of the
+/// others left, nor themselves, are taken away one by one (an explicit first stage, say).
+inline std::size_t most_implicit_stages(const tableau<ball>& t) {
+    std::vector<int> left(static_cast<std::size_t>(t.stages()));
+    std::iota(left.begin(), left.end(), 0);
+    const auto is_explicit = [&](int i) {
+        return std::all_of(left.begin(), left.end(),
+                           [&](int j) { return !certainly_nonzero(t.A(i, j)) && t.A(i, j).radius() == 0; });
+    };
+    for (;;) {
+        const auto found = std::find_if(left.begin(), left.end(), is_explicit);
+        if (found == left.end()) return left.size();
+        left.erase(found);
+    }
 }
 
 /// |p(iy)|^2.
@@ -304,12 +323,16 @@ inline verdict rounded_l_stable(const subject<ball>& s) {
     const auto a = rounded_a_stable(s);
     if (a.is_refuted()) return a;
     const auto r = detail::stability_function_of(s.t);
-    const ball& p = r.numerator.back();
-    const ball& q = r.denominator.back();
-    if (certainly_nonzero(p))
-        return verdict::refuted("R(inf) is not 0: the leading coefficient of P is " + shown(p));
-    if (!certainly_nonzero(q)) return a;
-    return both(a, open_case(p.magnitude(), p.radius(), q.magnitude(), data_reason));
+    const std::size_t degree = detail::most_implicit_stages(s.t);
+    verdict all = a;
+    for (std::size_t k = degree; k < r.numerator.size(); ++k) {
+        const ball& p = r.numerator[k];
+        if (certainly_nonzero(p))
+            return verdict::refuted("R(inf) is not 0: Q has degree " + std::to_string(degree) +
+                                    ", and P the coefficient " + shown(p) + " of z^" + std::to_string(k));
+        all = both(all, open_case(p.magnitude(), p.radius(), r.denominator[degree].magnitude(), data_reason));
+    }
+    return all;
 }
 
 }  // namespace stagecraft::theory
