@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "stepper/methods.hpp"
+#include "../stepper/methods.hpp"
 
 // What a step of stage order q leaves in components of index 3 is O(h^{q-1}) (HLR89, section 6): with q = 1 they do not
 // converge, and adaptive steps are refused.
