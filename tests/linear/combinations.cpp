@@ -23,24 +23,23 @@ template <int Count>
 void check(int n) {
     const MatrixXd in = MatrixXd::Random(n, Count);
     const VectorXd c = VectorXd::Random(Count), base = VectorXd::Random(n), sum = in * c;
-    VectorXd fixed = base, any = base, added = base, onto(n);
+    VectorXd fixed = base, any = base, added = base;
     sc::combine<false, Count>(n, Count, c.data(), in.data(), fixed.data());
     sc::combine<false, -1>(n, Count, c.data(), in.data(), any.data());
     sc::combine<true, -1>(n, Count, c.data(), in.data(), added.data());
-    const auto column = [&](int j) { return in.col(j).data(); };
-    sc::combine_onto<-1>(n, base.data(), 0.5, c.data(), column, onto.data(),
-                         std::make_integer_sequence<int, Count>());
     BOOST_TEST(close(fixed, sum));
     BOOST_TEST(close(any, sum));
     BOOST_TEST(close(added, base + sum));
-    BOOST_TEST(close(onto, base + 0.5 * sum));
 
-    std::vector<const double*> columns;
-    for (int j = Count - 1; j >= 0; --j) columns.push_back(in.col(j).data());
-    const VectorXd reversed = c.reverse();
-    VectorXd scattered = base;
-    sc::combine_scattered<true>(n, Count, 2.0, reversed.data(), columns.data(), scattered.data());
-    BOOST_TEST(close(scattered, base + 2 * sum));
+    std::vector<sc::combination_term<double>> terms;
+    for (int j = Count - 1; j >= 0; --j) terms.push_back({c[j], std::ptrdiff_t{j} * n});
+    VectorXd alone(n), onto(n), in_place = base;
+    sc::combine_terms<false>(n, Count, 2.0, terms.data(), in.data(), base.data(), alone.data());
+    sc::combine_terms<true>(n, Count, 2.0, terms.data(), in.data(), base.data(), onto.data());
+    sc::combine_terms<true>(n, Count, 0.5, terms.data(), in.data(), in_place.data(), in_place.data());
+    BOOST_TEST(close(alone, 2 * sum));
+    BOOST_TEST(close(onto, base + 2 * sum));
+    BOOST_TEST(close(in_place, base + 0.5 * sum));
 
     const VectorXd w = VectorXd::Random(n);
     const double squares = (in.array().colwise() * w.array()).square().sum();
