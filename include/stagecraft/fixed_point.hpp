@@ -63,6 +63,7 @@ class fixed_point_step : public step_defaults<Space> {
     int estimate_power() const { return power_; }
     Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
     bool stiffly_accurate() const { return is_.stiffly_accurate; }
+    bool has_stage_order_two() const { return stagecraft::has_stage_order_two(v_.method); }
     static constexpr bool implicit() { return false; }
     /// There are no matrices to look for growth in (stages/growth.hpp).
     static constexpr bool knows_determinant = false;
