@@ -137,14 +137,17 @@ inline enclosed_stability_function stability_function_of(const tableau<ball>& t)
     return r;
 }
 
-/// The degree of Q, at most: the number of stages that are left when those whose equations contain none of the
-/// others left, nor themselves, are taken away one by one (an explicit first stage, say).
+/// The degree of Q, at most: the number of stages that are left when those are taken away one by one that depend on none
+/// of those left, themselves included (an explicit first stage, say), or that none of them depends on.
 inline std::size_t most_implicit_stages(const tableau<ball>& t) {
     std::vector<int> left(static_cast<std::size_t>(t.stages()));
     std::iota(left.begin(), left.end(), 0);
-    const auto is_explicit = [&](int i) {
+    const auto none = [&](auto&& entry) {
         return std::all_of(left.begin(), left.end(),
-                           [&](int j) { return !certainly_nonzero(t.A(i, j)) && t.A(i, j).radius() == 0; });
+                           [&](int j) { return !certainly_nonzero(entry(j)) && entry(j).radius() == 0; });
+    };
+    const auto is_explicit = [&](int i) {
+        return none([&](int j) { return t.A(i, j); }) || none([&](int j) { return t.A(j, i); });
     };
     for (;;) {
         const auto found = std::find_if(left.begin(), left.end(), is_explicit);
