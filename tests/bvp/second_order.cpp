@@ -33,6 +33,20 @@ struct not_of_second_order : of_second_order {
         f[0] += 1;
     }
 };
+// eps u'' = t u' + u + c with the same solution: kappa is 0.9/eps, layers at both ends, which the mesh has to resolve for
+// M alone (number 5).
+struct turning_point {
+    static constexpr int second_order_components = 1;
+    double eps;
+    void operator()(double t, const Vector2d& y, Vector2d& f) const {
+        const double c = t * pi * std::sin(pi * t) - (1 + eps * pi * pi) * std::cos(pi * t);
+        f = Vector2d(y[1], (t * y[1] + y[0] + c) / eps);
+    }
+    template <class J>
+    void jacobian(double t, const Vector2d&, J& j) const {
+        j << 0, 1, 1 / eps, t / eps;
+    }
+};
 struct ends {
     void operator()(const Vector2d& a, const Vector2d& b, Vector2d& r) const {
         r = Vector2d(a[0] + 1, b[0] + 1);
@@ -71,6 +85,24 @@ BOOST_AUTO_TEST_CASE(fast_modes_that_a_smooth_solution_does_not_have_ask_for_no_
             // What has the slope of y as polynomial of degree s - 1 needs more than that.
             BOOST_TEST(solve_first_order(eps, {.rtol = 1e-7}).report.intervals >= 40);
         }
+}
+
+// kappa times the tolerance is above 1: of a nonlinear problem more meshes would have to show that M is regular.
+BOOST_AUTO_TEST_CASE(ill_conditioned_linear_problems_take_one_step_on_a_mesh) {
+    const auto both = [](const auto& a, const auto& b, auto& r) {
+        r[0] = a[0] + 1;
+        r[1] = b[0] + 1;
+    };
+    for (const double eps : {1e-4, 1e-6, 1e-8})
+        for (const double rtol : {1e-4, 1e-6}) BOOST_TEST_CONTEXT("eps " << eps << ", rtol " << rtol) {
+                const auto answer = sc::solve_bvp(sc::gauss<7>(), sc::two_point(turning_point{eps}, both),
+                                                  -1.0, 1.0, Vector2d(0, 0), {.rtol = rtol});
+                BOOST_TEST(answer.ok());
+                BOOST_TEST(error_of(answer.y) <= rtol);
+                BOOST_TEST(answer.report.meshes <= 2);
+                BOOST_TEST(answer.report.newton_steps == answer.report.meshes);
+                BOOST_TEST(answer.report.factorisations == answer.report.meshes);
+            }
 }
 
 // With eps = 1 nothing is fast: order 2 s = 10 at mesh points, s + 3 = 8 between them.

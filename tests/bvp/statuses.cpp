@@ -358,3 +358,26 @@ BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
     BOOST_TEST(seen.ok());
     BOOST_TEST(std::abs(seen.y(0.5)[0] / (1e8 * std::sinh(0.5) / std::sinh(1.)) - 1) < 1e-6);
 }
+
+// y' = 100 y grows by e^(100 T): M is regular, but answers so much that rounding errors count. Conditions that depend on
+// each other are another matter.
+BOOST_AUTO_TEST_CASE(solutions_that_grow_are_ill_conditioned_and_not_singular) {
+    const auto with = [](double T, double first, bool dependent) {
+        const auto f = [](const auto&, const auto& y, auto& out) {
+            out[0] = 100 * y[0];
+            out[1] = -y[1];
+        };
+        const auto r = [=](const auto& left, const auto&, auto& out) {
+            out[0] = left[0] - first;
+            if (dependent) out[0] = left[1];
+            out[1] = left[1] - 1;
+        };
+        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, r), 0.0, T, Vector2d(0, 0));
+    };
+    for (const double first : {0.0, 1.0}) {
+        BOOST_TEST(with(0.1, first, false).ok());
+        for (const double T : {0.5, 1.0, 5.0})
+            BOOST_TEST(word(with(T, first, false).status) == "ill_conditioned");
+    }
+    BOOST_TEST(word(with(1, 0, true).status) == "singular");
+}

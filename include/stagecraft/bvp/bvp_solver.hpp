@@ -123,7 +123,7 @@ class bvp_solver {
             before_ = x_;
             if (!o_.adapt || (error_ <= o_.rtol && settled())) return accept();
             idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
-            if (idle > 1 && hopeless(error_)) return;
+            if ((idle > 1 || (idle == 1 && rounding_only())) && hopeless(error_)) return;
             least = std::min(least, error_);
             mesh_choice<equations_type> choice(equations_, estimate_, x_, o_);
             const bool spread = rough() && idle < 2;  // where spreading has stopped to help, errors decide
@@ -142,6 +142,9 @@ class bvp_solver {
 
     /// A solution that is wrong in its first digit.
     bool rough() const { return !(error_ < Scalar(1) / 10); }
+    /// An error of a linear problem that is what rounding makes; another one may be that of Newton's iteration.
+    bool rounding_only() { return newton_.linear() && error_ < 10 * regular_.rounding_of_y(floor_); }
+    bool converged() const { return outcome_.end == damped_newton_end::converged; }
     bool newton(const Scalar& expected) {
         ++result_.report.meshes;
         conditioning_.forget();
@@ -150,13 +153,14 @@ class bvp_solver {
         outcome_ = newton_.run(x_, tight > loose || !o_.adapt ? tight : loose, o_.newton_iterations,
                                failures_ % 2 == 1);
         remainder_ = outcome_.remainder;
-        return outcome_.end == damped_newton_end::converged;
+        return converged();
     }
 
     /// Verdicts are those of the problem linearised at the solution: new factors where those at hand are of an iterate
     /// too far from it for the condition number found.
     bool refresh() {
-        if (!(newton_.moved() * std::max(Scalar(1), relative_kappa()) > Scalar(1) / 1000) ||
+        if (newton_.linear() ||
+            !(newton_.moved() * std::max(Scalar(1), relative_kappa()) > Scalar(1) / 1000) ||
             !equations_.jacobians_differ(x_) || !equations_.linearise(x_))
             return false;
         ++result_.report.factorisations;
@@ -174,7 +178,7 @@ class bvp_solver {
             if (remainder_ <= wanted || pass > 1) break;
             conditioning_.forget();
             outcome_ = newton_.run(x_, wanted / 4, o_.newton_iterations);
-            if (outcome_.end != damped_newton_end::converged) break;
+            if (!converged()) break;
             remainder_ = outcome_.remainder;
         }
         error_ += remainder_;
@@ -202,10 +206,7 @@ class bvp_solver {
         for (Eigen::Index k = 0; k < p.size(); ++k)
             error_ = std::max(error_, Scalar(abs(p[k]) / (floor_ + abs(x_.p[k]))));
     }
-    void move_to(const std::vector<Scalar>& t) {
-        x_ = estimate_.on(t, x_);
-        from_guess_ = false;
-    }
+    void move_to(const std::vector<Scalar>& t) { x_ = estimate_.on(t, x_), from_guess_ = false; }
     template <class Guess>
     void restart(const Guess& guess) {
         guess_mesh_ = halved(guess_mesh_);
@@ -244,16 +245,18 @@ class bvp_solver {
         return true;
     }
 
-    /// Is what is known of M as good as it has to be? Where this mesh does not show whether M is regular, or the
-    /// condition number is so large that what the discretisation leaves of M may be all there is, the mesh is halved
-    /// until both stay.
+    /// Is what is known of M as good as it has to be? Where this mesh does not show whether M is regular, or the condition
+    /// number is so large that what the errors of x leave of M may be all there is, the mesh is halved until both stay. M of a
+    /// linear problem does not depend on x: it is enough that its fundamental solutions are known to some digits.
     bool settled() {
         const Scalar kappa = relative_kappa(), last = last_kappa_;
         if (last < Scalar(0)) first_kappa_ = kappa;
         last_kappa_ = kappa;
         const bool unknown = regular_.unknown(floor_), stays = kappa < 2 * last && last < 2 * kappa;
         vanishes_ = regular_.resolved() && kappa > 10 * first_kappa_;
-        return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100)) || !o_.adapt || ++checks_ > 6 ||
+        return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100 ||
+                             (newton_.linear() && regular_.doubt(floor_) < Scalar(1e-5)))) ||
+               !o_.adapt || ++checks_ > 6 ||
                kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000;
     }
     Scalar relative_kappa() { return conditioning_.fundamental(), conditioning_.relative(floor_); }
@@ -261,8 +264,7 @@ class bvp_solver {
     /// Is an error that stays what rounding leaves, and no mesh will make it less?
     bool hopeless(const Scalar& error) {
         if (is_singular()) return true;
-        const bool failed = outcome_.end != damped_newton_end::converged,
-                   nonlinear = failed && regular_.nonlinear(guess_size_);
+        const bool failed = !converged(), nonlinear = failed && regular_.nonlinear(guess_size_);
         if (regular_.unknown(floor_)) {
             if (failed && !nonlinear) end(bvp_status::singular, "M is singular as far as any mesh shows");
             return failed && !nonlinear;
@@ -302,21 +304,23 @@ class bvp_solver {
         const auto answers = largest_answers(std::min(Scalar(1000 * o_.rtol), Scalar(1)) * least);
         if (kappa_ < least) return false;
         // Of components as large as that, rounding errors may be as small as of others.
-        if (outcome_.end == damped_newton_end::converged && error_ <= o_.rtol && relative_kappa() < least &&
+        if (converged() && error_ <= o_.rtol && relative_kappa() < least &&
             regular_.rounding(floor_) < Scalar(1) / 10000)
             return false;
         const std::string which = dependent_condition(equations_.conditions());
+        const bool of_iterate = !converged() && regular_.nonlinear(guess_size_);
+        if (which.empty() && !of_iterate && regular_.grows(floor_))
+            return end(bvp_status::ill_conditioned, "kappa1 exceeds 1/(1000 epsilon): solutions grow"), true;
         if (solved()) return end_in_family(answers, least), true;
         failure_ = which.empty() ? "M is singular to rounding" : which;
-        if (outcome_.end != damped_newton_end::converged && regular_.nonlinear(guess_size_)) return false;
-        end(bvp_status::singular, failure_);
-        return true;
+        if (of_iterate) return false;
+        return end(bvp_status::singular, failure_), true;
     }
 
     /// With M singular: does x solve the equations, at a size that is not 1 / epsilon?
     bool solved() {
         using std::sqrt;
-        return (outcome_.end == damped_newton_end::converged || regular_.full_step(guess_size_)) &&
+        return (converged() || regular_.full_step(guess_size_)) &&
                x_.y.cwiseAbs().maxCoeff() < sqrt(kappa_) * guess_size_;
     }
     void accept() {
@@ -351,8 +355,7 @@ class bvp_solver {
         r.f = counts_.f, r.f_jacobian = counts_.f_jacobian;
         r.jacobians = counts_.jacobians;
         result_.p = x_.p, result_.mesh = x_.t;
-        const bool known =
-            outcome_.end == damped_newton_end::converged && result_.status != bvp_status::non_finite;
+        const bool known = converged() && result_.status != bvp_status::non_finite;
         result_.error.global = error_;
         if (!known) result_.error.forget(system_.size(), system_.parameters());
         if (!usable()) return;
@@ -369,9 +372,7 @@ class bvp_solver {
                result_.status != bvp_status::size_changed && outcome_.end != damped_newton_end::non_finite;
     }
     /// Does the estimate belong to x?
-    bool estimated() const {
-        return outcome_.end == damped_newton_end::converged && estimate_.local().cols() == x_.intervals();
-    }
+    bool estimated() const { return converged() && estimate_.local().cols() == x_.intervals(); }
 
     bvp_options<Scalar> o_;
     std::shared_ptr<const lifting_rule<Scalar, S>> rule_;

@@ -21,13 +21,16 @@ struct damped_newton_outcome {
 /// Newton's iteration with affine-invariant damping (Deuflhard 2004, section 3.3: the error-oriented method):
 /// a step is accepted where the simplified correction that follows it is smaller, the full step being tried first (that
 /// finds solutions which cautious predictions of the damping do not), and the factors are kept as
-/// long as these corrections contract by four. A linear problem so takes one factorisation, and on its first mesh one test.
+/// long as these corrections contract by four. A linear problem takes one factorisation and no more, once its Jacobians have
+/// been found to be the same at the end of the first step.
 template <class Equations>
 class damped_newton {
   public:
     using iterate = typename Equations::iterate;
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     using outcome = damped_newton_outcome<scalar>;
+    using system = std::decay_t<decltype(std::declval<Equations&>().system())>;
+    static constexpr bool differences = system::differences || system::conditions_by_differences;
 
     damped_newton(Equations& equations, bvp_report& counts, const scalar& floor)
         : equations_(equations), counts_(counts), floor_(floor) {}
@@ -47,23 +50,27 @@ class damped_newton {
             weigh(x);
             const scalar size = norm(d_);
             if (!(size - size == scalar(0))) return {damped_newton_end::failed, size};
-            if (linear_) {
-                moved_ = accuracy(x, d_);
+            const scalar left = accuracy(x, d_);
+            const bool test = !tested_ && 1000 * left > scalar(1);
+            if (test) {
+                add(x, scalar(1), d_, trial_);
+                linear_ = !equations_.jacobians_differ(trial_);
+                tested_ = true;
+            }
+            if (linear_ && !(test && differences)) {  // errors of differences leave something of a large step
+                moved_ = left;
                 add(x, scalar(1), d_, x);
                 return {damped_newton_end::converged, std::numeric_limits<scalar>::epsilon() * moved_};
             }
             scalar lambda(1);
             scalar bar(0);
-            const bool decreased = search(x, size, bold, lambda, bar);
-            if (!decreased) {
-                const scalar left = accuracy(x, d_);
-                return {left <= sqrt(rounding) ? damped_newton_end::converged : damped_newton_end::failed,
-                        left};
-            }
-            moved_ = lambda * accuracy(x, d_);
-            std::swap(x, trial_);
+            const bool decreased = search(x, size, sqrt(rounding), bold, lambda, bar);
+            if (!decreased && !(left <= sqrt(rounding))) return {damped_newton_end::failed, left};
+            moved_ = lambda * left;
+            // Corrections that are what rounding leaves do not decrease; they still make the slopes fit y.
+            if (decreased || (lambda == scalar(1) && bar < 2 * size)) std::swap(x, trial_);
+            if (!decreased) return {damped_newton_end::converged, left};
             if (lambda == scalar(1) && 4 * bar <= size) {
-                linear_ = bar * bar <= std::numeric_limits<scalar>::epsilon() * size * size;
                 const outcome now = keep_factors(x, size, bar, target > rounding ? target : rounding);
                 if (now.end == damped_newton_end::converged) return now;
             }
@@ -73,6 +80,9 @@ class damped_newton {
 
     /// How far x has gone from where the factors were computed, relative as options.rtol is.
     const scalar& moved() const { return moved_; }
+
+    /// Do the factors hold for every x, as far as one step shows?
+    bool linear() const { return linear_; }
 
   private:
     /// x := x + bar with the factors of an earlier iterate while the corrections contract.
@@ -96,7 +106,9 @@ class damped_newton {
         return {damped_newton_end::failed, scalar(0)};
     }
 
-    bool search(const iterate& x, const scalar& size, bool bold, scalar& lambda, scalar& bar) {
+    /// False where no damped step decreases, or the full one does not and is below `rounding`.
+    bool search(const iterate& x, const scalar& size, const scalar& rounding, bool bold, scalar& lambda,
+                scalar& bar) {
         const scalar least = scalar(1) / 10000, boldest = scalar(1) / 16;
         while (lambda >= least) {
             add(x, lambda, d_, trial_);
@@ -107,6 +119,7 @@ class damped_newton {
             solve(x, bar_);
             bar = norm(bar_);
             if (bar <= (1 - lambda / 4) * size || (bold && lambda <= boldest)) return true;
+            if (lambda == scalar(1) && accuracy(x, d_) <= rounding) return false;
             combine(bar_, 1 - lambda, d_, difference_);
             const scalar change = norm(difference_);
             const scalar next =
@@ -169,9 +182,9 @@ class damped_newton {
     Equations& equations_;
     bvp_report& counts_;
     scalar floor_, moved_{0};
-    /// The first full step has left next to nothing: later ones are taken without a test, as the error estimate evaluates f
-    /// and sees what they leave.
-    bool linear_ = false;
+    /// The first step that moved x found the same Jacobians where it led to: steps are taken without a test, as the error
+    /// estimate evaluates f and r and sees what they leave.
+    bool linear_ = false, tested_ = false;
     iterate d_, bar_, trial_, difference_;
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> weights_, scale_p_;
 };

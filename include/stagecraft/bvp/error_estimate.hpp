@@ -25,10 +25,10 @@ namespace stagecraft {
 ///     delta_i = w(t_{i+1}) - y_{i+1}        is the local error of the mesh values,
 ///
 /// and the global error E of the mesh values, with its slopes between them, is one more solve with the factors at
-/// hand, driven by delta. The returned solution is w less this error plus the line from E_i to E_{i+1}: continuous
-/// (the aim of Enright-Muir 1999), and no worse inside an interval than at its ends. (w less a line that removes
-/// delta_i would be: where solutions grow by e^{|h f_y|}, delta_i is that much larger than E_i and E_{i+1}.) What
-/// is left of the defect of w is measured at two points where it is large.
+/// hand, driven by delta and by what is left of the conditions. The returned solution is w less this error plus the
+/// line from E_i to E_{i+1}: continuous (the aim of Enright-Muir 1999), and no worse inside an interval than at its
+/// ends. (w less a line that removes delta_i would be: where solutions grow by e^{|h f_y|}, delta_i is that much larger
+/// than E_i and E_{i+1}.) What is left of the defect of w is measured at two points where it is large.
 template <class Equations>
 class error_estimate {
   public:
@@ -359,8 +359,10 @@ class error_estimate {
         const int L = x.intervals();
         zero_.setZero(equations_.n(), equations_.s() * L);
         minus_ = -delta_;
-        const column none = column::Zero(equations_.n() + equations_.np());
-        equations_.solve(x, zero_, minus_, none, error_);
+        ends_ = equations_.system()
+                    .conditions(x.y.col(0), x.y.col(L), x.p)
+                    .head(equations_.n() + equations_.np());
+        equations_.solve(x, zero_, minus_, ends_, error_);
     }
 
     /// w less its error plus the line between those of the mesh values.
@@ -387,6 +389,7 @@ class error_estimate {
     vector stage_, own_, off_, most_;
     Eigen::Matrix<scalar, N, N> small_;
     detail::lifting_elimination<scalar, N, M> elimination_;
+    column ends_;
     iterate error_;
     scalar floor_{0}, negligible_{0}, place_{0};
 };

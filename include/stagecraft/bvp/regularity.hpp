@@ -37,21 +37,30 @@ class regularity {
         choose(floor);
         resolved_ = true;
         // M could then be singular only by errors of the mesh of some per cent, which are seen in x as well.
-        if (answer_ < scalar(30)) return false;
-        if (std::decay_t<decltype(equations_.mass())>::identity && close()) return false;
+        return !(answer_ < scalar(30)) && !(doubt(floor) < scalar(1) / 4) && resolved_;
+    }
+    /// Were they small, when unknown() looked?
+    bool resolved() const { return resolved_; }
+
+    /// What the errors of the mesh may be of M, as a part of it: e beside u, 1 where u is not resolved.
+    scalar doubt(const scalar& floor) {
+        choose(floor);
+        resolved_ = true;
+        if (std::decay_t<decltype(equations_.mass())>::identity) {
+            const scalar bound = answer_ * local_bound();
+            if (bound < scalar(1) / 20) return bound;
+        }
         wide local(equations_.n(), x_.intervals());
         const bool usual = rule_.nodes() == usual_nodes;
         for (int i = 0; i < x_.intervals(); ++i)
             usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
         resolved_ = share(local) < scalar(1) / 10;
-        if (!resolved_) return false;
+        if (!resolved_) return scalar(1);
         iterate e;
         equations_.solve(x_, wide::Zero(local.rows(), equations_.s() * local.cols()), local,
                          column::Zero(local.rows() + p_.rows()), e);
-        return !(share(e.y, e.p) < scalar(1) / 4);
+        return share(e.y, e.p);
     }
-    /// Were they small, when unknown() looked?
-    bool resolved() const { return resolved_; }
 
     /// Can the errors of differences, from which a nonlinear f has its Jacobian, be all there is of M?
     bool hidden(const scalar& floor, const scalar& size) {
@@ -69,6 +78,19 @@ class regularity {
         typename Equations::parameters shift(equations_.np());
         const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
         return share(e, shift);
+    }
+
+    /// Is u large because solutions grow from one end to the other, rounding errors leaving it what it is? M is regular then.
+    bool grows(const scalar& floor) {
+        using std::abs;
+        using std::sqrt;
+        if (!(rounding(floor) < scalar(1) / 10000)) return false;
+        const wide beside = scale_.cwiseInverse().asDiagonal() * u_.cwiseAbs();
+        const column sizes = beside.colwise().maxCoeff().transpose();
+        for (Eigen::Index k = 0; k < p_.size();
+             ++k)  // of unknown parameters that nothing fixes y may say nothing
+            if (abs(p_[k]) > (floor + abs(x_.p[k])) * sizes.maxCoeff()) return false;
+        return sizes.minCoeff() < sqrt(std::numeric_limits<scalar>::epsilon()) * sizes.maxCoeff();
     }
 
     /// What one rounding error in every entry makes of y, relative to floor + |y|. Values far below floor count as if they
@@ -140,9 +162,9 @@ class regularity {
         size_ = u_.cwiseAbs().rowwise().maxCoeff();
     }
 
-    /// Bounds what local errors can make of u by the size of h f_y where that is small and changes little: those of Gauss
+    /// Bounds the sum of local errors beside u by the size of h f_y where that changes little (else infinity): those of Gauss
     /// methods are (k!)^2/((2 k)! (2 k + 1)!) z^(2 k + 1) for y' = z y.
-    bool close() const {
+    scalar local_bound() const {
         using std::pow;
         using std::sqrt;
         const int n = equations_.n(), s = equations_.s(), width = n + equations_.np(), order = rule_.order;
@@ -154,10 +176,10 @@ class regularity {
             const scalar most = J.cwiseAbs().maxCoeff();
             for (int j = 0; j < s; ++j)
                 if ((x_.h(i) * all.middleCols(j * width, n) - J).cwiseAbs().maxCoeff() > most / 2)
-                    return false;
+                    return std::numeric_limits<scalar>::infinity();
             sum += pow(sqrt(scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff())), scalar(order + 1));
         }
-        return answer_ * constant * sum < scalar(1) / 20;
+        return constant * sum;
     }
 
     /// u at the end of interval i by the collocation that lifts, with the Jacobians between the nodes by interpolation, less

@@ -192,6 +192,8 @@ class two_point_system {
 
     /// df/dy comes from differences, and is no better than the square root of epsilon.
     static constexpr bool differences = system<rhs_type, joint>::finite_difference;
+    /// And so are the derivatives of r.
+    static constexpr bool conditions_by_differences = system<conditions_type, ends>::finite_difference;
 
     two_point_system(Rhs& f, Conditions& r, int n, int parameters, report<scalar>& counts)
         : n_(n),
