@@ -87,8 +87,8 @@ class regularity {
         if (!(rounding(floor) < scalar(1) / 10000)) return false;
         const wide beside = scale_.cwiseInverse().asDiagonal() * u_.cwiseAbs();
         const column sizes = beside.colwise().maxCoeff().transpose();
-        for (Eigen::Index k = 0; k < p_.size();
-             ++k)  // of unknown parameters that nothing fixes y may say nothing
+        // Where nothing fixes an unknown parameter, y may say nothing of it.
+        for (Eigen::Index k = 0; k < p_.size(); ++k)
             if (abs(p_[k]) > (floor + abs(x_.p[k])) * sizes.maxCoeff()) return false;
         return sizes.minCoeff() < sqrt(std::numeric_limits<scalar>::epsilon()) * sizes.maxCoeff();
     }

@@ -98,10 +98,11 @@ class adjoint_steps {
             };
             Z_.resize(lambda_.size(), s);
             const Vector none = Vector::Zero(lambda_.size());
-            // The iteration needs one matrix near the Jacobians of all stages: mostly that of the middle one.
+            // The iteration needs one matrix near the Jacobians of all stages: mostly that of the middle one, else one of
+            // those before and behind it, in turn.
             bool solved = false;
-            for (const int near : {s / 2, s / 4, 3 * s / 4, 0, s - 1}) {
-                if (solved) break;
+            for (int k = 0; k < s && !solved; ++k) {
+                const int near = s / 2 + (k % 2 == 1 ? -(k + 1) / 2 : k / 2);
                 const transposed_system<typename derivatives::matrix, decltype(mass_)> system{
                     transposed(at_.J(near)), mass_};
                 solved = stages.factor(system, h) &&

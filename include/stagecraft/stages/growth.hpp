@@ -42,8 +42,7 @@ class growth_watch {
             if (shift == Scalar(0) || !has_growing_mode(system, shift, stages.determinant_sign(), {}))
                 return false;
             const components resting = at_rest(system, slope());
-            return resting.empty() ||
-                   has_growing_mode(system, shift, sign_of(system, shift, true, resting), resting);
+            return resting.empty() || has_growing_mode(system, shift, unknown, resting);
         } else {
             return false;
         }
@@ -52,12 +51,13 @@ class growth_watch {
     /// True if what moves at the left end, as f and `weights` (the inverses of the tolerances) show it, is nearer to
     /// rest than the tolerance and grows notably in a step h. Costs a product J f, and up to three
     /// factorisations and 180 solves where it is so near.
-    template <class System, class Vector>
-    bool sees_in(const System& system, const Vector& f, const Vector& weights, const Scalar& h) {
+    template <class System, class Slope, class Vector>
+    bool sees_in(const System& system, Slope&& slope, const Vector& weights, const Scalar& h) {
         if constexpr (!System::structured && System::sums_type::complete) {
             using std::abs;
             const int n = system.size();
             if (n > largest_size || mass_sign(system) == 0) return false;
+            const Vector& f = slope();
             const Scalar size = size_of(f.data(), weights, n);
             if (!work_) work_ = std::make_unique<workplace>(n);
             if (!(size > Scalar(0)) || !is_near_rest(system, size, f.data(), weights, h)) return false;
@@ -176,26 +176,25 @@ class growth_watch {
         const int n = system.size();
         components rest(static_cast<std::size_t>(n));
         for (int i = 0; i < n; ++i) rest[i] = f[i] == Scalar(0);
-        const auto leads = [&](int to, int from) {
-            return !(system.jacobian().data()[to + from * n] == Scalar(0));
+        bool changes = true;
+        const auto leads = [&](int from, int to) {
+            if (rest[to] && !rest[from]) rest[to] = false, changes = true;
         };
-        for (bool changes = true; changes;) {
+        while (changes) {
             changes = false;
-            const auto moves = [&](int to, int from, bool coupled) {
-                if (rest[to] && !rest[from] && coupled) rest[to] = false, changes = true;
-            };
             for (int from = 0; from < n; ++from)
-                for (int to = 0; to < n; ++to) moves(to, from, leads(to, from));
+                for (int to = 0; to < n; ++to)
+                    if (!(system.jacobian().data()[to + from * n] == Scalar(0))) leads(from, to);
             if constexpr (!System::mass_type::identity && has_entries<typename System::mass_type>)
-                for (const auto& e : system.mass().entries()) moves(e.row, e.column, true);
+                for (const auto& e : system.mass().entries()) leads(e.column, e.row);
         }
         for (int i = 0; i < n; ++i)
             if (rest[i]) return rest;
         return {};
     }
 
-    /// `now`, the sign of det(shift M - J) without what rests, is not the one that it has without growing modes. With a
-    /// singular M that one, beyond all eigenvalues, is found once, and again where it disagrees: constraints may be
+    /// The sign of det(shift M - J) without what rests is not the one that it has without growing modes; `now`, that of
+    /// the stages, or unknown, may say so at once. With a singular M that one, beyond all eigenvalues, is found once, and again where it disagrees: constraints may be
     /// switched.
     template <class System>
     bool has_growing_mode(const System& system, const Scalar& shift, int now, const components& resting) {
@@ -209,7 +208,7 @@ class growth_watch {
         if (now == 0 || (now == far_sign_ && resting.empty()) || shift < Scalar(0)) return false;
         const int beyond = sign_of(system, shift * far, true, resting);
         if (resting.empty()) far_sign_ = beyond;
-        return beyond != 0 && now == -beyond && sign_of(system, shift, true, resting) == now;
+        return beyond != 0 && now != beyond && sign_of(system, shift, true, resting) == -beyond;
     }
 
     /// The sign of det M, found once.

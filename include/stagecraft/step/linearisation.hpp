@@ -97,7 +97,7 @@ class linearisation {
         factored_for(scalar(0), 0);
         if (!stages.factor(system, h)) return linear_state::singular;
         if (watch &&
-            (growth_.sees(system, stages, slope) || (longer && growth_.sees_in(system, slope(), weights, h))))
+            (growth_.sees(system, stages, slope) || (longer && growth_.sees_in(system, slope, weights, h))))
             return linear_state::growing;
         factored_for(h, k);
         return linear_state::factored;

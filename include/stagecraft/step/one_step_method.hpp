@@ -183,8 +183,7 @@ void demand_free_steps(const Step& m, int largest_index, bool continuous) {
     if (largest_index > 2 && !m.has_stage_order_two())
         throw std::invalid_argument(
             "integrate: method must have stage order 2 at least, sum_j a_ij c_j = c_i^2/2 in every stage, "
-            "for "
-            "problem.index() 3: with less, components of index 3 do not converge; take radau_iia<3>() or "
+            "for problem.index() 3: with less, components of index 3 do not converge; take radau_iia<3>() or "
             "radau_iia_variable(), a formulation of index 2, or options.fixed_step");
     if (continuous && !m.knows_output_error())
         throw std::invalid_argument(
