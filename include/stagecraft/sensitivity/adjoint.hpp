@@ -101,8 +101,8 @@ class adjoint_steps {
             // The iteration needs one matrix near the Jacobians of all stages: mostly that of the middle one, else one of
             // those before and behind it, in turn.
             bool solved = false;
-            for (int k = 0; k < s && !solved; ++k) {
-                const int near = s / 2 + (k % 2 == 1 ? -(k + 1) / 2 : k / 2);
+            for (int attempt = 0; attempt < s && !solved; ++attempt) {
+                const int near = s / 2 + (attempt % 2 == 1 ? -(attempt + 1) / 2 : attempt / 2);
                 const transposed_system<typename derivatives::matrix, decltype(mass_)> system{
                     transposed(at_.J(near)), mass_};
                 solved = stages.factor(system, h) &&
