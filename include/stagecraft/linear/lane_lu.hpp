@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include <stagecraft/linear/packet.hpp>
 #include <stagecraft/linear/split_lu.hpp>
 
 namespace stagecraft {
@@ -19,7 +19,7 @@ namespace stagecraft {
 template <class Scalar, int N, int Lanes>
 class lane_lu {
   public:
-    using pack = Eigen::Array<Scalar, Lanes, 1>;
+    using pack = number_per_lane<Scalar, Lanes>;
 
     pack& real(int i, int j) { return re_[i + j * N]; }
     pack& imaginary(int i, int j) { return im_[i + j * N]; }
@@ -30,10 +30,11 @@ class lane_lu {
             for (int i = 0; i < N; ++i) from_[i][l] = i;
         bool good = true;
         negative_ = false;
-        unrolled<N>(N, [&](auto step) {
-            constexpr int k = decltype(step)::value;
+        // Beyond 8 a loop takes no longer than N copies of its body, which take most of a second to compile.
+        unrolled<(N <= 8 ? N : -1)>(N, [&](auto step) {
+            const int k = step;
             pack size = re_[k + k * N].abs() + im_[k + k * N].abs();
-            if constexpr (k + 1 < N) {
+            if (k + 1 < N) {
                 std::array<int, Lanes> pivot;
                 pivot.fill(k);
                 for (int i = k + 1; i < N; ++i) {
@@ -48,10 +49,10 @@ class lane_lu {
             negative_ ^= re_[k + k * N][0] < Scalar(0);
             for (int l = 0; l < Lanes; ++l) good = good && usable_pivot(size[l]);
             // 1/(x + i y), scaled by |x| + |y| so that squares neither overflow nor vanish.
-            const pack scale = size.inverse();
+            const pack scale = pack::all(Scalar(1)) / size;
             const pack x = re_[k + k * N] * scale, y = im_[k + k * N] * scale;
             const pack d = scale / (x * x + y * y);
-            const pack r = x * d, s = -y * d;
+            const pack r = x * d, s = Scalar(-1) * y * d;
             re_[k + k * N] = r;
             im_[k + k * N] = s;
             for (int i = k + 1; i < N; ++i) {

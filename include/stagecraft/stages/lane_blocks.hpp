@@ -37,8 +37,8 @@ class lane_blocks {
         }
         for (int j = 0; j < R; ++j)
             for (int i = 0; i < R; ++i) {
-                lu_.real(i, j) = pack::Constant(-J(m + i, m + j));
-                lu_.imaginary(i, j) = pack::Zero();
+                lu_.real(i, j) = pack::all(-J(m + i, m + j));
+                lu_.imaginary(i, j) = pack::all(Scalar(0));
             }
         if constexpr (System::mass_type::identity) {
             for (int i = 0; i < R; ++i) {
