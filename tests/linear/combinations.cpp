@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 #include <limits>
+#include <span>
 #include <stagecraft/linear/combinations.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <vector>
 
 namespace sc = stagecraft;
@@ -34,11 +36,14 @@ void check(int n) {
     std::vector<sc::combination_term<double>> terms;
     for (int j = Count - 1; j >= 0; --j) terms.push_back({c[j], std::ptrdiff_t{j} * n});
     VectorXd alone(n), onto(n), in_place = base;
-    sc::combine_terms<false>(n, Count, 2.0, terms.data(), in.data(), base.data(), alone.data());
-    sc::combine_terms<true>(n, Count, 2.0, terms.data(), in.data(), base.data(), onto.data());
-    sc::combine_terms<true>(n, Count, 0.5, terms.data(), in.data(), in_place.data(), in_place.data());
-    BOOST_TEST(close(alone, 2 * sum));
+    const std::span<const sc::combination_term<double>> all(terms);
+    sc::combine_onto(n, all, 2.0, in.data(), base.data(), onto.data());
+    sc::combine_onto(n, all, 0.5, in.data(), in_place.data(), in_place.data());
     BOOST_TEST(close(onto, base + 2 * sum));
+    if (Count <= sc::combined_terms) {
+        sc::combine_terms<false>(n, all, 2.0, in.data(), base.data(), alone.data());
+        BOOST_TEST(close(alone, 2 * sum));
+    }
     BOOST_TEST(close(in_place, base + 0.5 * sum));
 
     const VectorXd w = VectorXd::Random(n);
@@ -55,6 +60,8 @@ BOOST_AUTO_TEST_CASE(combinations_of_vectors_are_those_of_a_product_at_every_siz
             check<3>(n);
             check<4>(n);
             check<9>(n);
+            check<12>(n);
+            check<25>(n);
         }
 }
 
@@ -66,5 +73,21 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_shows_in_the_sum_of_squares) {
             x[i] = std::numeric_limits<double>::quiet_NaN();
             const double sum = sc::weighted_squares<1>(n, 1, x.data(), w.data());
             BOOST_TEST(!(sum - sum == 0));
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_copy_tells_of_every_number_that_is_not_finite) {
+    for (const int n : sizes) BOOST_TEST_CONTEXT("n = " << n) {
+            VectorXd x = VectorXd::Random(n), copy = VectorXd::Zero(n);
+            BOOST_TEST(sc::copy_finite(x.data(), n, copy.data()));
+            BOOST_TEST((copy == x));
+            for (int i = 0; i < n; ++i)
+                for (const double bad :
+                     {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                      std::numeric_limits<double>::quiet_NaN()}) {
+                    VectorXd y = x;
+                    y[i] = bad;
+                    BOOST_TEST(!sc::copy_finite(y.data(), n, copy.data()));
+                }
         }
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -58,45 +61,63 @@ struct combination_term {
     std::ptrdiff_t offset;
 };
 
-/// out := `factor` times the sum of `count` > 0 terms, vectors of n numbers from `in` on; on top of what is in `base` if
-/// `Onto`. `base` may be `out`.
-template <bool Onto, class Scalar>
-requires(!built_in<Scalar>) void combine_terms(int n, int count, const Scalar& factor,
-                                               const combination_term<Scalar>* term, const Scalar* in,
-                                               const Scalar* base, Scalar* out) {
-    for (int i = 0; i < n; ++i) {
-        Scalar sum = in[term[0].offset + i] * term[0].factor;
-        for (int t = 1; t < count; ++t) sum += in[term[t].offset + i] * term[t].factor;
-        out[i] = Onto ? Scalar(base[i] + factor * sum) : Scalar(factor * sum);
-    }
-}
-template <bool Onto, class Scalar>
-requires(built_in<Scalar>)
-    [[gnu::flatten]] inline void combine_terms(int n, int count, const Scalar& factor,
-                                               const combination_term<Scalar>* term, const Scalar* in,
-                                               const Scalar* base, Scalar* out) {
+/// So many terms are summed in one pass: their factors and places fit the registers of usual processors.
+inline constexpr std::size_t combined_terms = 12;
+
+namespace detail {
+
+/// So many terms.
+template <bool Onto, class Scalar, int... j>
+[[gnu::flatten]] inline void combine_these(int n, const combination_term<Scalar>* term, const Scalar& factor,
+                                           const Scalar* in, const Scalar* base, Scalar* out,
+                                           std::integer_sequence<int, j...>) {
+    const Scalar* const x[] = {in + term[j].offset...};
     int i = 0;
-    const auto run = [&]<class P, int... q>(P, std::integer_sequence<int, q...>) {
-        constexpr int width = P::size * static_cast<int>(sizeof...(q));
-        for (; i + width <= n; i += width) {
-            const Scalar* const x = in + i;
-            typename P::type sum[] = {P::load(x + term[0].offset + q * P::size) * P::all(term[0].factor)...};
-            for (int t = 1; t < count; ++t) {
-                const auto by = P::all(term[t].factor);
-                const Scalar* const y = x + term[t].offset;
-                ((sum[q] = sum[q] + P::load(y + q * P::size) * by), ...);
-            }
-            const auto by = P::all(factor);
+    const auto run = [&]<class P>(P) {
+        const typename P::type by[] = {P::all(term[j].factor)...}, all = P::all(factor);
+        const auto one = [&] {
+            const typename P::type sum = (... + (P::load(x[j] + i) * by[j])) * all;
             if constexpr (Onto)
-                (P::store(out + i + q * P::size, P::load(base + i + q * P::size) + sum[q] * by), ...);
+                P::store(out + i, P::load(base + i) + sum);
             else
-                (P::store(out + i + q * P::size, sum[q] * by), ...);
-        }
+                P::store(out + i, sum);
+            i += P::size;
+        };
+        while (i + 2 * P::size <= n) one(), one();
+        if (i + P::size <= n) one();
     };
-    run(packet<Scalar>(), std::make_integer_sequence<int, 4>());
-    run(packet<Scalar>(), std::make_integer_sequence<int, 2>());
-    run(packet<Scalar>(), std::make_integer_sequence<int, 1>());
-    run(single<Scalar>(), std::make_integer_sequence<int, 1>());
+    if constexpr (built_in<Scalar>) run(packet<Scalar>());
+    run(single<Scalar>());
+}
+template <bool Onto, class Scalar, int Count>
+void combine_so_many(int n, const combination_term<Scalar>* term, const Scalar& factor, const Scalar* in,
+                     const Scalar* base, Scalar* out) {
+    combine_these<Onto>(n, term, factor, in, base, out, std::make_integer_sequence<int, Count>());
+}
+
+}  // namespace detail
+
+/// out := `factor` times the sum of the terms, of vectors of n numbers from `in` on: at least one term, at most
+/// `combined_terms`; on top of what is in `base` if `Onto`. `base` may be `out`.
+template <bool Onto, class Scalar>
+void combine_terms(int n, std::span<const combination_term<Scalar>> terms, const Scalar& factor,
+                   const Scalar* in, const Scalar* base, Scalar* out) {
+    constexpr auto of_count = []<int... k>(std::integer_sequence<int, k...>) {
+        return std::array{&detail::combine_so_many<Onto, Scalar, k + 1>...};
+    }
+    (std::make_integer_sequence<int, static_cast<int>(combined_terms)>());
+    of_count[terms.size() - 1](n, terms.data(), factor, in, base, out);
+}
+/// out := base + `factor` times the sum of any number of terms.
+template <class Scalar>
+void combine_onto(int n, std::span<const combination_term<Scalar>> terms, const Scalar& factor,
+                  const Scalar* in, const Scalar* base, Scalar* out) {
+    if (terms.empty()) std::copy_n(base, n, out);
+    for (; !terms.empty(); base = out) {
+        const std::size_t now = std::min(terms.size(), combined_terms);
+        combine_terms<true>(n, terms.first(now), factor, in, base, out);
+        terms = terms.subspan(now);
+    }
 }
 
 /// out := c[0] from(0) + c[1] from(1) + ..., n being N or, where that is -1, any number; from(j) points at n

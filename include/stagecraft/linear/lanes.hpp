@@ -20,12 +20,10 @@ requires(built_in<Scalar>) class lanes {
     using packs = std::integer_sequence<int, p...>;
     static constexpr std::make_integer_sequence<int, whole> all_packets{};
     static constexpr std::make_integer_sequence<int, rest> all_numbers{};
-    static constexpr std::make_integer_sequence<int, P::size> in_a_packet{};
 
   public:
     [[gnu::always_inline]] static lanes load(const Scalar* x) { return load(x, all_packets, all_numbers); }
-    /// The same of numbers that have just been written one by one, and are read so: a packet would wait until all its
-    /// numbers have reached the cache.
+    /// packet::load_written() of all.
     [[gnu::always_inline]] static lanes load_written(const Scalar* x) {
         return load_written(x, all_packets, all_numbers);
     }
@@ -43,21 +41,17 @@ requires(built_in<Scalar>) class lanes {
         ((r.numbers_[i] = x[N - rest + i]), ...);
         return r;
     }
-    [[gnu::always_inline]] static Scalar read(const Scalar& x) {
-        return const_cast<const volatile Scalar&>(x);
-    }
-    template <int... q>
-    [[gnu::always_inline]] static typename P::type pack_written(const Scalar* x, packs<q...>) {
+    [[gnu::always_inline]] static typename P::type written(const Scalar* x) {
         if constexpr (P::size == 1)
-            return read(*x);
+            return const_cast<const volatile Scalar&>(*x);
         else
-            return typename P::type{read(x[q])...};
+            return P::load_written(x);
     }
     template <int... p, int... i>
     [[gnu::always_inline]] static lanes load_written(const Scalar* x, packs<p...>, packs<i...>) {
         lanes r;
-        ((r.packets_[p] = pack_written(x + p * P::size, in_a_packet)), ...);
-        ((r.numbers_[i] = read(x[N - rest + i])), ...);
+        ((r.packets_[p] = written(x + p * P::size)), ...);
+        ((r.numbers_[i] = x[N - rest + i]), ...);
         return r;
     }
     template <int... p, int... i>

@@ -58,6 +58,26 @@ bool all_finite(const Vector& x, int n, const Sums& sums = {}) {
     return sum == typename Vector::Scalar(0);
 }
 
+/// to := x, n numbers; true if they are finite, on every process.
+template <class Scalar, class Sums = complete_sums>
+bool copy_finite(const Scalar* x, int n, Scalar* to, const Sums& sums = {}) {
+    Scalar sum(0);
+    int i = 0;
+    if constexpr (built_in<Scalar>) {
+        using P = packet<Scalar>;
+        auto all = P::all(Scalar(0));
+        for (; i + P::size <= n; i += P::size) {
+            const auto v = P::load_written(x + i);
+            P::store(to + i, v);
+            all = all + (v - v);
+        }
+        sum = P::sum(all);
+    }
+    for (; i < n; ++i) sum += x[i] - x[i], to[i] = x[i];
+    sums(&sum, 1);
+    return sum == Scalar(0);
+}
+
 /// The root mean square over all processes of values whose sum of squares here is squares(unit), each multiplied by
 /// `unit` first; `count` of them here. One addition over the processes, of sum and count together; a second one of
 /// small multiples where the squares overflow.

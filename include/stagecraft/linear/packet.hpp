@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <type_traits>
+#include <utility>
 
 namespace stagecraft {
 
@@ -19,11 +20,26 @@ struct packet {
     using type = typename Eigen::internal::packet_traits<Scalar>::type;
     static constexpr int size = Eigen::internal::unpacket_traits<type>::size;
     static type load(const Scalar* x) { return Eigen::internal::ploadu<type>(x); }
+    /// The same of numbers that have just been written one by one, and are read so: a packet would wait until all its
+    /// numbers have reached the cache.
+    [[gnu::always_inline]] static type load_written(const Scalar* x) {
+        return gather(x, std::make_integer_sequence<int, size>());
+    }
     static type all(const Scalar& x) { return Eigen::internal::pset1<type>(x); }
     static void store(Scalar* x, const type& v) { Eigen::internal::pstoreu(x, v); }
     static Scalar sum(const type& v) { return Eigen::internal::predux(v); }
     static type one_if_zero(const type& v) {
         return Eigen::internal::pand(Eigen::internal::pcmp_eq(v, all(Scalar(0))), all(Scalar(1)));
+    }
+
+  private:
+    static Scalar read(const Scalar& x) { return const_cast<const volatile Scalar&>(x); }
+    template <int... q>
+    static type gather(const Scalar* x, std::integer_sequence<int, q...>) {
+        if constexpr (size == 1)
+            return read(*x);
+        else
+            return type{read(x[q])...};
     }
 };
 /// A single number with the interface of a packet, for the remainder of a loop.

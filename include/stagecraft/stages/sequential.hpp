@@ -2,9 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/linear/combinations.hpp>
@@ -26,6 +27,7 @@ template <class Vector, int Stages, class Blocks>
 class sequential_stages {
     using Scalar = typename Vector::Scalar;
     static constexpr int N = Vector::RowsAtCompileTime;
+    static constexpr bool unrolled = built_in<Scalar> && fits_lanes<N> && 0 < Stages && Stages <= 16;
 
   public:
     using slopes = stage_slopes<Vector, Stages, Blocks>;
@@ -178,34 +180,49 @@ class sequential_stages {
         x = r_;
     }
 
-    /// The slopes of an explicit method, from the entries of A that are not zero. False if one is not finite.
+    /// The slopes of an explicit method. False if one is not finite.
     template <class System>
-    bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h, slopes& v) {
-        const int first = v.left_stage ? 1 : 0;
-        if constexpr (fits_lanes<N> && System::sums_type::complete) {
-            auto newest = lanes<Scalar, N>::load(v.k.data());
-            for (int i = first; i < v.method.stages(); ++i) {
-                sum_row(i, y.data(), h, v.k.data(), newest).store(yi_.data());
-                call(system, t + v.method.c[i] * h, v);
-                newest = lanes<Scalar, N>::load_written(fi_.data());
-                newest.store(v.k.data() + i * N);
-                if (!newest.finite()) return false;
+    [[gnu::noinline]] bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
+                                    slopes& v) {
+        const int n = N >= 0 ? N : n_, first = v.left_stage ? 1 : 0;
+        if constexpr (unrolled && System::sums_type::complete) {
+            std::array<lanes<Scalar, N>, Stages> k;
+            if (v.left_stage) k[0] = lanes<Scalar, N>::load(v.k.data());
+            return [&]<int... i>(std::integer_sequence<int, i...>) {
+                return (((i == 0 && v.left_stage) || this->template evaluate<i>(system, t, y, h, v, k)) &&
+                        ...);
             }
+            (std::make_integer_sequence<int, Stages>());
         } else {
-            const int n = N >= 0 ? N : n_;
             for (int i = first; i < v.method.stages(); ++i) {
-                const auto terms = row(i);
-                if (terms.empty())
-                    yi_ = y;
-                else
-                    combine_terms<true>(n, static_cast<int>(terms.size()), h, terms.data(), v.k.data(),
-                                        y.data(), yi_.data());
+                combine_onto(n, row(i), h, v.k.data(), y.data(), yi_.data());
                 call(system, t + v.method.c[i] * h, v);
-                std::copy_n(fi_.data(), n, v.k.data() + static_cast<std::ptrdiff_t>(i) * n);
-                if (!all_finite(fi_, n, system.sums())) return false;
+                Scalar* const k = v.k.data() + static_cast<std::ptrdiff_t>(i) * n;
+                if (!copy_finite(fi_.data(), n, k, system.sums())) return false;
             }
         }
         return true;
+    }
+    /// Slope number i of few unknowns, k and all terms of its row in registers.
+    template <int i, class System>
+    [[gnu::always_inline]] bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
+                                         slopes& v, std::array<lanes<Scalar, N>, Stages>& k) {
+        sum_row(std::integral_constant<int, i>(), y, h, v, k, std::make_integer_sequence<int, i>())
+            .store(yi_.data());
+        call(system, t + v.method.c[i] * h, v);
+        k[i] = lanes<Scalar, N>::load_written(fi_.data());
+        k[i].store(v.k.data() + i * N);
+        return k[i].finite();
+    }
+    /// y + h sum_j a_ij k_j. To look for zeros would take as long as to add three numbers.
+    template <int i, int... j>
+    [[gnu::always_inline]] static lanes<Scalar, N> sum_row(std::integral_constant<int, i>, const vector& y,
+                                                           const Scalar& h, const slopes& v,
+                                                           const std::array<lanes<Scalar, N>, Stages>& k,
+                                                           std::integer_sequence<int, j...>) {
+        auto sum = lanes<Scalar, N>::load(y.data());
+        ((N < 4 || !(v.method.A(i, j) == Scalar(0)) ? sum.add(h * v.method.A(i, j), k[j]) : void()), ...);
+        return sum;
     }
     /// fi_ := M^-1 f(t, yi_).
     template <class System>
@@ -213,23 +230,10 @@ class sequential_stages {
         system(t, yi_, fi_);
         if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
     }
-    /// The terms of row i of A.
+    /// The terms of row i of A, those that are not zero.
     std::span<const combination_term<Scalar>> row(int i) const {
         const std::size_t from = i > 0 ? row_ends_[i - 1] : 0;
         return {terms_.data() + from, row_ends_[i] - from};
-    }
-    /// y + h sum_j a_ij k_j. k_{i-1}, which has just been found, is taken from `newest`, last.
-    template <class Lanes>
-    [[gnu::always_inline]] Lanes sum_row(int i, const Scalar* y, const Scalar& h, const Scalar* k,
-                                         const Lanes& newest) const {
-        auto sum = Lanes::load(y);
-        const auto terms = row(i);
-        const bool with_newest =
-            !terms.empty() && terms.back().offset == static_cast<std::ptrdiff_t>(i - 1) * N;
-        for (const auto& term : terms.first(terms.size() - (with_newest ? 1 : 0)))
-            sum.add(h * term.factor, k + term.offset);
-        if (with_newest) sum.add(h * terms.back().factor, newest);
-        return sum;
     }
     template <class System>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,

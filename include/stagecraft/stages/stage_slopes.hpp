@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include <stagecraft/linear/combinations.hpp>
@@ -56,23 +57,23 @@ struct stage_slopes {
             sum.store(r.data());
             return;
         }
-        constexpr int room = 16;  // terms that are summed in one pass
-        std::array<combination_term<Scalar>, room> term;
+        std::array<combination_term<Scalar>, combined_terms> term;
         const int n = static_cast<int>(r.size());
-        int count = 0;
+        std::size_t count = 0;
         bool begun = false;
         const auto sum = [&] {
+            const std::span<const combination_term<Scalar>> terms(term.data(), count);
             if (begun)
-                combine_terms<true>(n, count, h, term.data(), k.data(), r.data(), r.data());
+                combine_terms<true>(n, terms, h, k.data(), r.data(), r.data());
             else
-                combine_terms<false>(n, count, h, term.data(), k.data(), r.data(), r.data());
+                combine_terms<false>(n, terms, h, k.data(), r.data(), r.data());
             begun = true;
             count = 0;
         };
         for (int j = first_needed(); j < last; ++j) {
             const Scalar a = coefficient(j);
             if (a == Scalar(0)) continue;
-            if (count == room) sum();
+            if (count == combined_terms) sum();
             term[count++] = {a, static_cast<std::ptrdiff_t>(j) * n};
         }
         if (count > 0)

@@ -76,40 +76,16 @@ class acceptance {
     template <class Step, class System>
     scalar error(Step& method, System& system, const trial_step<Vector, typename Step::output>& trial,
                  const refusals& refused, bool first, report<scalar>& counts) {
-        const Vector& judged = system.largest_index() > 1 ? weights_ : trial.weights;
-        const auto size = [&](const Vector& x, bool reduced) {
-            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : judged, system.size(),
-                                 system.sums());
-        };
         auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
         weigh(method, system, trial, reading.ratio, refused);
-        const auto estimate_size = [&] {
-            scalar whole =
-                method.error_size(system, trial.now, reading.ratio, error_, counts.error_solves, size);
-            if (share_ < scalar(1) && refused.for_error < 4) raise(whole, unexplained(system, reading.ratio));
-            return whole;
-        };
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
         if (system.largest_index() > 1) {
             const scalar s = scalar(method.estimate_power() - 1);
             method.compare_with_start(system, trial.now, s / (s + scalar(1)) / share_, error_);
         }
-        scalar err = estimate_size();
-        if (err >= scalar(1) && (first || refused.all > 0)) {
-            const scalar once = err;
-            counts.error_solves +=
-                method.estimate_again(system, trial.t, trial.y, trial.plan.h, trial.now, trial.y1, error_);
-            if (first && refused.all > 0) method.without_start(system, trial.now, error_);
-            method.advance(trial.y, trial.now, trial.y1);
-            err = estimate_size();
-            if (System::mass_type::identity && !first &&
-                jumps_.across(trial.plan.h, once, method.estimate_power(), refused.for_error > 0))
-                raise(err, once / stiff_share());
-        }
-        if (inherited(err, refused)) {
-            system.weigh_raised(weights_, scalar(0));
-            err = estimate_size();
-        }
+        scalar err = estimate_size(method, system, trial, reading.ratio, refused, counts);
+        if (err >= scalar(1))
+            err = second_estimate(method, system, trial, reading.ratio, refused, first, counts, err);
         if (err < scalar(1) && method.needs_right_value()) {
             const Vector& f1 = trial.f.right(system, trial.plan.t_next, trial.y1);
             if (const int solves = method.estimate_right(system, trial.plan.h, f1, trial.now, error_)) {
@@ -123,9 +99,10 @@ class acceptance {
             controller_.forget();
             reading.ratio = reading.across;
             weigh(method, system, trial, reading.ratio, refused);
-            raise(err, estimate_size());
+            raise(err, estimate_size(method, system, trial, reading.ratio, refused, counts));
         }
-        err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves, size);
+        err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves,
+                           size_of(system, trial));
         if (continuous_) raise(err, method.output_error(trial.now, trial.weights, system.sums()));
         if (first && err < scalar(1)) raise(err, unresolved(method, system, trial, reading.ratio, counts));
         return err;
@@ -203,6 +180,46 @@ class acceptance {
     }
 
   private:
+    /// The size of a vector, by the weights in which this step is judged, or by those of what the step control can follow.
+    template <class System, class Trial>
+    auto size_of(System& system, const Trial& trial) const {
+        return [&, this](const Vector& x, bool reduced) {
+            const Vector& judged = system.largest_index() > 1 ? weights_ : trial.weights;
+            return weighted_norm(x, reduced ? system.weights_to_follow(trial.weights) : judged, system.size(),
+                                 system.sums());
+        };
+    }
+    /// The size of the estimate in error_, of which 1 stands for `ratio`.
+    template <class Step, class System, class Trial>
+    scalar estimate_size(Step& method, System& system, const Trial& trial, const scalar& ratio,
+                         const refusals& refused, report<scalar>& counts) {
+        scalar whole =
+            method.error_size(system, trial.now, ratio, error_, counts.error_solves, size_of(system, trial));
+        if (system.largest_index() > 1 && share_ < scalar(1) && refused.for_error < 4)
+            raise(whole, unexplained(system, ratio));
+        return whole;
+    }
+    /// What becomes of an estimate err >= 1 where the step before may have left it.
+    template <class Step, class System, class Trial>
+    scalar second_estimate(Step& method, System& system, const Trial& trial, const scalar& ratio,
+                           const refusals& refused, bool first, report<scalar>& counts, scalar err) {
+        if (first || refused.all > 0) {
+            const scalar once = err;
+            counts.error_solves +=
+                method.estimate_again(system, trial.t, trial.y, trial.plan.h, trial.now, trial.y1, error_);
+            if (first && refused.all > 0) method.without_start(system, trial.now, error_);
+            method.advance(trial.y, trial.now, trial.y1);
+            err = estimate_size(method, system, trial, ratio, refused, counts);
+            if (System::mass_type::identity && !first &&
+                jumps_.across(trial.plan.h, once, method.estimate_power(), refused.for_error > 0))
+                raise(err, once / stiff_share());
+        }
+        if (inherited(err, refused)) {
+            system.weigh_raised(weights_, scalar(0));
+            err = estimate_size(method, system, trial, ratio, refused, counts);
+        }
+        return err;
+    }
     /// The weights in which an estimate that is multiplied by `ratio` then is measured; differ from those of
     /// the trial with components of index 2 and 3 only. Their errors are of the order of the estimate itself
     /// (HLR89, Theorems 4.4 and 6.1: |h| e_z and h^2 e_u are O(h^{s+1}) for Radau IIA), not

@@ -189,25 +189,7 @@ class tableau_step : public step_defaults<Space> {
         h_ = h;
         if (is_.left_stage && !v_.by_value) v_.k.col(0) = left_slope_;
         v_.guessed = before != nullptr && implicit();
-        if (!v_.guessed) return;
-        const auto& old = before->nodes();
-        basis_values<Scalar, Space::columns> l(old.size);
-        const bool share = v_.by_value && !is_.lower;  // of k_1, which the slopes are kept without
-        for (int i = is_.left_stage && !share ? 1 : 0; i < count(); ++i) {
-            const Scalar x = from + v_.method.c[i] * h / before->step();
-            if (is_.lower) {
-                old.basis(x, l.data());
-                now.increments().col(i) = before->y0() - y;
-                for (int j = 0; j < old.size; ++j)
-                    now.increments().col(i) += l[j] * before->increments().col(old.first_column + j);
-            } else {
-                old.basis_derivative(x, l.data());
-                v_.k.col(i).setZero();
-                for (int j = 0; j < old.size; ++j)
-                    v_.k.col(i) += (l[j] / before->step()) * before->increments().col(old.first_column + j);
-                if (share && i > 0) v_.k.col(i) -= v_.carry[i] * v_.k.col(0);
-            }
-        }
+        if (v_.guessed) extrapolate(*before, y, h, now, from);
     }
 
     /// y1 := the new state.
@@ -369,6 +351,28 @@ class tableau_step : public step_defaults<Space> {
         return known;
     }
 
+    /// First guesses from the continuous solution of the step before.
+    void extrapolate(const output& before, const vector& y, const Scalar& h, output& now,
+                     const Scalar& from) {
+        const auto& old = before.nodes();
+        basis_values<Scalar, Space::columns> l(old.size);
+        const bool share = v_.by_value && !is_.lower;  // of k_1, which the slopes are kept without
+        for (int i = is_.left_stage && !share ? 1 : 0; i < count(); ++i) {
+            const Scalar x = from + v_.method.c[i] * h / before.step();
+            if (is_.lower) {
+                old.basis(x, l.data());
+                now.increments().col(i) = before.y0() - y;
+                for (int j = 0; j < old.size; ++j)
+                    now.increments().col(i) += l[j] * before.increments().col(old.first_column + j);
+            } else {
+                old.basis_derivative(x, l.data());
+                v_.k.col(i).setZero();
+                for (int j = 0; j < old.size; ++j)
+                    v_.k.col(i) += (l[j] / before.step()) * before.increments().col(old.first_column + j);
+                if (share && i > 0) v_.k.col(i) -= v_.carry[i] * v_.k.col(0);
+            }
+        }
+    }
     bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
 
     coefficient_facts known_;
