@@ -21,21 +21,23 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// planar: r' = r (p + r^2 - r^4), theta' = 1 + r^2.
+/// planar: r' = r (p + rate r^2 - r^4), theta' = 1 + r^2, with rate = 1 where nothing else is said.
+/// brusselator: 1 + x^2 y - (p + 1) x, p x - x^2 y.
+/// focus: r' = r (p - r^2), theta' = 2 in coordinates turned and stretched by 10, and a component that follows with rate -3.
 /// moebius: the unit circle in the plane of the first two, run through in 2 pi; seen from it, the directions with rates p and
 /// `rate` turn by half a turn: multipliers 1, -e^(2 pi p), -e^(2 pi rate).
 /// spiral: the unit circle again, and two components with rates p +- 0.3 i.
 /// pair: two components with rates p and rate, uncoupled.
 struct family {
-    enum { planar, moebius, spiral, pair, roessler } which = planar;
-    double rate = 0;
+    enum { planar, moebius, spiral, pair, roessler, brusselator, focus } which = planar;
+    double rate = 1;
 
     template <class T, class Y, class P>
     void operator()(const T&, const Y& y, const P& p, Y& f) const {
         using std::sqrt;
         const auto square = y[0] * y[0] + y[1] * y[1];
         if (which == planar) {
-            const auto growth = p[0] + square - square * square, turn = 1 + square;
+            const auto growth = p[0] + rate * square - square * square, turn = 1 + square;
             f[0] = growth * y[0] - turn * y[1];
             f[1] = growth * y[1] + turn * y[0];
         } else if (which == moebius) {
@@ -45,6 +47,16 @@ struct family {
             f[0] = c * rise - y[1];
             f[1] = s * rise + y[0];
             f[2] = (difference * s + 0.5) * out + (mean - difference * c) * y[2];
+        } else if (which == brusselator) {
+            f[0] = 1 + y[0] * y[0] * y[1] - (p[0] + 1) * y[0];
+            f[1] = p[0] * y[0] - y[0] * y[0] * y[1];
+        } else if (which == focus) {
+            const auto u = 0.6 * y[0] + 0.8 * y[1] - p[0], v = (0.6 * y[1] - 0.8 * y[0]) / 10,
+                       growth = p[0] - u * u - v * v;
+            const auto du = growth * u - 2 * v, dv = 10 * (growth * v + 2 * u);
+            f[0] = 0.6 * du - 0.8 * dv;
+            f[1] = 0.8 * du + 0.6 * dv;
+            f[2] = y[0] - 3 * y[2];
         } else if (which == roessler) {
             f[0] = -y[1] - y[2];
             f[1] = y[0] + 0.2 * y[1];
@@ -86,6 +98,21 @@ Path of_kind(const Path& all, sc::point_kind kind) {
     return found;
 }
 
+template <class Path>
+void ends_in_a_hopf_point(const Path& all, double p, double period, const VectorXd& y, double accuracy) {
+    for (const auto& point : all) BOOST_TEST(sc::name(point.status) == std::string("success"));
+    const auto& end = all.back();
+    BOOST_TEST(sc::name(end.kind) == std::string("Hopf point"));
+    BOOST_TEST(end.message.find("Hopf") != std::string::npos);
+    BOOST_TEST(std::abs(end.p[0] - p) <= accuracy);
+    BOOST_TEST(std::abs(end.period - period) <= accuracy * period);
+    for (const double t : {0.0, 0.3, 1.0}) BOOST_TEST((end.y(t) - y).norm() <= accuracy);
+    BOOST_TEST(end.y.derivative(0.5).norm() == 0);
+    for (const int k : {0, 1})
+        BOOST_TEST(std::abs(end.multipliers[static_cast<std::size_t>(k)].value - 1.0) <= 10 * accuracy);
+    BOOST_TEST(of_kind(all, sc::point_kind::hopf).size() == 1U);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(cycles_of_a_planar_system_fold) {
@@ -113,15 +140,50 @@ BOOST_AUTO_TEST_CASE(cycles_of_a_planar_system_fold) {
     BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
 }
 
-BOOST_AUTO_TEST_CASE(beyond_a_hopf_point_the_cycles_come_back_and_nothing_branches) {
-    const auto all = sc::orbit_continuation(
-        sc::gauss<4>(), family{}, guess_for({}, 0.5, on_the_circle(2), 20), {.from = 0.5, .to = -1});
-    BOOST_TEST(all.back().message.find("come back") != std::string::npos);
-    BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
-    const auto folds = of_kind(all, sc::point_kind::fold);
-    BOOST_TEST_REQUIRE(folds.size() == 3U);
-    BOOST_TEST(sc::name(folds[1].status) == std::string("tolerance_not_met"));  // the point, p = 0
-    for (const std::size_t k : {0U, 2U}) BOOST_TEST(std::abs(folds[k].p[0] + 0.25) < 1e-11);
+BOOST_AUTO_TEST_CASE(a_path_of_cycles_that_shrink_ends_in_the_hopf_point) {
+    // On its way p turns in a fold of cycles at -1/4 and -1; all orbits lie on r^4 - rate r^2 = p.
+    for (const double rate : {1.0, 2.0}) {
+        const family f{family::planar, rate};
+        const auto all = sc::orbit_continuation(sc::gauss<4>(), f, guess_for(f, 0.5, on_the_circle(2), 20),
+                                                {.from = 0.5, .to = -3});
+        ends_in_a_hopf_point(all, 0, 2 * pi, VectorXd::Zero(2), 1e-14);
+        BOOST_TEST(of_kind(all, sc::point_kind::branch_point).empty());
+        const auto folds = of_kind(all, sc::point_kind::fold);
+        BOOST_TEST_REQUIRE(folds.size() == 1U);
+        BOOST_TEST(std::abs(folds[0].p[0] + rate * rate / 4) < 1e-11);
+        BOOST_TEST(std::abs(all.back().arclength - folds[0].arclength) > 0.5);
+        for (const auto& point : all) {
+            const double square = point.y(0.0).squaredNorm();
+            BOOST_TEST(std::abs(point.p[0] + rate * square - square * square) < 1e-9);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(cycles_that_are_no_circles_shrink_too_whatever_the_tolerance_and_the_step) {
+    const family brusselator{family::brusselator}, focus{family::focus};
+    VectorXd at_focus(3);
+    at_focus << 0, 0, 0;
+    const auto shrinking = guess_for(brusselator, 3, on_the_circle(2), 60),
+               round = guess_for(focus, 1, on_the_circle(3), 60);
+    for (const auto& o : {sc::continuation_options<double>{.from = 0, .rtol = 1e-10},
+                          {.from = 0, .rtol = 1e-4},
+                          {.from = 0, .rtol = 1e-7, .step = 0.05, .largest_step = 0.2}}) {
+        auto options = o;
+        options.from = 3, options.to = 1.9;
+        // x = 1, y = B: the trace of f_y is B - 2, its determinant 1.
+        ends_in_a_hopf_point(sc::orbit_continuation(sc::gauss<4>(), brusselator, shrinking, options), 2,
+                             2 * pi, Eigen::Vector2d(1, 2), 1e-14);
+        options.from = 1, options.to = -1;
+        ends_in_a_hopf_point(sc::orbit_continuation(sc::gauss<4>(), focus, round, options), 0, pi, at_focus,
+                             1e-14);
+    }
+    // Where f takes doubles alone its derivatives are differences.
+    const auto by_differences = [&](double t, const VectorXd& y, const parameter& p, VectorXd& f) {
+        brusselator(t, y, p, f);
+    };
+    ends_in_a_hopf_point(sc::orbit_continuation(sc::gauss<4>(), by_differences, shrinking,
+                                                {.from = 3, .to = 1.9, .rtol = 1e-6}),
+                         2, 2 * pi, Eigen::Vector2d(1, 2), 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(a_period_doubles_where_a_multiplier_passes_minus_1) {

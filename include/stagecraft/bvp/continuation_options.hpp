@@ -9,12 +9,14 @@
 namespace stagecraft {
 
 /// What a point of a path is. Beside regular points: where the parameter turns back, where two paths cross, and on
-/// paths of periodic orbits where a multiplier passes -1 or a pair of complex ones the unit circle.
-enum class point_kind { regular, fold, branch_point, period_doubling, torus };
+/// paths of periodic orbits where a multiplier passes -1 or a pair of complex ones the unit circle, and the equilibrium to
+/// which the orbits shrink in the end (orbit_continuation).
+enum class point_kind { regular, fold, branch_point, period_doubling, torus, hopf };
 
 /// The kind as words.
 constexpr const char* name(point_kind k) {
-    constexpr const char* names[] = {"regular", "fold", "branch point", "period doubling", "torus"};
+    constexpr const char* names[] = {"regular",         "fold",  "branch point",
+                                     "period doubling", "torus", "Hopf point"};
     return names[static_cast<int>(k)];
 }
 

@@ -46,11 +46,12 @@ struct scaled_rhs_on_path {
     }
 };
 
-/// y(0) = y(1), and y(0) on the plane through the last point of the path that is normal to its f.
+/// y(0) = y(1), and y(0) on a plane through the last orbit's y(0) and its mean: orbits that shrink to the mean pass through
+/// it all the same. Where f is nearly in such a plane it is turned until f crosses it.
 template <class Rhs, class Vector>
 struct orbit_path_conditions {
     Rhs f;
-    Vector at, normal;
+    Vector at, normal, flow;  ///< flow: the direction of f at `at`
 
     template <class Y, class Q, class R>
     void operator()(const Y& left, const Y& right, const Q&, R& r) const {
@@ -59,15 +60,41 @@ struct orbit_path_conditions {
         r[n] = left[0] * typename Vector::Scalar(0);
         for (Eigen::Index i = 0; i < n; ++i) r[n] = r[n] + normal[i] * (left[i] - at[i]);
     }
-    template <class Parameters>
-    void follow(const Vector& left, const Parameters& q) {
+    template <class Orbit, class Parameters>
+    void follow(const Orbit& y, const Parameters& q) {
         using scalar = typename Vector::Scalar;
-        const Vector last = normal;
-        at = left;
-        f(scalar(0), left, Eigen::Matrix<scalar, 1, 1>(q[1]), normal);
+        at = y(scalar(0));
+        normal = flow = direction(at, q);
+        const Vector out = at - orbit_swing<Vector>(y).mean;
+        if (out.norm() > scalar(0)) {
+            const scalar along = flow.dot(out) / out.norm(), part = along * along, most = scalar(9) / 10;
+            normal -= (part > most ? scalar(most / part) : scalar(1)) * along / out.norm() * out;
+        }
         normal.normalize();
-        // Beyond a Hopf point f has turned round: the sign of a condition is that of the determinant.
-        if (normal.dot(last) < scalar(0)) normal = -normal;
+    }
+    /// The tangent of a path in (y(0), y(1), T, p), less what is a shift in phase, so that it stays in the plane.
+    template <class Column>
+    Column in_plane(const Column& tangent) const {
+        const Eigen::Index n = at.size();
+        const auto shift = normal.dot(tangent.head(n)) / normal.dot(flow);
+        Column turned = tangent;
+        turned.head(n) -= shift * flow;
+        turned.segment(n, n) -= shift * flow;
+        return turned.normalized();
+    }
+    /// Does f still cross the plane at y(0)? Where it does not, orbits only touch the plane, and p may turn there.
+    template <class Parameters>
+    bool crosses(const Vector& left, const Parameters& q) {
+        return normal.dot(direction(left, q)) > normal.dot(flow) / 2;
+    }
+
+  private:
+    template <class Parameters>
+    Vector direction(const Vector& y, const Parameters& q) {
+        using scalar = typename Vector::Scalar;
+        Vector value(y.size());
+        f(scalar(0), y, Eigen::Matrix<scalar, 1, 1>(q[1]), value);
+        return value.normalized();
     }
 };
 
@@ -79,9 +106,12 @@ struct orbit_path_conditions {
 /// Located are, beside folds and branch points as by continuation(), period doublings, where a multiplier passes -1,
 /// and torus points, where a complex pair passes the unit circle. Every point costs what periodic_orbit()
 /// costs from a near guess, with the multipliers found on the orbit's mesh halved once. The path ends as that of
-/// continuation(), or at a point or an orbit run through several times. Beyond a Hopf point, where the orbits shrink to a
-/// point, it comes back over the same orbits; p turns there, and what is found between has the status
-/// tolerance_not_met or equilibrium, the latter of which ends the path.
+/// continuation(), or at a point or an orbit run through several times.
+///
+/// Where the orbits shrink to an equilibrium the path ends in a Hopf point (Kuznetsov 2004, section 3.5): its y is the
+/// equilibrium, its period 2 pi/omega, +- i omega being the eigenvalues of f_y there, two of its multipliers are 1, and p is as
+/// accurate as f_y, which automatic differentiation gives to rounding errors and differences to about 1e-8. It may
+/// lie beyond `to`.
 template <class Scalar, int S, class Rhs, class Vector>
 std::vector<orbit_point<Vector>> orbit_continuation(
     const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
@@ -93,18 +123,20 @@ std::vector<orbit_point<Vector>> orbit_continuation(
     detail::validate_period(guess, "orbit_continuation");
     const Vector at = guess.y(guess.begin);
     const unknowns start(guess.period, o.from);
-    two_point_problem<rhs, conditions> problem{{f}, {f, at, at}};
-    problem.r.follow(at, start);
+    two_point_problem<rhs, conditions> problem{{f}, {f, at, at, at}};
+    problem.r.follow(detail::in_units_of_the_period(guess), start);
     detail::path_follower<Scalar, S, rhs, conditions, Vector, unknowns> follower(method, problem, Scalar(0),
                                                                                  Scalar(1), o);
     std::vector<orbit_point<Vector>> path;
-    for (auto& s : follower.run(detail::in_units_of_the_period(guess), start)) {
+    auto states = follower.run(detail::in_units_of_the_period(guess), start);
+    const bool shrinks = states.back().kind == point_kind::hopf;
+    for (auto& s : states) {
         path.push_back({Eigen::Matrix<Scalar, 1, 1>(s.p[1]), s.p[0], std::move(s.y), std::move(s.multipliers),
                         s.kind, s.status, s.message, s.arclength, std::move(s.mesh)});
         auto& point = path.back();
         if (s.kind == point_kind::regular && s.status != bvp_status::success) break;
         const bvp_status judged = detail::judge_orbit(point.y, o.rtol);
-        if (judged == bvp_status::success) continue;
+        if (judged == bvp_status::success || (shrinks && judged == bvp_status::equilibrium)) continue;
         point.status = judged, point.kind = point_kind::regular;
         point.message = detail::words_of(judged);
         break;

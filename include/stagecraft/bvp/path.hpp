@@ -12,95 +12,23 @@
 
 #include <stagecraft/bvp/branch_point.hpp>
 #include <stagecraft/bvp/continuation_options.hpp>
+#include <stagecraft/bvp/hopf_point.hpp>
 #include <stagecraft/bvp/multipliers.hpp>
-#include <stagecraft/bvp/solve.hpp>
-#include <stagecraft/bvp/traces.hpp>
+#include <stagecraft/bvp/path_state.hpp>
 
 namespace stagecraft::detail {
 
-/// The conditions of a problem with one unknown too many, and that (y(a), y(b), p) lies `step` further along a
-/// direction. With replaced >= 0 that condition of the problem gives way to another of this kind (branch_point.hpp).
-template <class Conditions, class Scalar>
-struct path_conditions {
-    using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    Conditions r;
-    column from, along;
-    Scalar step{0};
-    int replaced = -1;
-    column across{};
-    Scalar amount{0};
-
-    template <class Y, class P, class R>
-    requires(std::is_invocable_v<Conditions&, const Y&, const Y&, const P&, R&>) void operator()(
-        const Y& left, const Y& right, const P& p, R& out) {
-        r(left, right, p, out);
-        auto& last = out[left.size() + p.size() - 1];
-        if (last == last) throw bad_problem("continuation: the conditions must write n numbers, not more");
-        last = distance(along, left, right, p) - step;
-        if (replaced >= 0) out[replaced] = distance(across, left, right, p) - amount;
-    }
-
-  private:
-    template <class Y, class P>
-    typename Y::Scalar distance(const column& d, const Y& left, const Y& right, const P& p) const {
-        const Eigen::Index n = left.size();
-        typename Y::Scalar sum = left[0] * Scalar(0);
-        for (Eigen::Index i = 0; i < n; ++i)
-            sum = sum + d[i] * (left[i] - from[i]) + d[n + i] * (right[i] - from[n + i]);
-        for (Eigen::Index i = 0; i < p.size(); ++i) sum = sum + d[2 * n + i] * (p[i] - from[2 * n + i]);
-        return sum;
-    }
-};
-
-/// The line through two solutions.
-template <class Vector>
-struct extrapolated {
-    using scalar = typename Vector::Scalar;
-    const solution<Vector>&now, &before;
-    scalar factor;
-    Vector operator()(const scalar& t) const { return now(t) + factor * (now(t) - before(t)); }
-    Vector derivative(const scalar& t) const {
-        return now.derivative(t) + factor * (now.derivative(t) - before.derivative(t));
-    }
-};
-
-/// A point of a path as the follower sees it. x = (y(a), y(b), p).
-template <class Vector, class Parameters>
-struct path_state {
-    using scalar = typename Vector::Scalar;
-    using column = Eigen::Matrix<scalar, Eigen::Dynamic, 1>;
-    bvp_status status = bvp_status::newton_failed;
-    std::string message;  ///< of the last point
-    point_kind kind = point_kind::regular;
-    Parameters p = Parameters::Zero();
-    solution<Vector> y;
-    std::vector<scalar> mesh;
-    scalar arclength{0};
-    column x, tangent;
-    solution_traces<scalar> traces;
-    std::vector<floquet_multiplier<scalar>> multipliers;  ///< of periodic orbits
-    int newton_steps = 0;
-    /// Of branch points: a point of the crossing path close by.
-    Parameters other_p = Parameters::Zero();
-    solution<Vector> other_y;
-
-    /// The slope along the path of the parameter that is followed, the last one.
-    scalar slope() const { return tangent[tangent.size() - 1]; }
-    void turn() {
-        tangent = -tangent;
-        traces.turn();
-    }
-};
-
-/// One path, point by point. Conditions write n + n_p - 1 numbers; those of periodic orbits have a member follow(left,
-/// p), which moves their phase condition on, and their points get multipliers.
+/// One path, point by point. Conditions write n + n_p - 1 numbers; those of periodic orbits, with p = (T, p), have a member
+/// follow(y, p), which moves their phase condition on. Their points get multipliers, and the path may end in a Hopf point.
 template <class Scalar, int S, class Rhs, class Conditions, class Vector, class Parameters>
 class path_follower {
   public:
     using conditions = path_conditions<Conditions, Scalar>;
     using state = path_state<Vector, Parameters>;
     using column = typename state::column;
-    static constexpr bool orbits = requires(Conditions r, Vector left, Parameters p) { r.follow(left, p); };
+    static constexpr bool orbits = requires(Conditions r, solution<Vector> y, Parameters p) {
+        r.follow(y, p);
+    };
 
     path_follower(const tableau<Scalar, S>& method, const two_point_problem<Rhs, Conditions>& problem,
                   Scalar a, Scalar b, const continuation_options<Scalar>& o)
@@ -123,7 +51,11 @@ class path_follower {
                    !special_points({now, before, next, last_step, step}, step < 2 * least, special)) {
                 step /= 2;
                 if (step < least) {
-                    if (next.status == bvp_status::success) {
+                    if constexpr (orbits) {
+                        state end;
+                        if (shrinks_to_a_point({now, before, now, last_step, step}, end)) next = end;
+                    }
+                    if (next.status == bvp_status::success && next.kind != point_kind::hopf) {
                         next.status = bvp_status::tolerance_not_met;
                         next.message = "within the smallest step the path bends, or another one is as close";
                     }
@@ -132,11 +64,15 @@ class path_follower {
                 }
             }
             for (state& s : special) path.push_back(std::move(s));
+            if (path.back().kind == point_kind::hopf) return path;
             path.push_back(next);
             before = std::move(now);
             now = std::move(next);
             last_step = step;
-            if constexpr (orbits) problem_.r.follow(Vector(now.x.head(size())), now.p);
+            if constexpr (orbits) {
+                problem_.r.follow(now.y, now.p);
+                now.tangent = problem_.r.in_plane(now.tangent);
+            }
             if (now.newton_steps < 8) step = std::min(Scalar(step * Scalar(1.5)), o_.largest_step);
             const Scalar q = now.p[now.p.size() - 1];
             if (o_.from < o_.to ? q > o_.to : q < o_.to) return path;
@@ -214,6 +150,17 @@ class path_follower {
     bool special_points(const leg& l, bool last, std::vector<state>& found) {
         using std::abs;
         found.clear();
+        if constexpr (orbits) {
+            // Beyond a Hopf point orbits are half a turn ahead; or the next one is an equilibrium, of any period.
+            const orbit_swing<Vector> now(l.now.y), next(l.next.y);
+            if (now.with(next) < now.with(now) / 1000) {
+                state end;
+                if (!shrinks_to_a_point(l, end)) return false;
+                found.push_back(std::move(end));
+                return true;
+            }
+            if (!problem_.r.crosses(Vector(l.next.x.head(n_)), l.next.p)) return false;
+        }
         const auto fold = [](const state& s) { return s.slope(); };
         if (fold(l.now) * fold(l.next) < Scalar(0)) {
             found.push_back(locate(l, fold, Scalar(1e-8), point_kind::fold));
@@ -243,6 +190,30 @@ class path_follower {
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const state& a, const state& b) { return a.arclength < b.arclength; });
+        return true;
+    }
+
+    /// Writes the Hopf point where the orbits shrink to an equilibrium soon after `now`, if they do: with the amplitude a they
+    /// have left the last two of them so that T and p are linear in a^2 as they are near such a point.
+    bool shrinks_to_a_point(const leg& l, state& end) {
+        using std::abs;
+        const orbit_swing<Vector> now(l.now.y), before(l.before.y);
+        const Scalar a2 = now.with(now), more = before.with(before);
+        if (!(a2 < more)) return false;
+        const Parameters expected = l.now.p - a2 / (more - a2) * (l.before.p - l.now.p);
+        if (!(expected[0] > Scalar(0))) return false;
+        hopf_search<Rhs, Conditions, Vector, Parameters> hopf(problem_.f, problem_.r, n_);
+        if (!hopf.run(now.mean, expected[0], l.now.p[1], expected[1])) return false;
+        const Parameters size(hopf.period, Scalar(1) + abs(hopf.p)), at(hopf.period, hopf.p);
+        const auto far = [&](const Parameters& p) { return (p - expected).cwiseQuotient(size).norm(); };
+        if (!(far(at) <= far(l.now.p) / 10 + 10 * o_.rtol)) return false;
+        end = l.now;
+        end.kind = point_kind::hopf;
+        end.status = hopf.change <= o_.rtol * size[1] ? bvp_status::success : bvp_status::tolerance_not_met;
+        end.message = "the orbits shrink to an equilibrium, a Hopf point";
+        end.p = at, end.y = hopf.orbit(), end.multipliers = hopf.multipliers;
+        end.x << hopf.y, hopf.y, at;
+        end.arclength += (end.x - l.now.x).norm();
         return true;
     }
 
