@@ -91,6 +91,28 @@ inline std::vector<std::complex<double>> all_roots(const std::vector<double>& p)
     return z;
 }
 
+/// The eigenvector of `a` for an eigenvalue near lambda, its largest entry 1, by inverse iteration; lambda becomes the
+/// eigenvalue of that vector, real where `real` says so.
+inline std::vector<std::complex<double>> eigenvector(const std::vector<double>& a, int n,
+                                                     std::complex<double>& lambda, bool real) {
+    using complex = std::complex<double>;
+    std::vector<complex> v(static_cast<std::size_t>(n)), shifted(a.size());
+    for (int i = 0; i < n; ++i) v[i] = std::cos(1.0 + 3.7 * i);  // no special direction
+    for (int repeat = 0; repeat < 4; ++repeat) {
+        for (std::size_t i = 0; i < a.size(); ++i) shifted[i] = a[i];
+        for (int i = 0; i < n; ++i) shifted[i + i * n] -= lambda;
+        auto w = v;
+        eliminate(shifted, w, n, 1, 1e-16);
+        int top = 0;
+        for (int i = 1; i < n; ++i)
+            if (std::abs(w[i]) > std::abs(w[top])) top = i;
+        if (repeat > 0) lambda += v[top] / w[top];
+        if (real) lambda = lambda.real();
+        for (int i = 0; i < n; ++i) v[i] = w[i] / w[top];
+    }
+    return v;
+}
+
 }  // namespace detail
 
 /// The form of an n x n matrix (column-major). Nothing if it is not found to 1e-8 of the largest entry, or if
@@ -111,20 +133,7 @@ inline std::optional<block_diagonal_form> block_diagonal(const std::vector<doubl
         const bool real = std::abs(z.imag()) <= 1e-7;
         if (!real && z.imag() < 0) continue;
         complex lambda = real ? complex(z.real()) : z;
-        std::vector<complex> v(static_cast<std::size_t>(n), complex(1)), shifted(a.size());
-        for (int i = 0; i < n; ++i) v[i] = std::cos(1.0 + 3.7 * i);  // no special direction
-        for (int repeat = 0; repeat < 4; ++repeat) {  // inverse iteration; the eigenvalue follows the vector
-            for (std::size_t i = 0; i < a.size(); ++i) shifted[i] = scaled[i];
-            for (int i = 0; i < n; ++i) shifted[i + i * n] -= lambda;
-            auto w = v;
-            detail::eliminate(shifted, w, n, 1, 1e-16);
-            int top = 0;
-            for (int i = 1; i < n; ++i)
-                if (std::abs(w[i]) > std::abs(w[top])) top = i;
-            if (repeat > 0) lambda += v[top] / w[top];
-            if (real) lambda = lambda.real();
-            for (int i = 0; i < n; ++i) v[i] = w[i] / w[top];
-        }
+        const auto v = detail::eigenvector(scaled, n, lambda, real);
         if (real) {
             form.real.push_back(lambda.real() * size);
             for (int i = 0; i < n; ++i) columns.push_back(v[i].real());

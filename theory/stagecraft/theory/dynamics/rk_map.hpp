@@ -4,54 +4,35 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "stagecraft/theory/dynamics/evaluate.hpp"
 #include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 
 namespace stagecraft::theory {
 
-/// The map x_0 -> x_1 of a Runge-Kutta method at one step size, solved to rounding: a measuring instrument
-/// for large steps, no integrator. Implicit stages by Newton's method with full Jacobians and halved
-/// increments where the residual would grow. Nothing where that does not converge or a number is not finite.
+namespace detail {
+
+/// The h k_i of one step of a method with stages Y_i = x + sum_j a_ij (h k_j), below one another.
 template <int N, class F>
-std::optional<state<double, N>> rk_step(const tableau<double>& m, F&& f, const state<double, N>& x, double h,
-                                        double t = 0) {
-    using vector = Eigen::VectorXd;
-    const auto s = m.b.size();
-    vector k = vector::Zero(s * N);  // h times the slopes
-    state<double, N> fi;
-    const auto stage = [&](const vector& slopes, Eigen::Index i) {
-        state<double, N> xi = x;
-        for (Eigen::Index j = 0; j < s; ++j)
-            if (m.A(i, j) != 0) xi += m.A(i, j) * slopes.segment<N>(j * N);
-        return xi;
-    };
-    const auto residual = [&](const vector& slopes) {
-        vector r(s * N);
-        for (Eigen::Index i = 0; i < s; ++i) {
-            f(t + m.c[i] * h, stage(slopes, i), fi);
-            r.segment<N>(i * N) = slopes.segment<N>(i * N) - h * fi;
-        }
-        return r;
-    };
-    if (is_explicit(m)) {
-        for (Eigen::Index i = 0; i < s; ++i) {
-            f(t + m.c[i] * h, stage(k, i), fi);
-            k.segment<N>(i * N) = h * fi;
-        }
-    } else {
-        vector r = residual(k);
-        automatic_jacobian<double, N> differentiate(N);
-        bool done = false;
-        for (int round = 0; round < 200 && !done; ++round) {
-            Eigen::MatrixXd J = Eigen::MatrixXd::Identity(s * N, s * N);
-            for (Eigen::Index i = 0; i < s; ++i) {
-                Eigen::Matrix<double, N, N> fx;
-                const state<double, N> xi = stage(k, i);
-                differentiate(f, t + m.c[i] * h, xi, xi, fx);
-                for (Eigen::Index j = 0; j < s; ++j) J.block<N, N>(i * N, j * N) -= h * m.A(i, j) * fx;
-            }
-            const vector step = J.partialPivLu().solve(r);
+class stage_slopes {
+  public:
+    stage_slopes(const tableau<double>& m, F& f, const state<double, N>& x, double h, double t)
+        : m_(m), f_(f), x_(x), h_(h), t_(t), s_(m.b.size()) {}
+
+    /// One stage after the other, from zero: for explicit methods.
+    Eigen::VectorXd in_turn() {
+        Eigen::VectorXd k = Eigen::VectorXd::Zero(s_ * N);
+        for (Eigen::Index i = 0; i < s_; ++i) k.segment<N>(i * N) = slope(k, i);
+        return k;
+    }
+
+    /// All at once, by Newton's method from zero; nothing where it does not converge.
+    std::optional<Eigen::VectorXd> at_once() {
+        using vector = Eigen::VectorXd;
+        vector k = vector::Zero(s_ * N), r = residual(k);
+        for (int round = 0; round < 200; ++round) {
+            const vector step = jacobian(k).partialPivLu().solve(r);
             if (!step.allFinite()) return {};
             double part = 1;
             vector next = k - step, rest = residual(next);
@@ -60,21 +41,71 @@ std::optional<state<double, N>> rk_step(const tableau<double>& m, F&& f, const s
                 next = k - part * step;
                 rest = residual(next);
             }
-            const double size = x.norm() + k.norm();
-            done = step.norm() <= 1e-13 * size || r.norm() == 0;
+            const double size = x_.norm() + k.norm();
+            const bool done = step.norm() <= 1e-13 * size || r.norm() == 0;
             if (rest.norm() < r.norm()) {
                 k = next;
                 r = rest;
-            } else if (step.norm() <= 1e-9 * size) {
-                done = true;  // only rounding is left
+                if (done) return k;
+            } else if (done || step.norm() <= 1e-9 * size) {
+                return k;  // only rounding is left
             } else {
                 return {};
             }
         }
-        if (!done) return {};
+        return {};
     }
+
+  private:
+    state<double, N> stage(const Eigen::VectorXd& slopes, Eigen::Index i) const {
+        state<double, N> xi = x_;
+        for (Eigen::Index j = 0; j < s_; ++j)
+            if (m_.A(i, j) != 0) xi += m_.A(i, j) * slopes.segment<N>(j * N);
+        return xi;
+    }
+    state<double, N> slope(const Eigen::VectorXd& slopes, Eigen::Index i) {
+        state<double, N> fi;
+        f_(t_ + m_.c[i] * h_, stage(slopes, i), fi);
+        return h_ * fi;
+    }
+    Eigen::VectorXd residual(const Eigen::VectorXd& slopes) {
+        Eigen::VectorXd r(s_ * N);
+        for (Eigen::Index i = 0; i < s_; ++i)
+            r.segment<N>(i * N) = slopes.segment<N>(i * N) - slope(slopes, i);
+        return r;
+    }
+    Eigen::MatrixXd jacobian(const Eigen::VectorXd& slopes) {
+        Eigen::MatrixXd J = Eigen::MatrixXd::Identity(s_ * N, s_ * N);
+        for (Eigen::Index i = 0; i < s_; ++i) {
+            Eigen::Matrix<double, N, N> fx;
+            const state<double, N> xi = stage(slopes, i);
+            differentiate_(f_, t_ + m_.c[i] * h_, xi, xi, fx);
+            for (Eigen::Index j = 0; j < s_; ++j) J.block<N, N>(i * N, j * N) -= h_ * m_.A(i, j) * fx;
+        }
+        return J;
+    }
+
+    const tableau<double>& m_;
+    F& f_;
+    const state<double, N>& x_;
+    double h_, t_;
+    Eigen::Index s_;
+    automatic_jacobian<double, N> differentiate_{N};
+};
+
+}  // namespace detail
+
+/// The map x_0 -> x_1 of a Runge-Kutta method at one step size, solved to rounding: a measuring instrument
+/// for large steps, no integrator. Implicit stages by Newton's method with full Jacobians and halved
+/// increments where the residual would grow. Nothing where that does not converge or a number is not finite.
+template <int N, class F>
+std::optional<state<double, N>> rk_step(const tableau<double>& m, F&& f, const state<double, N>& x, double h,
+                                        double t = 0) {
+    detail::stage_slopes<N, std::remove_reference_t<F>> slopes(m, f, x, h, t);
+    const auto k = is_explicit(m) ? std::optional(slopes.in_turn()) : slopes.at_once();
+    if (!k) return {};
     state<double, N> y = x;
-    for (Eigen::Index j = 0; j < s; ++j) y += m.b[j] * k.segment<N>(j * N);
+    for (Eigen::Index j = 0; j < m.b.size(); ++j) y += m.b[j] * k->template segment<N>(j * N);
     if (!y.allFinite()) return {};
     return y;
 }

@@ -169,6 +169,29 @@ inline exercise planar_one_sided_constant(dice& d) {
     return e;
 }
 
+/// The exercise of a field in words, whose least alpha for beta is `alpha` because of `how`; the certificate asks what
+/// dissipativity() has found.
+template <int N>
+exercise absorbing_ball(const std::string& field, const rational& beta, const rational& alpha,
+                        const std::string& how, const dissipativity_constants<N>& found) {
+    exercise e;
+    e.question = {paragraph("For $x' = f(x)$ with " + field +
+                            " find the least $\\alpha$ with $\\langle f(x), x \\rangle "
+                            "\\le \\alpha - \\beta |x|^{2}$ for $\\beta = " +
+                            latex(beta) + "$. Which balls around 0 are absorbing?")};
+    e.solution = {
+        paragraph(how + " $\\alpha = " + latex(alpha) + "$."),
+        paragraph("From $\\frac{d}{dt} |x|^{2} \\le 2 \\alpha - 2 \\beta |x|^{2}$: "
+                  "every ball of a radius above $\\sqrt{\\alpha / \\beta} = \\sqrt{" +
+                  latex(alpha / beta) +
+                  "}$ is positively invariant and absorbing. The same holds for the implicit Euler method "
+                  "with any steps $h_{n}$ of infinite sum.")};
+    e.certificate = {
+        {"alpha = " + alpha.str() + " for beta = " + beta.str(),
+         found.exact && found.alpha == alpha ? found.verdict : verdict::refuted(found.verdict.text())}};
+    return e;
+}
+
 }  // namespace detail
 
 /// The least one-sided Lipschitz constant of a polynomial field.
@@ -178,24 +201,6 @@ inline exercise find_one_sided_constant(dice& d) {
 
 /// The least alpha of the dissipativity inequality, and the absorbing balls.
 inline exercise find_absorbing_ball(dice& d) {
-    exercise e;
-    const auto finish = [&](const std::string& field, const rational& beta, const rational& alpha,
-                            const std::string& how, const verdict& v, const rational& found, bool exact) {
-        e.question = {paragraph("For $x' = f(x)$ with " + field +
-                                " find the least $\\alpha$ with $\\langle f(x), x \\rangle "
-                                "\\le \\alpha - \\beta |x|^{2}$ for $\\beta = " +
-                                latex(beta) + "$. Which balls around 0 are absorbing?")};
-        e.solution = {
-            paragraph(how + " $\\alpha = " + latex(alpha) + "$."),
-            paragraph(
-                "From $\\frac{d}{dt} |x|^{2} \\le 2 \\alpha - 2 \\beta |x|^{2}$: "
-                "every ball of a radius above $\\sqrt{\\alpha / \\beta} = \\sqrt{" +
-                latex(alpha / beta) +
-                "}$ is positively invariant and absorbing. The same holds for the implicit Euler method "
-                "with any steps $h_{n}$ of infinite sum.")};
-        e.certificate = {{"alpha = " + alpha.str() + " for beta = " + beta.str(),
-                          exact && found == alpha ? v : verdict::refuted(v.text())}};
-    };
     const int b = d.between(1, 4);
     if (d.coin()) {
         const int a = d.between(-2, 6);
@@ -205,10 +210,11 @@ inline exercise find_absorbing_ball(dice& d) {
         };
         const auto found = dissipativity<1>(f, beta);
         const rational sum = a + beta, alpha = sum > 0 ? sum * sum / (4 * b) : rational(0);
-        finish("$f(x) = " + latex(polynomial<rational>{0, a, 0, -b}, "x") + "$", beta, alpha,
-               "$f(x) x + \\beta x^{2} = " + latex(polynomial<rational>{0, 0, sum, 0, -b}, "x") +
-                   "$ has its maximum where $x^{2} = " + latex(sum > 0 ? sum / (2 * b) : rational(0)) + "$:",
-               found.verdict, found.alpha, found.exact);
+        return detail::absorbing_ball(
+            "$f(x) = " + latex(polynomial<rational>{0, a, 0, -b}, "x") + "$", beta, alpha,
+            "$f(x) x + \\beta x^{2} = " + latex(polynomial<rational>{0, 0, sum, 0, -b}, "x") +
+                "$ has its maximum where $x^{2} = " + latex(sum > 0 ? sum / (2 * b) : rational(0)) + "$:",
+            found);
     } else {
         const int p = d.between(2, 6), q = d.between(2, 6), u = d.between(0, 5), v = d.between(1, 5),
                   s = d.not_zero(9);
@@ -223,20 +229,20 @@ inline exercise find_absorbing_ball(dice& d) {
             return (k < 0 ? " - " : " + ") +
                    std::string(std::abs(k) == 1 ? "" : std::to_string(std::abs(k)) + " ") + what;
         };
-        finish("$f(x) = (-" + std::to_string(p) + " x_{1}" + term(s, "x_{2}") +
-                   (u == 0 ? "" : " + " + std::to_string(u)) + " - x_{1} x_{2}, -" + std::to_string(q) +
-                   " x_{2}" + term(-s, "x_{1}") + " + " + std::to_string(v) + " + x_{1}^{2})^{T}$",
-               beta, alpha,
-               "The cubic terms and those with $x_{1} x_{2}$ cancel in $\\langle f(x), x \\rangle$; what "
-               "remains is a sum "
-               "of $-" +
-                   latex(p - beta) + " x_{1}^{2}" + (u == 0 ? "" : " + " + std::to_string(u) + " x_{1}") +
-                   "$ and $-" + latex(q - beta) + " x_{2}^{2} + " + std::to_string(v) +
-                   " x_{2}$ (with $\\beta |x|^{2}$), each largest at "
-                   "its vertex:",
-               found.verdict, found.alpha, found.exact);
+        return detail::absorbing_ball(
+            "$f(x) = (-" + std::to_string(p) + " x_{1}" + term(s, "x_{2}") +
+                (u == 0 ? "" : " + " + std::to_string(u)) + " - x_{1} x_{2}, -" + std::to_string(q) +
+                " x_{2}" + term(-s, "x_{1}") + " + " + std::to_string(v) + " + x_{1}^{2})^{T}$",
+            beta, alpha,
+            "The cubic terms and those with $x_{1} x_{2}$ cancel in $\\langle f(x), x \\rangle$; what "
+            "remains is a sum "
+            "of $-" +
+                latex(p - beta) + " x_{1}^{2}" + (u == 0 ? "" : " + " + std::to_string(u) + " x_{1}") +
+                "$ and $-" + latex(q - beta) + " x_{2}^{2} + " + std::to_string(v) +
+                " x_{2}$ (with $\\beta |x|^{2}$), each largest at "
+                "its vertex:",
+            found);
     }
-    return e;
 }
 
 /// Is the zero solution of x' = B x stable, and which inner product shows it?
