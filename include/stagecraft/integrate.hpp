@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>
 #include <stagecraft/step/continued.hpp>
@@ -114,8 +115,6 @@ struct anything {
 struct other_options {
     double tol = 0, reltol = 0, rel_tol = 0, rtol = 0, abstol = 0, abs_tol = 0, atol = 0;
 };
-template <class>
-inline constexpr bool never = false;
 
 }  // namespace detail
 

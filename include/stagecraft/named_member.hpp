@@ -34,4 +34,8 @@ constexpr bool finds_member_named() {
 template <class T, class Name>
 concept has_member_named = finds_member_named<std::remove_cv_t<T>, Name>();
 
+/// False: for a static_assert in a template that refuses whatever it is instantiated with.
+template <class>
+inline constexpr bool never = false;
+
 }  // namespace stagecraft::detail

@@ -15,6 +15,7 @@
 #include <stagecraft/linear/sparse_blocks.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/sized_model.hpp>
+#include <stagecraft/named_member.hpp>
 
 namespace stagecraft {
 
@@ -48,10 +49,6 @@ Eigen::SparseMatrix<double> dependencies(const Problem& f, Eigen::VectorXd y) {
     pattern.setFromTriplets(entries.begin(), entries.end());
     return pattern;
 }
-
-/// False: in a static_assert that depends on the model.
-template <class Model>
-inline constexpr bool only_fixed_size = false;
 
 /// The smallest x with G x = r.
 template <class Matrix>
@@ -240,7 +237,7 @@ requires sized::has_position<Model> sized_formulation<Model, constraint_level::p
 template <sized_mechanical_model Model, class... Numbers>
 sized_formulation<Model, constraint_level::velocity> index_reduced(Model model, const Numbers&...) {
     static_assert(
-        sized::only_fixed_size<Model>,
+        detail::never<Model>,
         "index_reduced, baumgarte and invariants need a mechanical_model of fixed size; for a size known at "
         "run time take stabilised_index_2(model, q), which does not drift, or index_2(model, q)");
     return {std::move(model), Eigen::VectorXd()};
@@ -255,7 +252,7 @@ auto invariants(Model model) {
 }
 template <sized_mechanical_model Model, class... Numbers>
 sized_formulation<Model, constraint_level::velocity> regularised(Model model, const Numbers&...) {
-    static_assert(sized::only_fixed_size<Model>,
+    static_assert(detail::never<Model>,
                   "regularised needs a mechanical_model of fixed size; for a size known at run time take "
                   "regularised_position(model, q, eps, kappa, c, d), or index_2(model, q), its limit");
     return {std::move(model), Eigen::VectorXd()};

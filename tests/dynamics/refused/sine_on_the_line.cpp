@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: sin: a statement on the whole line needs a rational f; give a box
+// says: sin: a statement on all of R^m needs a polynomial f, on the whole line a rational one; give a box
 #include <stagecraft/theory/dynamics/one_sided_lipschitz.hpp>
 
 using namespace stagecraft::theory;

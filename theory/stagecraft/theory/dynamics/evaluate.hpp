@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/named_member.hpp>
 #include <vector>
 
 #include "stagecraft/theory/dynamics/interval.hpp"
@@ -23,6 +25,40 @@ template <class F, class T, int N>
 concept evaluates_in = requires(F& f, const T& t, const state<T, N>& x, state<T, N>& out) {
     f(t, x, out);
 };
+
+/// What f is evaluated in for a statement that is to hold everywhere: it has no other functions than these, which refuse.
+template <class T>
+concept holds_everywhere = std::same_as<T, multinomial> || std::same_as<T, rational_function>;
+template <holds_everywhere T>
+T exp(const T&) {
+    static_assert(
+        stagecraft::detail::never<T>,
+        "exp: a statement on all of R^m needs a polynomial f, on the whole line a rational one; give a box");
+}
+template <holds_everywhere T>
+T log(const T&) {
+    static_assert(
+        stagecraft::detail::never<T>,
+        "log: a statement on all of R^m needs a polynomial f, on the whole line a rational one; give a box");
+}
+template <holds_everywhere T>
+T sin(const T&) {
+    static_assert(
+        stagecraft::detail::never<T>,
+        "sin: a statement on all of R^m needs a polynomial f, on the whole line a rational one; give a box");
+}
+template <holds_everywhere T>
+T cos(const T&) {
+    static_assert(
+        stagecraft::detail::never<T>,
+        "cos: a statement on all of R^m needs a polynomial f, on the whole line a rational one; give a box");
+}
+template <holds_everywhere T>
+T sqrt(const T&) {
+    static_assert(
+        stagecraft::detail::never<T>,
+        "sqrt: a statement on all of R^m needs a polynomial f, on the whole line a rational one; give a box");
+}
 
 /// f as polynomials in x_0 ... x_(N-1), with the time as unknown x_N.
 template <int N, class F>

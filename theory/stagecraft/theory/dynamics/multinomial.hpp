@@ -158,37 +158,6 @@ class multinomial {
     std::map<monomial, rational> terms_;
 };
 
-namespace detail {
-template <class T>
-inline constexpr bool not_polynomial = false;
-}
-// f is asked for as a polynomial where a statement is to hold everywhere.
-template <std::same_as<multinomial> T>
-T exp(const T&) {
-    static_assert(detail::not_polynomial<T>,
-                  "exp: a statement on all of R^m needs a polynomial f; give a box");
-}
-template <std::same_as<multinomial> T>
-T log(const T&) {
-    static_assert(detail::not_polynomial<T>,
-                  "log: a statement on all of R^m needs a polynomial f; give a box");
-}
-template <std::same_as<multinomial> T>
-T sin(const T&) {
-    static_assert(detail::not_polynomial<T>,
-                  "sin: a statement on all of R^m needs a polynomial f; give a box");
-}
-template <std::same_as<multinomial> T>
-T cos(const T&) {
-    static_assert(detail::not_polynomial<T>,
-                  "cos: a statement on all of R^m needs a polynomial f; give a box");
-}
-template <std::same_as<multinomial> T>
-T sqrt(const T&) {
-    static_assert(detail::not_polynomial<T>,
-                  "sqrt: a statement on all of R^m needs a polynomial f; give a box");
-}
-
 }  // namespace stagecraft::theory
 
 template <>

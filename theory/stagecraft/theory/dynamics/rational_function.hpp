@@ -79,37 +79,6 @@ inline rational_function derivative(const rational_function& r) {
     return rational_function(derivative(p) * q - p * derivative(q), q * q);
 }
 
-namespace detail {
-template <class T>
-inline constexpr bool not_rational = false;
-}
-// A statement that is to hold on the whole line needs a rational f.
-template <std::same_as<rational_function> T>
-T exp(const T&) {
-    static_assert(detail::not_rational<T>,
-                  "exp: a statement on the whole line needs a rational f; give a box");
-}
-template <std::same_as<rational_function> T>
-T log(const T&) {
-    static_assert(detail::not_rational<T>,
-                  "log: a statement on the whole line needs a rational f; give a box");
-}
-template <std::same_as<rational_function> T>
-T sin(const T&) {
-    static_assert(detail::not_rational<T>,
-                  "sin: a statement on the whole line needs a rational f; give a box");
-}
-template <std::same_as<rational_function> T>
-T cos(const T&) {
-    static_assert(detail::not_rational<T>,
-                  "cos: a statement on the whole line needs a rational f; give a box");
-}
-template <std::same_as<rational_function> T>
-T sqrt(const T&) {
-    static_assert(detail::not_rational<T>,
-                  "sqrt: a statement on the whole line needs a rational f; give a box");
-}
-
 /// The supremum of a real function: it lies in [low, high], low = high where it is known exactly. It is
 /// attained at `point`, or near it where that is not a rational number; `point` is missing where it is a
 /// limit at infinity.
