@@ -4,6 +4,7 @@
 #define BOOST_TEST_MODULE bvp_lecture
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 #include <random>
 #include <stagecraft/coefficients/lobatto_iiia.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 #include <random>
 #include <stagecraft/linear/two_point_matrix.hpp>
 

@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE b_stability
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 #include <random>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/theory/dynamics/autonomous_witness.hpp>

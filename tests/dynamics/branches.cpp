@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 #include <stagecraft/theory/dynamics/branches.hpp>
 #include <stagecraft/theory/dynamics/ghosts.hpp>
 

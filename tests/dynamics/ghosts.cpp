@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/theory/dynamics/ghosts.hpp>
 #include <stagecraft/theory/dynamics/ghosts_in_box.hpp>

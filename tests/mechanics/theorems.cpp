@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <problems/dense_once.hpp>
 
 #include <problems/thesis/solve.hpp>
 
