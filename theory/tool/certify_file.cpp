@@ -12,7 +12,7 @@
 #include <stagecraft/theory/judging/junit.hpp>
 #include <stagecraft/theory/judging/method_table.hpp>
 
-#include "command.hpp"
+#include "clock.hpp"
 
 namespace stagecraft::tool {
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace stagecraft::tool {
@@ -26,17 +23,6 @@ inline std::vector<declare>& declarations() {
 struct command {
     explicit command(declare d) { declarations().push_back(d); }
 };
-
-/// Seconds that a decision may take (--seconds), 0: any; and of several files the one at work, for the message.
-inline unsigned seconds_allowed = 60;
-inline std::string file_at_work;
-
-/// Starts the clock anew: each of several files has the seconds allowed for itself.
-inline void start_clock(std::string file = {}) {
-    alarm(0);
-    file_at_work = std::move(file);
-    alarm(seconds_allowed);
-}
 
 /// The whole number that `text` is, between `least` and `most`. Throws std::invalid_argument that names the
 /// argument and what is allowed.

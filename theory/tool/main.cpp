@@ -10,6 +10,7 @@
 #include <iostream>
 #include <string>
 
+#include "clock.hpp"
 #include "command.hpp"
 
 namespace {
