@@ -51,8 +51,7 @@ class sequential_stages {
             block_.push_back(k);
         }
         shift_.resize(diagonal_.size());
-        implicit_ = !diagonal_.empty();
-        if (!implicit_) {
+        if (!implicit()) {
             terms_.reserve(static_cast<std::size_t>(m.stages()) * static_cast<std::size_t>(m.stages()) / 2);
             row_ends_.reserve(static_cast<std::size_t>(m.stages()));
             for (int i = 0; i < m.stages(); ++i) {
@@ -64,9 +63,9 @@ class sequential_stages {
         }
     }
 
-    bool implicit() const { return implicit_; }
+    bool implicit() const { return !diagonal_.empty(); }
     /// Y_s of the last solve.
-    const vector& last_stage() const { return implicit_ ? last_ : yi_; }
+    const vector& last_stage() const { return implicit() ? last_ : yi_; }
 
     /// Factors M/(h a) - J for every distinct diagonal entry a; false if one is singular or not finite.
     template <class System>
@@ -204,23 +203,20 @@ class sequential_stages {
         return true;
     }
     /// Slope number i of few unknowns, k and all terms of its row in registers.
-    template <int i, class System>
+    template <int i, class System, class Slopes>
     [[gnu::always_inline]] bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                         slopes& v, std::array<lanes<Scalar, N>, Stages>& k) {
-        sum_row(std::integral_constant<int, i>(), y, h, v, k, std::make_integer_sequence<int, i>())
-            .store(yi_.data());
+                                         slopes& v, Slopes& k) {
+        sum_row<i>(y, h, v, k, std::make_integer_sequence<int, i>()).store(yi_.data());
         call(system, t + v.method.c[i] * h, v);
-        k[i] = lanes<Scalar, N>::load_written(fi_.data());
+        k[i] = k[i].load_written(fi_.data());
         k[i].store(v.k.data() + i * N);
         return k[i].finite();
     }
     /// y + h sum_j a_ij k_j. To look for zeros would take as long as to add three numbers.
-    template <int i, int... j>
-    [[gnu::always_inline]] static lanes<Scalar, N> sum_row(std::integral_constant<int, i>, const vector& y,
-                                                           const Scalar& h, const slopes& v,
-                                                           const std::array<lanes<Scalar, N>, Stages>& k,
-                                                           std::integer_sequence<int, j...>) {
-        auto sum = lanes<Scalar, N>::load(y.data());
+    template <int i, class Slopes, int... j>
+    [[gnu::always_inline]] static auto sum_row(const vector& y, const Scalar& h, const slopes& v,
+                                               const Slopes& k, std::integer_sequence<int, j...>) {
+        auto sum = k[i].load(y.data());
         ((N < 4 || !(v.method.A(i, j) == Scalar(0)) ? sum.add(h * v.method.A(i, j), k[j]) : void()), ...);
         return sum;
     }
@@ -263,7 +259,6 @@ class sequential_stages {
     std::vector<int> block_;                       // of each stage, -1 for an explicit one
     std::vector<typename Blocks::real> blocks_;
     vector r_, z_, d_, yi_, fi_, last_;
-    bool implicit_ = false;
 };
 
 }  // namespace stagecraft
