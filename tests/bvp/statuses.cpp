@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(bad_arguments_are_named) {
     names("mesh", [&] { with({.mesh = {0, 0.5, 0.5, 1}}); });
     names("mesh", [&] { with({.mesh = {0, 0.5}}); });
     names("fixed_points", [&] { with({.fixed_points = {1.5}}); });
-    names("intervals", [&] { with({.intervals = 0}); });
+    names("intervals", [&] { with({.intervals = -1}); });
     names("max_intervals", [&] { with({.intervals = 20, .max_intervals = 5}); });
     names("max_intervals", [&] { with({.mesh = {0, 0.25, 0.5, 1}, .max_intervals = 2}); });
     names("conditions must write n + n_p numbers", [&] { solve(1, {0, 1, 6}); });
@@ -316,6 +316,19 @@ BOOST_AUTO_TEST_CASE(intervals_are_limited_and_counts_are_what_they_cost) {
     BOOST_TEST(fixed.report.factorisations == 1);  // linear: one
     BOOST_TEST(fixed.report.error_solves == 1);
     BOOST_TEST(fixed.report.jacobians == 10 * 5 + 10);  // one per interval: are they constant?
+    // Where no mode is fast six intervals are tried first, after a look at f in the middle of each;
+    const auto easy = solve(1, {0, 1}, 0, {.rtol = 1e-6});
+    BOOST_TEST(easy.ok());
+    BOOST_TEST(easy.report.intervals == 6);
+    BOOST_TEST(easy.report.f <= 6 * (1 + 2 * 5 + 7 + 2) + 6);
+    BOOST_TEST(easy.report.factorisations <= 2);
+    // where they see too little, they cost one step of Newton's iteration.
+    const sc::bvp_options<double> strict{.rtol = 1e-10}, ten{.rtol = 1e-10, .intervals = 10};
+    for (const double T : {10.0, 20.0, 40.0, 80.0}) {
+        const auto after = solve(T, {0, 1}, 0, strict), alone = solve(T, {0, 1}, 0, ten);
+        BOOST_TEST(after.ok());
+        BOOST_TEST(after.report.f <= alone.report.f + 6 * (1 + 2 * 5) + 6);
+    }
     const auto tiny = sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{}, ends{0, 1e-15}), 0.0, 1e-15,
                                     Vector2d(0, 0), {.rtol = 1e-10});
     BOOST_TEST(word(tiny.status) != "newton_failed");

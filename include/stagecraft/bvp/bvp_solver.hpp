@@ -15,9 +15,9 @@
 #include <stagecraft/bvp/damped_newton.hpp>
 #include <stagecraft/bvp/error_estimate.hpp>
 #include <stagecraft/bvp/guess.hpp>
+#include <stagecraft/bvp/largest_errors.hpp>
 #include <stagecraft/bvp/mesh.hpp>
 #include <stagecraft/bvp/mesh_choice.hpp>
-#include <stagecraft/bvp/options.hpp>
 #include <stagecraft/bvp/regularity.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/problem/two_point.hpp>
@@ -53,8 +53,10 @@ class bvp_solver {
 
     template <class Guess>
     result_type run(const Guess& guess, const Scalar& a, const Scalar& b) {
-        x_.t = guess_mesh_ = first_mesh(o_, a, b);
-        fill(guess);
+        // Without fast modes six intervals are mostly enough; where they are not, they cost little.
+        few_ = o_.intervals == 0 && o_.mesh.empty() && o_.adapt;
+        guess_mesh_ = first_mesh(o_, a, b, 10);
+        begin(guess, few_ ? first_mesh(o_, a, b, 6) : guess_mesh_);
         try {
             search(guess);
         } catch (const bad_problem&) {
@@ -94,7 +96,9 @@ class bvp_solver {
 
   private:
     template <class Guess>
-    void fill(const Guess& guess) {
+    void begin(const Guess& guess, const std::vector<Scalar>& mesh) {
+        x_.t = mesh;
+        from_guess_ = true;
         x_.y.resize(system_.size(), x_.intervals() + 1);
         x_.Z.resize(system_.size(), equations_.s() * x_.intervals());
         take_guess(guess, equations_.method().c, x_);
@@ -108,20 +112,31 @@ class bvp_solver {
         // the loop ends by max_intervals even where the error is nothing but rounding and goes up and down.
         Scalar least = std::numeric_limits<Scalar>::infinity();
         int idle = 0;
+        if (few_ && !slow_beside(x_, system_, equations_.s())) few_ = false, begin(guess, guess_mesh_);
         for (;;) {
             if (from_guess_) least = std::numeric_limits<Scalar>::infinity(), idle = 0;  // anew
-            if (!newton(least)) {
-                if (!recover(guess)) return;
-                continue;
-            }
-            if (!estimate() || ((error_ <= o_.rtol || !o_.adapt) && refresh() &&
-                                !estimate())) {  // a coarse solution may lead to where f cannot be evaluated
+            const bool few = std::exchange(few_, false), solved = newton(least),
+                       estimated = solved && (!few || promising()) && estimate() &&
+                                   (!(error_ <= o_.rtol || !o_.adapt) || !refresh() || estimate());
+            if (few && !estimated) begin(guess, guess_mesh_);
+            if (!few && !solved && !recover(guess)) return;
+            if (!solved || (few && !estimated)) continue;
+            if (!estimated) {  // a coarse solution may lead to where f cannot be evaluated
                 if (++failures_ > 3 || !o_.adapt) return end_at(estimate_.place());
                 restart(guess);
                 continue;
             }
+            if (!o_.adapt || (error_ <= o_.rtol && settled() && (!few || regular_.resolved()))) {
+                accept();
+                if (!few || result_.ok()) return;
+            }
+            if (few && error_ <= o_.rtol) {  // nothing is refused because of what so few intervals show
+                result_.status = bvp_status::newton_failed, result_.kernel = 0;
+                last_kappa_ = Scalar(-1), checks_ = 0;
+                begin(guess, guess_mesh_);
+                continue;
+            }
             before_ = x_;
-            if (!o_.adapt || (error_ <= o_.rtol && settled())) return accept();
             idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
             if ((idle > 1 || (idle == 1 && rounding_only())) && hopeless(error_)) return;
             least = std::min(least, error_);
@@ -173,7 +188,7 @@ class bvp_solver {
         for (int pass = 0;; ++pass) {
             ++result_.report.error_solves;
             if (!estimate_.run(x_, floor_, o_.rtol / 100)) return false;
-            measure();
+            error_ = largest_errors(estimate_, x_, floor_, result_.error);
             const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
             if (remainder_ <= wanted || pass > 1) break;
             conditioning_.forget();
@@ -185,34 +200,16 @@ class bvp_solver {
         return true;
     }
 
-    void measure() {
-        using std::abs;
-        auto& e = result_.error;
-        const int n = system_.size();
-        e.components.setZero(n);
-        error_ = Scalar(0);
-        const Scalar eps = 4 * std::numeric_limits<Scalar>::epsilon();
-        for (int i = 0; i < x_.intervals(); ++i)
-            for (int c = 0; c < n; ++c) {
-                const Scalar bound = estimate_.bound(i, c) + eps * abs(x_.y(c, i));
-                if (bound > e.components[c]) e.components[c] = bound;
-                if (bound <= (error_ - eps) * floor_) continue;  // nor is it larger relative to floor + |y|
-                const Scalar relative = estimate_.relative(x_, i, c) + eps;
-                if (!(relative <= error_))
-                    error_ = relative == relative ? relative : std::numeric_limits<Scalar>::infinity();
-            }
-        const auto& p = estimate_.global().p;
-        e.parameters = p.cwiseAbs();
-        for (Eigen::Index k = 0; k < p.size(); ++k)
-            error_ = std::max(error_, Scalar(abs(p[k]) / (floor_ + abs(x_.p[k]))));
+    /// Can x be within the tolerance? Errors at mesh points are at best the squares of those between; a nonlinear x is a guess.
+    bool promising() const {
+        using std::sqrt;
+        return !newton_.linear() || unresolved(equations_, x_, floor_) <= sqrt(o_.rtol);
     }
     void move_to(const std::vector<Scalar>& t) { x_ = estimate_.on(t, x_), from_guess_ = false; }
     template <class Guess>
     void restart(const Guess& guess) {
         guess_mesh_ = halved(guess_mesh_);
-        x_.t = guess_mesh_;
-        fill(guess);
-        from_guess_ = true;
+        begin(guess, guess_mesh_);
     }
 
     /// After Newton has failed: a finer mesh, from the guess or from the last solution.
@@ -325,7 +322,10 @@ class bvp_solver {
     }
     void accept() {
         if (is_singular()) return;
-        if (vanishes_ && checks_ > 6) return end_in_family(largest_answers(Scalar(0)), kappa_ / 1000);
+        if (vanishes_ && checks_ > 6) {
+            const auto values = largest_answers(Scalar(0));  // sets kappa_
+            return end_in_family(values, kappa_ / 1000);
+        }
         if (regular_.hidden(floor_, guess_size_))
             return end(bvp_status::ill_conditioned, "M is no larger than the errors of differences of f");
         // Every rounding error counts as large as it may be: what they come to is mostly less than a tenth of that.
@@ -392,7 +392,7 @@ class bvp_solver {
     Scalar error_{std::numeric_limits<Scalar>::infinity()}, remainder_{0}, kappa_{0}, rounding_{0},
         last_kappa_{-1}, first_kappa_{0}, guess_size_{1};
     std::string failure_;
-    bool from_guess_ = true, vanishes_ = false;
+    bool few_ = false, from_guess_ = true, vanishes_ = false;
     int failures_ = 0, checks_ = 0;
 };
 

@@ -13,12 +13,15 @@
 
 namespace stagecraft::detail {
 
-/// The first mesh: options.mesh, or equal intervals with options.fixed_points among its points.
+/// The first mesh: options.mesh, or options.intervals equal intervals, `usual` where these are 0, with
+/// options.fixed_points among its points.
 template <class Scalar>
-std::vector<Scalar> first_mesh(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b) {
+std::vector<Scalar> first_mesh(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b, int usual) {
+    const int intervals = o.intervals > 0 ? o.intervals : std::min(usual, o.max_intervals);
     std::vector<Scalar> t = o.mesh;
     if (t.empty()) {
-        for (int i = 0; i < o.intervals; ++i) t.push_back(a + (b - a) * Scalar(i) / Scalar(o.intervals));
+        t.reserve(static_cast<std::size_t>(intervals) + 1 + o.fixed_points.size());
+        for (int i = 0; i < intervals; ++i) t.push_back(a + (b - a) * Scalar(i) / Scalar(intervals));
         t.push_back(b);
     }
     for (const Scalar& point : o.fixed_points) {

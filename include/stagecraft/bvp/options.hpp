@@ -12,10 +12,10 @@ namespace stagecraft {
 /// atol + rtol |y_i(t)| for every component of y(t), everywhere in [a, b], and for p.
 template <class Scalar>
 struct bvp_options {
-    Scalar rtol = Scalar(1) / 1000000;   ///< relative tolerance, at least 4 epsilon
-    Scalar atol{0};                      ///< absolute tolerance; 0: the same number as rtol
-    int intervals = 10;                  ///< of the first mesh, equally spaced
-    std::vector<Scalar> mesh{};          ///< instead of it: a ... b, increasing
+    Scalar rtol = Scalar(1) / 1000000;  ///< relative tolerance, at least 4 epsilon
+    Scalar atol{0};                     ///< absolute tolerance; 0: the same number as rtol
+    int intervals = 0;           ///< of the first mesh, equally spaced; 0: 6, and 10 where these are too few
+    std::vector<Scalar> mesh{};  ///< instead of it: a ... b, increasing
     std::vector<Scalar> fixed_points{};  ///< points that belong to every mesh (jumps of f, say)
     int max_intervals = 10000;           ///< above it the run ends in bvp_status::too_many_intervals
     bool adapt = true;  ///< false: the first mesh is the only one, whatever the error turns out to be
@@ -25,8 +25,8 @@ struct bvp_options {
 
 namespace detail {
 
-inline void demand_bvp(bool good, const std::string& what) {
-    if (!good) throw std::invalid_argument("solve_bvp: " + what);
+inline void demand_bvp(bool good, const char* what) {
+    if (!good) throw std::invalid_argument(std::string("solve_bvp: ") + what);
 }
 
 template <class Scalar>
@@ -39,10 +39,11 @@ void validate(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b) {
     demand_bvp(finite(o.atol) && o.atol >= Scalar(0), "atol must be finite and not negative");
     demand_bvp(o.atol == Scalar(0) || o.atol >= 4 * std::numeric_limits<Scalar>::epsilon() * o.rtol,
                "atol must be zero (that of rtol) or not negligible beside rtol");
-    demand_bvp(o.intervals > 0 && o.max_intervals > 0, "intervals and max_intervals must be positive");
+    demand_bvp(o.intervals >= 0 && o.max_intervals > 0,
+               "intervals must not be negative, max_intervals must be positive");
     demand_bvp((o.mesh.empty() ? o.intervals : static_cast<int>(o.mesh.size()) - 1) <= o.max_intervals,
-               std::string(o.mesh.empty() ? "intervals" : "the intervals of mesh") +
-                   " must not be more than max_intervals");
+               o.mesh.empty() ? "intervals must not be more than max_intervals"
+                              : "the intervals of mesh must not be more than max_intervals");
     demand_bvp(o.newton_iterations > 0, "newton_iterations must be positive");
     if (!o.mesh.empty()) {
         demand_bvp(o.mesh.size() > 1 && o.mesh.front() == a && o.mesh.back() == b,
