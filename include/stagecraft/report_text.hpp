@@ -120,6 +120,10 @@ constexpr const char* advice(status s, const report<Scalar>& r) {
     if (!r.found.mass || s == status::success || s == status::stopped || s == status::event ||
         s == status::too_many_steps || s == status::size_changed || s == status::function_threw)
         return "";
+    if (s == status::singular_matrix && !r.found.index)
+        return "there is no problem.index(): where the constraints determine components of index 2 and 3, it "
+               "has to name them; or look at the constraints: they may depend on each other, or y0 may not "
+               "satisfy them (dae/consistent.hpp)";
     if (s == status::singular_matrix)
         return "look at the constraints: they may depend on each other, or y0 may not satisfy them "
                "(dae/consistent.hpp), "
