@@ -133,3 +133,35 @@ BOOST_AUTO_TEST_CASE(the_adjoint_may_decay_to_the_smallest_numbers) {
     compare(3, Vector2d(start, start), Vector2d(a, 0), 10, 1e-9);
     compare(4, Vector2d(1, std::cbrt(0.5)), Vector2d(0.5, 1), 1, 1e-11);
 }
+
+namespace {
+struct robertson {
+    template <class T, class Y, class P, class F>
+    void operator()(const T&, const Y& y, const P& p, F& f) const {
+        f[0] = -p[0] * y[0] + p[1] * y[1] * y[2];
+        f[2] = p[2] * y[1] * y[1];
+        f[1] = -f[0] - f[2];
+    }
+};
+}  // namespace
+
+// At t = 4e10 steps h |f_y| of 1e15 leave rounding errors of 1e-8 in the stages of the derivatives. For large t
+// y_1 = (p_1/p_0)^2 / (p_2 t), by the two balances p_0 y_0 = p_1 y_1 y_2 and y_2' = p_2 y_1^2.
+BOOST_AUTO_TEST_CASE(rounding_errors_of_long_stiff_steps_do_not_end_the_run) {
+    const double t1 = 4e10;
+    const Eigen::Vector3d p(0.04, 1e4, 3e7), y0(1, 0, 0);
+    const double y = std::pow(p[1] / p[0], 2) / (p[2] * t1);
+    for (const double tol : {1e-4, 1e-8}) {
+        sc::options<double> o;
+        o.rtol = tol;
+        o.atol_components = Eigen::Vector3d(1e-8, 1e-14, 1e-6);
+        const auto r = sc::sensitivities(sc::radau_iia<3>(), robertson(), y0, p, 0, t1, o);
+        const auto first = [](const auto& end) { return end[0]; };
+        const auto back = sc::adjoint_gradient(sc::radau_iia<3>(), robertson(), y0, p, 0, t1, first, o);
+        BOOST_TEST(r.ok());
+        BOOST_TEST(back.ok());
+        const Eigen::RowVector3d exact(-2 * y / p[0], 2 * y / p[1], -y / p[2]);
+        BOOST_TEST(((r.S.row(0) - exact).array() / exact.array()).abs().maxCoeff() < 1e-3);
+        BOOST_TEST(((back.dp.transpose() - exact).array() / exact.array()).abs().maxCoeff() < 1e-3);
+    }
+}

@@ -106,7 +106,7 @@ class adjoint_steps {
                 const transposed_system<typename derivatives::matrix, decltype(mass_)> system{
                     transposed(at_.J(near)), mass_};
                 solved = stages.factor(system, h) &&
-                         solve_linear_stages(stages, mass_, add, none, h, weights_, Z_);
+                         solve_linear_stages(stages, mass_, add, none, h, weights_, at_.tolerance(), Z_);
             }
             if (!solved) return false;
             for (int i = 0; i < s; ++i) {
@@ -174,7 +174,7 @@ class thinned_checkpoints {
 /// Integrates M y' = f(t, y, p) and differentiates a functional g(y(t1)) of the end with respect to y0 and p, at a
 /// cost that does not grow with the number of parameters: by the discrete adjoint, every accepted step transposed and
 /// taken back from the end. The step sizes are held fixed, so that this is, to rounding, the gradient of g of the numerical
-/// solution, the one that sensitivities() would give.
+/// solution, the one that sensitivities() would give; as there, f must have derivatives along the solution.
 ///
 /// A Runge-Kutta method of order p has a discrete adjoint of order p (Sandu 2006): where no b_i is zero it is the method
 /// b_i, b_j - b_j a_ji / b_i for the adjoint equation, together with which the method is symplectic (Hager 2000,

@@ -53,7 +53,8 @@ class forward_sensitivities {
                     f = at_.F(i).col(k);
                     add_product(at_.J(i), v, f);
                 };
-                if (!solve_linear_stages(stages, at_.mass(), add, column_, output.step(), weights_, Z_))
+                if (!solve_linear_stages(stages, at_.mass(), add, column_, output.step(), weights_,
+                                         at_.tolerance(), Z_))
                     return false;
                 for (int j = 0; j < stages.stages(); ++j) S_.col(k) += d[j] * Z_.col(j);
             }
@@ -73,9 +74,14 @@ class forward_sensitivities {
 /// Integrates M y' = f(t, y, p) together with its sensitivities S = dy/dp, M S' = f_y S + f_p, S(t0) = S0.
 ///
 /// Staggered and direct (Caracotsios-Stewart 1985): after every accepted step of y the same step is made with
-/// S, whose stage equations are linear; they are solved to rounding with the factors that the step of y has used. So S is
-/// the derivative of the numerical solution with respect to p, the step sizes held fixed, and converges with the order of y
-/// in all components, algebraic ones included. The step control looks at y alone.
+/// S, whose stage equations are linear; they are solved to rounding with the factors that the step of y has used (within
+/// rtol where these or rounding errors of a large h f_y allow no more). So S is the derivative of the numerical solution
+/// with respect to p, the step sizes held fixed, and converges with the order of y in all components, algebraic ones
+/// included. The step control looks at y alone.
+///
+/// f must have derivatives along the solution. Where f jumps at a place that depends on y or p, S jumps as well, by an
+/// amount that no derivative of f shows: S is wrong from there on, in a run that ends with success. Such a run is stopped
+/// at the event, S is corrected there (Galan-Feehery-Barton 1999), and a new one begins.
 ///
 /// problem  problem(t, y, p, f) writes f(t, y, p); y, p, f are Eigen's vectors. Optional: jacobian(t, y, p, J) (else
 ///          as in integrate()), parameter_jacobian(t, y, p, F) with F n x m (else automatic differentiation,

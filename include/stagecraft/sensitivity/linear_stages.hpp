@@ -44,10 +44,12 @@ inline constexpr int most_linear_iterations = 200;
 
 /// Solves for Z the stage equations of a step h from `x` whose right-hand sides are linear (add), with the factors
 /// that `stages` has, to rounding relative to x and Z in the weighted norm, absolute where that nearly
-/// underflows. False if the iteration does not converge.
+/// underflows. Where h f_y is so large that rounding errors of its products are larger, the iteration may end with
+/// increments below `tolerance`. False if it does not converge.
 template <class Stages, class Mass, class Add, class Vector, class StageMatrix>
 bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const Vector& x,
-                         const typename Vector::Scalar& h, Vector weights, StageMatrix& Z) {
+                         const typename Vector::Scalar& h, Vector weights,
+                         const typename Vector::Scalar& tolerance, StageMatrix& Z) {
     using scalar = typename Vector::Scalar;
     const int s = stages.stages();
     const scalar eps = std::numeric_limits<scalar>::epsilon();
@@ -68,7 +70,12 @@ bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const
     const scalar smallest = std::numeric_limits<scalar>::min() / (eps * eps);
     weights /= size < smallest ? smallest : size;
     limits = {2 * eps, 4 * eps, 10000 * eps, most_linear_iterations, false, 3};
-    return stages.solve(system, scalar(0), x, h, weights, limits, Z, solves).end == newton_end::converged;
+    const auto converged = [&] {
+        return stages.solve(system, scalar(0), x, h, weights, limits, Z, solves).end == newton_end::converged;
+    };
+    if (converged()) return true;
+    limits.noise = tolerance;
+    return converged();
 }
 
 /// The weights d of y1 = y + sum_j d_j Z_j, d = A^-T b.

@@ -114,6 +114,7 @@ class stage_derivatives {
         for (Eigen::Index i = 0; i < y.size(); ++i)
             weights[i] = scalar(1) / (abs(y[i]) + absolute_tolerance(options_, i) / options_.rtol);
     }
+    const scalar& tolerance() const { return options_.rtol; }
 
   private:
     const Problem& problem_;
