@@ -228,7 +228,8 @@ class lagrangian_model {
 /// taken automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v,
 /// or the m x (n + 1) matrix (G, b) of affine ones, 0 = G v + b.
 /// Q(q, v, t), if given, returns the generalised forces besides the potential: damping, drives, friction. No
-/// derivative is written by hand, so that none can be wrong.
+/// derivative is written by hand, so that none can be wrong. Vectors of second derivatives lie on the stack, which limits
+/// n to 24 (EIGEN_STACK_ALLOCATION_LIMIT); beyond, see `sized_mechanical_model`.
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
           class Forces = no_forces>
 auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
@@ -239,9 +240,16 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
     using vector = Eigen::Matrix<double, Coordinates, 1>;
     constexpr bool kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
                    potential = std::is_invocable_v<const Potential&, const vector&>;
+    constexpr std::size_t dual_numbers = sizeof(dual_number<dual_number<double, Coordinates>, Coordinates>);
+    constexpr bool on_the_stack = detail::fits_on_the_stack(Coordinates * dual_numbers);
+    static_assert(
+        on_the_stack,
+        "lagrangian<n, m>: n is too large for arrays of dual numbers on the stack (24 fit by default); "
+        "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
+        "(stagecraft/mechanics/sized_model.hpp) has any size");
     static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
     static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
-    if constexpr (kinetic && potential) {
+    if constexpr (kinetic && potential && on_the_stack) {
         using model = lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>;
         constexpr bool columns = model::columns_fit, rows = model::rows_fit;
         static_assert(

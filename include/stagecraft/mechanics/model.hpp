@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 
@@ -97,6 +98,11 @@ concept names_singular_positions = requires(const Model& m, const coordinate_vec
 };
 
 namespace detail {
+
+/// True if Eigen takes a matrix of so many bytes in place.
+constexpr bool fits_on_the_stack(std::size_t bytes) {
+    return EIGEN_STACK_ALLOCATION_LIMIT == 0 || bytes <= EIGEN_STACK_ALLOCATION_LIMIT;
+}
 
 struct solve_mass_member {
     int solve_mass;
