@@ -2,6 +2,7 @@
 // Paths of periodic orbits, and multipliers that are known, in two to four dimensions.
 #define BOOST_TEST_MODULE bvp_orbit_paths
 #include <Eigen/LU>
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
@@ -11,6 +12,7 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/last_return.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sc = stagecraft;
@@ -184,6 +186,20 @@ BOOST_AUTO_TEST_CASE(cycles_that_are_no_circles_shrink_too_whatever_the_toleranc
     ends_in_a_hopf_point(sc::orbit_continuation(sc::gauss<4>(), by_differences, shrinking,
                                                 {.from = 3, .to = 1.9, .rtol = 1e-6}),
                          2, 2 * pi, Eigen::Vector2d(1, 2), 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(a_point_begins_on_a_coarser_mesh_where_the_last_one_was_finer_than_the_tolerance_asks) {
+    sc::detail::path_state<VectorXd, parameter> point;
+    for (int k = 0; k <= 41; ++k) point.mesh.push_back(k / 41.0);
+    // Four stages: half of the intervals have 2^7 times the error.
+    for (const auto& [error, size] : {std::pair(1e-9, 42U), std::pair(1e-11, 22U), std::pair(1e-16, 12U)}) {
+        point.error = error;
+        const auto mesh = point.coarser(4, 1e-8, 10);
+        BOOST_TEST(mesh.size() == size);
+        BOOST_TEST(mesh.front() == 0);
+        BOOST_TEST(mesh.back() == 1);
+        BOOST_TEST(std::is_sorted(mesh.begin(), mesh.end()));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_period_doubles_where_a_multiplier_passes_minus_1) {

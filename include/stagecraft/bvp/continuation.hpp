@@ -17,7 +17,7 @@ struct continuation_point {
     using scalar = typename Vector::Scalar;
     using parameters = Eigen::Matrix<scalar, 1, 1>;
     parameters p;
-    solution<Vector> y;
+    solution<Vector> y;  ///< without steps (y.steps() == 0) where a last point failed and left none
     point_kind kind = point_kind::regular;
     bvp_status status = bvp_status::newton_failed;
     std::string

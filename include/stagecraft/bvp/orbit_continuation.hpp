@@ -18,7 +18,8 @@ struct orbit_point {
     using scalar = typename Vector::Scalar;
     Eigen::Matrix<scalar, 1, 1> p;
     scalar period{0};
-    solution<Vector> y;                                   ///< over [0, 1], time in units of the period
+    solution<Vector>
+        y;  ///< over [0, 1], time in units of the period; without steps where a last point failed
     std::vector<floquet_multiplier<scalar>> multipliers;  ///< by decreasing modulus; see periodic_orbit
     point_kind kind = point_kind::regular;
     bvp_status status = bvp_status::newton_failed;

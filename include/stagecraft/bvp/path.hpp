@@ -110,7 +110,8 @@ class path_follower {
         const conditions further{problem_.r, now.x, now.tangent, step};
         const Scalar factor = last_step > Scalar(0) ? Scalar(step / last_step) : Scalar(0);
         const Parameters p = now.p + step * now.tangent.tail(now.p.size());
-        const bool solved = solve(further, extrapolated<Vector>{now.y, before.y, factor}, p, now.mesh, out);
+        const auto mesh = now.coarser(method_.stages(), rtol_, o_.intervals);
+        const bool solved = solve(further, extrapolated<Vector>{now.y, before.y, factor}, p, mesh, out);
         out.arclength = now.arclength + step;
         if (!solved) return false;
         // Else the step was too bold: on a circle the chord leaves both tangents by half of the angle between these.
@@ -133,7 +134,7 @@ class path_follower {
         out.p = solved.p;
         if (!solved.ok()) return false;
         out.y = std::move(solved.y);
-        out.mesh = std::move(solved.mesh);
+        out.mesh = std::move(solved.mesh), out.error = solved.error.global;
         out.newton_steps = solved.report.newton_steps;
         out.traces = solution_traces<Scalar>(s.linearised(), s.solution_on_mesh());
         out.tangent = out.traces.last().normalized();

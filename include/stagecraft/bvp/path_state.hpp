@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/bvp/continuation_options.hpp>
@@ -70,6 +72,7 @@ struct path_state {
     Parameters p = Parameters::Zero();
     solution<Vector> y;
     std::vector<scalar> mesh;
+    scalar error{0};  ///< estimated, of y and p on this mesh
     scalar arclength{0};
     column x, tangent;
     solution_traces<scalar> traces;
@@ -79,6 +82,20 @@ struct path_state {
     Parameters other_p = Parameters::Zero();
     solution<Vector> other_y;
 
+    /// The mesh to begin the next point on: without every second interval's end while the error of a coarser mesh,
+    /// 2^(s + 3) times as large with s stages, is still within the tolerance.
+    std::vector<scalar> coarser(int s, const scalar& tolerance, int least) const {
+        using std::ldexp;
+        std::vector<scalar> t = mesh;
+        for (scalar next = ldexp(error, s + 3); next<tolerance&& static_cast<int>(t.size())> 2 * least;
+             next = ldexp(next, s + 3)) {
+            std::vector<scalar> wide;
+            for (std::size_t i = 0; i < t.size(); i += 2) wide.push_back(t[i]);
+            if (wide.back() != t.back()) wide.push_back(t.back());
+            t = std::move(wide);
+        }
+        return t;
+    }
     /// The slope along the path of the parameter that is followed, the last one.
     scalar slope() const { return tangent[tangent.size() - 1]; }
     void turn() {
