@@ -86,7 +86,7 @@ template <bool Onto, class Scalar, int... j>
         while (i + 2 * P::size <= n) one(), one();
         if (i + P::size <= n) one();
     };
-    if constexpr (built_in<Scalar>) run(packet<Scalar>());
+    run(packet<Scalar>());
     run(single<Scalar>());
 }
 template <bool Onto, class Scalar, int Count>
@@ -102,11 +102,19 @@ void combine_so_many(int n, const combination_term<Scalar>* term, const Scalar& 
 template <bool Onto, class Scalar>
 void combine_terms(int n, std::span<const combination_term<Scalar>> terms, const Scalar& factor,
                    const Scalar* in, const Scalar* base, Scalar* out) {
-    constexpr auto of_count = []<int... k>(std::integer_sequence<int, k...>) {
-        return std::array{&detail::combine_so_many<Onto, Scalar, k + 1>...};
+    if constexpr (!built_in<Scalar>) {
+        for (int i = 0; i < n; ++i) {
+            Scalar sum = in[terms[0].offset + i] * terms[0].factor;
+            for (const auto& term : terms.subspan(1)) sum += in[term.offset + i] * term.factor;
+            out[i] = Onto ? Scalar(base[i] + factor * sum) : Scalar(factor * sum);
+        }
+    } else {
+        constexpr auto of_count = []<int... k>(std::integer_sequence<int, k...>) {
+            return std::array{&detail::combine_so_many<Onto, Scalar, k + 1>...};
+        }
+        (std::make_integer_sequence<int, static_cast<int>(combined_terms)>());
+        of_count[terms.size() - 1](n, terms.data(), factor, in, base, out);
     }
-    (std::make_integer_sequence<int, static_cast<int>(combined_terms)>());
-    of_count[terms.size() - 1](n, terms.data(), factor, in, base, out);
 }
 /// out := base + `factor` times the sum of any number of terms.
 template <class Scalar>
