@@ -43,8 +43,7 @@ void solves_most_attempts(const Method& method, long most_f) {
         const auto r = sc::integrate(method, elastic_pendulum{}, start, 0, 10, {.rtol = tol, .atol = tol});
         BOOST_TEST_CONTEXT("tol = " << tol) {
             BOOST_TEST(sc::name(r.status) == "success");
-            // Five stages: 40 to 220 tolerances in the median of 30 values of g, 2,100 at most (7,800 before).
-            BOOST_TEST((r.y - exact.y).norm() < 5000 * tol);
+            BOOST_TEST((r.y - exact.y).norm() < 1000 * tol);
         }
         f += r.report.f;
         steps += r.report.steps;
@@ -59,34 +58,4 @@ void solves_most_attempts(const Method& method, long most_f) {
 BOOST_AUTO_TEST_CASE(an_elastic_pendulum_does_not_fail_at_every_second_attempt) {
     solves_most_attempts(sc::radau_iia<3>(), 44000);
     solves_most_attempts(sc::radau_iia<5>(), 42000);
-}
-
-// Kreiss' problem, y' = U(t)^T diag(-1, -L) U(t) y with U the rotation by t: the stiff direction turns, and a Newton step
-// maps errors in it to errors L h^2 times larger, which the next one maps back. What counts is L h^3. (Judged by the first
-// two increments alone the iteration was given up twice for every step, and f evaluated 24,000 and 840,000 times.)
-BOOST_AUTO_TEST_CASE(stiff_directions_that_turn_are_followed_with_steps_that_the_iteration_allows) {
-    struct turning {
-        double L;
-        void operator()(double t, const Eigen::Vector2d& y, Eigen::Vector2d& f) const {
-            const double c = std::cos(t), s = std::sin(t), along = -(c * y[0] + s * y[1]),
-                         across = -L * (-s * y[0] + c * y[1]);
-            f << c * along - s * across, s * along + c * across;
-        }
-        void jacobian(double t, const Eigen::Vector2d&, Eigen::Matrix2d& J) const {
-            const double c = std::cos(t), s = std::sin(t);
-            J << -c * c - L * s * s, (L - 1) * c * s, (L - 1) * c * s, -s * s - L * c * c;
-        }
-    };
-    const auto run = [](double L, long f_of_radau5) {
-        const auto r = sc::integrate(sc::radau_iia<3>(), turning{L}, Eigen::Vector2d(1, 1), 0, 10,
-                                     {.rtol = 1e-6, .atol = 1e-6});
-        BOOST_TEST(r.ok());
-        BOOST_TEST(r.report.f < f_of_radau5);
-        BOOST_TEST(2 * r.report.rejected_newton < r.report.steps);
-        const auto exact = sc::integrate(sc::radau_iia<5>(), turning{L}, Eigen::Vector2d(1, 1), 0, 10,
-                                         {.rtol = 1e-9, .atol = 1e-9});
-        BOOST_TEST((r.y - exact.y).norm() < 1e-5);
-    };
-    run(1e5, 13193);
-    run(1e8, 132907);
 }

@@ -15,9 +15,8 @@ namespace stagecraft {
 /// left end, in components of index 2 and in the estimate of their errors, twice so with index 3: beyond
 /// three stages it has to leave less. Where a free step has been refused, twice and three times as many
 /// iterations are allowed: with an approximate Jacobian they may converge steadily at a rate that does not
-/// depend on the step. With index k that rate shows after k + 1 contractions: an error in a constraint's gradient
-/// passes from q to v to lambda, one iteration each. Already with index 1 the first one shows nothing where stiff
-/// directions turn: their error feeds the others |hJ| times larger, and they give it back as much smaller, one iteration each.
+/// depend on the step. With index k that rate shows after k contractions: an error in a constraint's gradient
+/// passes from q to v to lambda, one iteration each.
 template <class Scalar>
 newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_index, int failures,
                                   bool affine) {
@@ -32,7 +31,7 @@ newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_i
         if (!fixed && s > 3)
             for (int k = 3 * (largest_index - 1); k > 0; --k) factor *= Scalar(3) / Scalar(s);
     }
-    const int patience = fixed ? 1 : largest_index + 1;
+    const int patience = !fixed && largest_index > 1 ? largest_index + 1 : 1;
     return {factor, 4 * rounding, 100 * rounding, most, affine, patience};
 }
 
