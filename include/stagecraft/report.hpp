@@ -59,9 +59,8 @@ struct report {
         atol = o.atol_components.size() > 0 ? Scalar(0) : o.atol;
         default_atol = atol == Options{}.atol && o.fixed_step == Scalar(0);
     }
-    /// Takes in an accepted step by a method of so many stages.
-    void count_step(const Scalar& step, int stages) {
-        const Scalar h = step < Scalar(0) ? Scalar(-step) : step;
+    /// Takes in an accepted step of magnitude h by a method of so many stages.
+    void count_step(const Scalar& h, int stages) {
         if (steps == 0 || h < smallest_step) smallest_step = h;
         if (h > largest_step) largest_step = h;
         if (steps == 0 || stages < smallest_stages) smallest_stages = stages;

@@ -34,8 +34,6 @@ struct trial_step {
 /// How often the present step has been refused: at all, for the size of its error, and by Newton's iteration.
 struct refusals {
     int all = 0, for_error = 0, by_newton = 0;
-    /// Less often than `most`, and never for the size of its error or for growth.
-    bool only_by_newton(int most) const { return all < most && all == by_newton; }
 };
 
 /// Judges attempts whose stage equations are solved, and says what follows: the error of the step, the size
@@ -111,15 +109,14 @@ class acceptance {
     }
 
     /// The next step after an accepted one of error err < 1, and the method that makes it. `newton` is what
-    /// the iteration told, `linear` knows its last contraction; a step that could grow by what that holds at most
-    /// stays as long as it is, for the factors there are.
-    template <class Step, class System, class Linear>
+    /// the iteration told, theta its last known contraction; a step that could grow by `hold` at most stays as
+    /// long as it is, for the factors there are.
+    template <class Step, class System>
     scalar after_accepted(Step& method, const System& system,
                           const trial_step<Vector, typename Step::output>& trial, scalar err,
-                          const newton_outcome<scalar>& newton, const Linear& linear,
+                          const newton_outcome<scalar>& newton, const scalar& theta, scalar hold,
                           const refusals& refused) {
         const auto sums = system.sums();
-        scalar hold = method.implicit() ? linear.hold() : scalar(1);
         last_h_ = trial.plan.h;
         last_error_ = err;
         last_method_ = this->method();
@@ -135,8 +132,7 @@ class acceptance {
         if constexpr (Methods > 1) {
             if (order_.wants_evidence() && refused.all == 0 && !jumps_.doubted()) {
                 const scalar decay = method.decay(trial.now, trial.weights, sums);
-                const scalar change =
-                    order_.decide({trial.plan.h, err, decay, linear.theta(), newton.iterations});
+                const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations});
                 if (change > scalar(0)) {
                     factor = change;
                     if (hold > scalar(6) / 5) hold = scalar(6) / 5;  // the factors were another method's

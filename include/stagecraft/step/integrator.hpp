@@ -153,8 +153,7 @@ class integrator {
   private:
     using system_type = stagecraft::system<Problem, Vector>;
     enum class progress { again, accepted, given_up };
-    /// How many attempts at a step take the Jacobian from the extrapolated solution.
-    static constexpr int trusted_attempts = system_type::mass_type::identity ? 2 : 1;
+    static constexpr bool variable = method_count<Method> > 1;
 
     template <class F>
     decltype(auto) visit_current(F&& f) {
@@ -227,12 +226,13 @@ class integrator {
         if (plan_.fixed()) return accept(method, plan, now);
 
         const trial_step<Vector, output_type> trial{plan, t_, y_, weights(), f_, y1_, now};
-        const scalar err = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
-        if (!(err < scalar(1)) &&
-            !(plan.smallest && acceptance_.passes(plan.h, err, method.estimate_power())))
-            return refuse_error(method, plan, err);
-        h_ = acceptance_.after_accepted(method, system_, trial, err, newton, linear_, refused_);
-        h_ = plan_.bounded(linear_.paced(h_, plan.h, newton.theta));
+        const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
+        if (!(error < scalar(1)) &&
+            !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
+            return refuse_error(method, plan, error);
+        h_ = plan_.bounded(acceptance_.after_accepted(method, system_, trial, error, newton, linear_.theta(),
+                                                      method.implicit() ? linear_.hold() : scalar(1),
+                                                      refused_));
         return accept(method, plan, now);
     }
 
@@ -245,7 +245,7 @@ class integrator {
         method.begin(f_.value());
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
-            const bool ahead = extrapolates() && refused_.only_by_newton(trusted_attempts) && !plan_.fixed();
+            const bool ahead = extrapolates() && refused_.all == 0 && !plan_.fixed();
             linear_.evaluate(system_, t_, y_, f_.value(), h, ahead ? &outputs_[current_] : nullptr, options_,
                              y1_);
         }
@@ -306,7 +306,7 @@ class integrator {
         ++refused_.by_newton;
         if (method.implicit() && linear_.renew(system_)) return progress::again;
         if (plan_.fixed()) return give_up(obstacle_);
-        linear_.could_not_solve(plan.h);
+        linear_.stay_behind();
         if (system_.largest_index() > 1 && extrapolates()) {
             extrapolation_.failed();
             return progress::again;
@@ -334,6 +334,7 @@ class integrator {
     /// Moves to the end of the step.
     template <class Step>
     progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
+        using std::abs;
         if (!system_.finite(y1_)) return give_up(status::non_finite);
         if (method.ends_with_value()) {
             const Vector& f1 = f_.right(system_, plan.t_next, y1_);
@@ -351,7 +352,7 @@ class integrator {
         f_.stepped();
         extrapolation_.stepped();
         linear_.stepped(system_);
-        report_.count_step(plan.h, method.count());
+        report_.count_step(abs(plan.h), method.count());
         current_ = 1 - current_;
         t_ = plan.t_next;
         y_ = y1_;

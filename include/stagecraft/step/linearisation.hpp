@@ -132,29 +132,6 @@ class linearisation {
         jacobian_ = age::wanted;
         return true;
     }
-    /// Nor was it the age of the Jacobian: so long a step is not tried again before steps of about half of it contract
-    /// well (paced()).
-    void could_not_solve(const scalar& h) {
-        using std::abs;
-        unsolved_ = abs(h);
-        stay_behind();
-    }
-    /// The step to be tried after one of h, where `next` would do for the error and the iteration contracted by
-    /// theta: where the iteration is what limits the steps (stiff springs that turn, for instance), the error knows
-    /// nothing of the length that cannot be solved, and every second attempt would fail. As in Gustafsson-Soederlind 1997
-    /// a contraction of about 1/5 is aimed at; with the Jacobian of the step itself it grows as h^2, h from the
-    /// change of the Jacobian and h from what that is multiplied by. But it is asked only near the length that failed,
-    /// and steps may always grow by a quarter: a contraction may owe nothing to the step (approximate Jacobians).
-    scalar paced(const scalar& next, const scalar& h, const scalar& theta) {
-        using std::abs;
-        using std::sqrt;
-        if (abs(h) >= unsolved_) unsolved_ = scalar(0);
-        if (unsolved_ == scalar(0) || !fresh() || !(theta > scalar(0))) return next;
-        scalar longest = abs(h) * sqrt(scalar(1) / (5 * theta));
-        for (const scalar& always : {scalar(abs(h) * 5 / 4), scalar(unsolved_ / 2)})
-            if (longest < always) longest = always;
-        return abs(next) <= longest ? next : next < scalar(0) ? scalar(-longest) : longest;
-    }
     /// The error of the step is too large: with the next, smaller one the Jacobian is replaced as well if it
     /// served badly.
     void rejected(System& system) {
@@ -182,12 +159,11 @@ class linearisation {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(factored_h_, theta_, fresh_theta_, hold_, unsolved_, factored_method_, jacobian_, ahead_,
-            contradicted_);
+        bag(factored_h_, theta_, fresh_theta_, hold_, factored_method_, jacobian_, ahead_, contradicted_);
     }
 
   private:
-    enum class age : unsigned char { wanted, kept, fresh };
+    enum class age { wanted, kept, fresh };
 
     /// As the Jacobian gets older theta grows, and with it the number of iterations: of those that the next step
     /// needs a new Jacobian saves all but log(2 theta) / log(theta when new), if theta doubles. It is due when they
@@ -211,7 +187,6 @@ class linearisation {
     growth_watch<scalar> growth_;
     scalar factored_h_{0}, theta_{0}, fresh_theta_{0};  // theta, and theta when the Jacobian was new
     scalar hold_ = scalar(6) / 5;
-    scalar unsolved_{0};  // length of the last step that could not be solved, 0 once one as long has been
     int factored_method_ = 0;
     age jacobian_ = age::wanted;
     bool ahead_ = false, contradicted_ = false;
