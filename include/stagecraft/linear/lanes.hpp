@@ -41,16 +41,10 @@ requires(built_in<Scalar>) class lanes {
         ((r.numbers_[i] = x[N - rest + i]), ...);
         return r;
     }
-    [[gnu::always_inline]] static typename P::type written(const Scalar* x) {
-        if constexpr (P::size == 1)
-            return const_cast<const volatile Scalar&>(*x);
-        else
-            return P::load_written(x);
-    }
     template <int... p, int... i>
     [[gnu::always_inline]] static lanes load_written(const Scalar* x, packs<p...>, packs<i...>) {
         lanes r;
-        ((r.packets_[p] = written(x + p * P::size)), ...);
+        ((r.packets_[p] = P::load_written(x + p * P::size)), ...);
         ((r.numbers_[i] = x[N - rest + i]), ...);
         return r;
     }
