@@ -77,7 +77,9 @@ class hopf_search {
             if (change <= 4 * std::numeric_limits<scalar>::epsilon() * abs(p)) break;
         }
         period = full_turn() / omega_;
-        return change - change == scalar(0) && describe();
+        if (!(change - change == scalar(0))) return false;
+        find_multipliers();
+        return true;
     }
 
     /// The equilibrium as an orbit over [0, 1].
@@ -134,7 +136,7 @@ class hopf_search {
         return omega_ > scalar(0);
     }
 
-    bool describe() {
+    void find_multipliers() {
         multipliers.clear();
         const scalar epsilon = std::numeric_limits<scalar>::epsilon();
         for (const complex& value : values_) {
@@ -143,7 +145,6 @@ class hopf_search {
         }
         std::sort(multipliers.begin(), multipliers.end(),
                   [](const auto& a, const auto& b) { return std::abs(a.value) > std::abs(b.value); });
-        return true;
     }
 
     int n_;
