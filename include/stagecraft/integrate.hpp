@@ -106,14 +106,30 @@ inline constexpr bool is_checkpoint = false;
 template <class Vector>
 inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 
-/// Taken for an argument by the overloads that refuse a call, so that any other overload comes first.
-struct anything {
-    template <class T>
-    anything(const T&);
-};
 /// What options with tolerances under the names that other programs give them are taken for.
 struct other_options {
     double tol = 0, reltol = 0, rel_tol = 0, rtol = 0, abstol = 0, abs_tol = 0, atol = 0;
+};
+template <class Scalar>
+void take_options(const options<Scalar>&);
+/// What may be meant for an observer where the options have been left out.
+template <class Observer>
+concept misplaced_observer = std::is_class_v<Observer> && !requires(const Observer& o) {
+    take_options(o);
+}
+&&!std::is_convertible_v<const Observer&, options<double>>;
+
+struct call_of_integrate {
+    template <class T>
+    static constexpr bool say() {
+        static_assert(
+            sizeof(T) == 0,
+            "integrate(method, problem, y0, t0, t1, options, observer): options have no such name, or "
+            "one with a value of another type: {.rtol, .atol, .atol_components, .fixed_step, .initial_step, "
+            ".min_step, "
+            ".max_step, .control, .continuous, .jumps, .max_steps, .newton_iterations, .newton_factor}");
+        return true;
+    }
 };
 
 }  // namespace detail
@@ -170,7 +186,8 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                    writes_through = unseen || check::writes_through, band_known = unseen || check::band_known,
                    pattern_known = unseen || check::pattern_known, mass_usable = unseen || check::mass_usable,
                    jacobian_usable = unseen || check::jacobian_usable,
-                   pattern_usable = unseen || check::pattern_usable, good = !unseen && check::good;
+                   pattern_usable = unseen || check::pattern_usable, lower_case = unseen || check::lower_case,
+                   good = !unseen && check::good;
     constexpr bool same_size = [] {
         if constexpr (returns)
             return detail::returns_its_size<problem_type, vector>();
@@ -231,6 +248,10 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
         "integrate: problem.jacobian must be a member function `void jacobian(double t, const Vector& "
         "y, Matrix& J) const`, Vector the type of y0, Matrix n x n of the same sizes (at compile time); a "
         "banded_matrix with bandwidth(), the type of sparsity() with that");
+    static_assert(
+        lower_case,
+        "integrate: members of the problem are called jacobian, mass, index, bandwidth and sparsity, "
+        "without a capital");
     static_assert(
         observed,
         "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, output), y by "
@@ -351,5 +372,20 @@ requires std::is_arithmetic_v<Number> result<Eigen::VectorXd> integrate(const Me
                   "1e-9}, {.fixed_step = 0.01}");
     return {};
 }
+
+/// The observer in place of the options.
+template <class Method, class Problem, class Observer>
+requires detail::misplaced_observer<std::remove_cvref_t<Observer>> result<Eigen::VectorXd> integrate(
+    const Method&, Problem&&, detail::anything, detail::anything, detail::anything, Observer&&,
+    const options<double>& = {}) {
+    static_assert(detail::never<Method>,
+                  "integrate(method, problem, y0, t0, t1, options, observer): options come before the "
+                  "observer: write {} in their place for the defaults");
+    return {};
+}
+
+/// Options of names that there are not.
+result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
+                                  detail::anything, detail::anything, detail::anything, ...);
 
 }  // namespace stagecraft

@@ -38,4 +38,18 @@ concept has_member_named = finds_member_named<std::remove_cv_t<T>, Name>();
 template <class>
 inline constexpr bool never = false;
 
+/// Taken for an argument by overloads that refuse a call, so that any other overload comes first.
+struct anything {
+    template <class T>
+    anything(const T&);
+};
+/// The same for the overload of last resort, which ends in "..." and so takes options with unknown names too.
+/// Sentence::say<T>() refuses in a static_assert: it stands in the exception specification, which compilers look at once
+/// they have chosen this overload, before the arguments that follow, and not before they have.
+template <class Sentence>
+struct refused_call {
+    template <class T>
+    refused_call(const T&) noexcept(Sentence::template say<T>());
+};
+
 }  // namespace stagecraft::detail

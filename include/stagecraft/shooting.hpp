@@ -280,6 +280,19 @@ class shots {
     shooting_result<Vector> result_;
 };
 
+struct call_of_shooting {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(runnable_method<Method> || never<Method>,
+                      "shooting: the first argument must be a transformed_tableau or a variable_order set, "
+                      "radau_iia<3>() with its parentheses, say");
+        static_assert(!runnable_method<Method> || never<Method>,
+                      "shooting(method, two_point(f, r), a, b, guess, options): options have no other names "
+                      "than {.rtol, .growth, .intervals, .max_intervals, .newton_iterations}");
+        return true;
+    }
+};
+
 }  // namespace detail
 
 /// Solves y' = f(t, y) on [a, b] with r(y(a), y(b)) = 0 by shooting: initial value problems from the nodes t_j, integrated
@@ -299,6 +312,7 @@ class shots {
 /// not estimated: solve_bvp is the solver to use, and this the one to compare with, or for an f that jumps.
 /// Bad arguments throw std::invalid_argument, which names the argument.
 template <class Method, class Rhs, class Conditions, class Scalar, class Guess>
+requires detail::runnable_method<Method>
 auto shooting(const Method& method, two_point_problem<Rhs, Conditions> problem, Scalar a,
               std::type_identity_t<Scalar> b, const Guess& guess,
               const shooting_options<std::type_identity_t<Scalar>>& o = {}) {
@@ -316,5 +330,10 @@ auto shooting(const Method& method, two_point_problem<Rhs, Conditions> problem, 
     demand(n > 0, "guess must have at least one component");
     return detail::shots<Method, Rhs, Conditions, vector>(method, problem, o, n).run(guess, a, b);
 }
+
+/// Another first argument, or options of names that there are not.
+shooting_result<Eigen::VectorXd> shooting(detail::refused_call<detail::call_of_shooting>, detail::anything,
+                                          detail::anything = 0, detail::anything = 0, detail::anything = 0,
+                                          ...);
 
 }  // namespace stagecraft

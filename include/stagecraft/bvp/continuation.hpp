@@ -33,6 +33,25 @@ struct continuation_point {
     bool ok() const { return status == bvp_status::success; }
 };
 
+namespace detail {
+
+struct call_of_continuation {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(is_tableau<Method> || never<Method>,
+                      "continuation: the first argument must be a collocation tableau, gauss<3>() with its "
+                      "parentheses, say");
+        static_assert(
+            !is_tableau<Method> || never<Method>,
+            "continuation(method, two_point(f, r), a, b, guess, options): options have no other "
+            "names than {.from, .to, .rtol, .step, .largest_step, .max_points, .intervals}; the path "
+            "begins at p = from");
+        return true;
+    }
+};
+
+}  // namespace detail
+
 /// The path of solutions of y' = f(t, y, p), r(y(a), y(b), p) = 0 with one parameter p from p[0] = o.from on, by
 /// arclength in the space of (y(a), y(b), p), in which a solution is determined; the mesh is adapted at every
 /// point.
@@ -56,16 +75,43 @@ template <class Scalar, int S, class Rhs, class Conditions, class Guess>
 auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
                   std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
                   const continuation_options<std::type_identity_t<Scalar>>& o = {}) {
-    using vector = decltype(detail::guess_value(guess, a));
+    constexpr bool guessed = detail::usable_guess<Guess, Scalar>;
+    static_assert(
+        guessed,
+        "continuation: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
+        "that returns one, or a solution");
+    using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
     using point = continuation_point<vector>;
     using parameters = typename point::parameters;
-    detail::validate(o, a, b, "continuation");
-    detail::path_follower<Scalar, S, Rhs, Conditions, vector, parameters> follower(method, problem, a, b, o);
+    using check = detail::checked_two_point<Rhs, Conditions, vector, parameters>;
+    constexpr bool rhs = !guessed || check::rhs, conditions = !guessed || !rhs || check::conditions,
+                   writes_through = !guessed || check::writes_through;
+    static_assert(
+        rhs,
+        "continuation: the first argument of two_point must be callable as f(t, y, p, out), with p[0] "
+        "the parameter of the path, and write n numbers; y and out are of the type of guess");
+    static_assert(
+        conditions,
+        "continuation: the second argument of two_point must be callable as r(left, right, p, out) and "
+        "write n numbers, out a vector of n + 1");
+    static_assert(writes_through,
+                  "continuation: f or r of two_point(f, r) takes out by value, what it writes is lost: write "
+                  "`auto& out`");
     std::vector<point> path;
-    for (auto& s : follower.run(guess, parameters(o.from)))
-        path.push_back({s.p, std::move(s.y), s.kind, s.status, s.message, s.arclength, std::move(s.mesh),
-                        s.other_p, std::move(s.other_y)});
+    if constexpr (guessed && rhs && conditions && writes_through) {
+        detail::validate(o, a, b, "continuation");
+        detail::path_follower<Scalar, S, Rhs, Conditions, vector, parameters> follower(method, problem, a, b,
+                                                                                       o);
+        for (auto& s : follower.run(guess, parameters(o.from)))
+            path.push_back({s.p, std::move(s.y), s.kind, s.status, s.message, s.arclength, std::move(s.mesh),
+                            s.other_p, std::move(s.other_y)});
+    }
     return path;
 }
+
+/// Another first argument, or options of names that there are not.
+std::vector<continuation_point<Eigen::VectorXd>> continuation(
+    detail::refused_call<detail::call_of_continuation>, detail::anything = 0, detail::anything = 0,
+    detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft

@@ -99,6 +99,22 @@ struct orbit_path_conditions {
     }
 };
 
+struct call_of_orbit_continuation {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(is_tableau<Method> || never<Method>,
+                      "orbit_continuation: the first argument must be a collocation tableau, gauss<3>() with "
+                      "its parentheses, say");
+        static_assert(
+            !is_tableau<Method> || never<Method>,
+            "orbit_continuation(method, f, guess, options): guess must be an orbit_guess at "
+            "p = from, as last_return(method, f, y0, t0, t1) of stagecraft/last_return.hpp finds it; "
+            "options have no other names than {.from, .to, .rtol, .step, .largest_step, "
+            ".max_points, .intervals}");
+        return true;
+    }
+};
+
 }  // namespace detail
 
 /// The path of periodic orbits of the autonomous y' = f(y, p), called as f(t, y, p, out) with one parameter p, from the orbit
@@ -144,5 +160,10 @@ std::vector<orbit_point<Vector>> orbit_continuation(
     }
     return path;
 }
+
+/// Another first argument, no guess of the period, or options of names that there are not.
+std::vector<orbit_point<Eigen::VectorXd>> orbit_continuation(
+    detail::refused_call<detail::call_of_orbit_continuation>, detail::anything = 0, detail::anything = 0,
+    ...);
 
 }  // namespace stagecraft

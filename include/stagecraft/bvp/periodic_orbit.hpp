@@ -147,6 +147,22 @@ constexpr const char* words_of(bvp_status judged) {
                                              : "the period is a multiple of the smallest one";
 }
 
+struct call_of_periodic_orbit {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(is_tableau<Method> || never<Method>,
+                      "periodic_orbit: the first argument must be a collocation tableau, gauss<3>() with its "
+                      "parentheses, say");
+        static_assert(
+            !is_tableau<Method> || never<Method>,
+            "periodic_orbit(method, f, guess, options): guess must be an orbit_guess, as "
+            "last_return(method, f, y0, t0, t1) of stagecraft/last_return.hpp finds it; options have "
+            "no other names than {.rtol, .atol, .intervals, .max_intervals, .phase_component, "
+            ".phase_value, .integral_phase}");
+        return true;
+    }
+};
+
 }  // namespace detail
 
 /// A periodic orbit of the autonomous y' = f(y), its period (unknown, in the border of the linear systems) and
@@ -220,5 +236,9 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
     r.multipliers = detail::multipliers_with_errors(*solver, n, 4);
     return r;
 }
+
+/// Another first argument, no guess of the period, or options of names that there are not.
+orbit_result<Eigen::VectorXd> periodic_orbit(detail::refused_call<detail::call_of_periodic_orbit>,
+                                             detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft

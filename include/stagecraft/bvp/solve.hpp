@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <stagecraft/bvp/bvp_solver.hpp>
+#include <stagecraft/named_member.hpp>
 
 namespace stagecraft {
 
@@ -26,6 +27,29 @@ template <class Rhs>
 inline constexpr bool is_two_point = false;
 template <class Rhs, class Conditions>
 inline constexpr bool is_two_point<two_point_problem<Rhs, Conditions>> = true;
+
+template <class Scalar, int S>
+void take_tableau(const tableau<Scalar, S>&);
+template <class Method>
+concept is_tableau = requires(const Method& m) {
+    take_tableau(m);
+};
+
+struct call_of_solve_bvp {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(is_tableau<Method> || never<Method>,
+                      "solve_bvp: the first argument must be a collocation tableau, gauss<3>() with its "
+                      "parentheses, say");
+        static_assert(
+            !is_tableau<Method> || never<Method>,
+            "solve_bvp(method, two_point(f, r), a, b, guess, p, options): p is a vector of Eigen's, "
+            "left out if there is none, and options have no other names than {.rtol, .atol, "
+            ".intervals, .mesh, .fixed_points, .max_intervals, .adapt, .newton_iterations, "
+            ".conditioning}");
+        return true;
+    }
+};
 
 }  // namespace detail
 
@@ -111,5 +135,10 @@ requires(!detail::is_two_point<Rhs>) bvp_result<Eigen::VectorXd, Eigen::VectorXd
         "f(t, y, out) and the conditions r(left, right, out)");
     return {};
 }
+
+/// Another first argument, or options of names that there are not.
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
+                                                       detail::anything = 0, detail::anything = 0,
+                                                       detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft

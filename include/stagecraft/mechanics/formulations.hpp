@@ -203,4 +203,13 @@ index_reduced_ode<Model, detail::real_scalar<Scalar, Beta>> baumgarte(Model mode
     return {std::move(model), real(real(2) * a), real(b * b)};
 }
 
+/// Of constraints of velocity there is no beta.
+template <class Scalar = double, mechanical_model Model, class Beta>
+requires(!holonomic_model<Model>) index_reduced_ode<Model, double> baumgarte(Model model, Scalar, Beta) {
+    static_assert(detail::never<Model>,
+                  "baumgarte: the model has constraints of velocity only, G v = 0, no g(q): take "
+                  "index_reduced(model, r), by which G v decays as exp(-r t)");
+    return index_reduced<double>(std::move(model));
+}
+
 }  // namespace stagecraft

@@ -127,4 +127,20 @@ stabilised_dae<Model, Scalar> stabilised_index_2(Model model) {
     return stabilised_dae<Model, Scalar>(std::move(model));
 }
 
+/// Of constraints of velocity there are no others to stabilise by.
+template <class Scalar = double, mechanical_model Model>
+requires(!holonomic_model<Model>) index_2_dae<Model, Scalar> stabilised_index_2(Model model) {
+    static_assert(detail::never<Model>,
+                  "stabilised_index_2: the model has constraints of velocity only, G v = 0, no g(q): take "
+                  "index_2(model), which keeps these");
+    return index_2<Scalar>(std::move(model));
+}
+template <class Scalar = double, mechanical_model Model>
+requires(!holonomic_model<Model>) index_2_dae<Model, Scalar> index_3(Model model) {
+    static_assert(detail::never<Model>,
+                  "index_3: the model has constraints of velocity only, G v = 0, no g(q): take "
+                  "index_2(model)");
+    return index_2<Scalar>(std::move(model));
+}
+
 }  // namespace stagecraft

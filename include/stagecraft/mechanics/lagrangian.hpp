@@ -247,9 +247,17 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
         "lagrangian<n, m>: n is too large for arrays of dual numbers on the stack (24 fit by default); "
         "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
         "(stagecraft/mechanics/sized_model.hpp) has any size");
+    constexpr bool fewer = Constraints < Coordinates;
+    static_assert(fewer,
+                  "lagrangian<n, m>: m must be less than n: with as many constraints as coordinates nothing "
+                  "moves");
     static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
     static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
-    if constexpr (kinetic && potential && on_the_stack) {
+    if constexpr (!fewer) {
+        using energy = detail::refused_energy;
+        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, energy, energy, energy, no_forces>(
+            {}, {}, {}, {});
+    } else if constexpr (kinetic && potential && on_the_stack) {
         using model = lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>;
         constexpr bool columns = model::columns_fit, rows = model::rows_fit;
         static_assert(

@@ -101,4 +101,13 @@ auto regularised_position(Model model, Eps eps, Kappa kappa, C c, D d) {
     return regularised_position_problem<Model, typename decltype(k)::scalar>(std::move(model), k);
 }
 
+/// Of constraints of velocity there is no position.
+template <mechanical_model Model, class Eps, class Kappa, class C, class D>
+requires(!holonomic_model<Model>) auto regularised_position(Model model, Eps eps, Kappa kappa, C c, D d) {
+    static_assert(detail::never<Model>,
+                  "regularised_position: the model has constraints of velocity only, G v = 0, no g(q): take "
+                  "regularised(model, eps, kappa, c, d)");
+    return regularised(std::move(model), eps, kappa, c, d);
+}
+
 }  // namespace stagecraft

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/bracketing.hpp>
 #include <stagecraft/status.hpp>
 
@@ -40,6 +42,22 @@ template <class Function>
 event_function<Function> event(Function g, event_options o = {}) {
     return {std::move(g), o};
 }
+
+namespace detail {
+struct call_of_event {
+    template <class T>
+    static constexpr bool say() {
+        static_assert(
+            never<T>,
+            "event(g, options): options are {.direction = crossing::falling, .terminal = true}, where "
+            "direction is crossing::both, crossing::rising or crossing::falling (of stagecraft)");
+        return true;
+    }
+};
+}  // namespace detail
+
+/// Options of other names or types.
+event_function<std::nullptr_t> event(detail::refused_call<detail::call_of_event>, ...);
 
 /// An event that took place.
 template <class Vector>

@@ -164,13 +164,24 @@ struct checked_call {
             return usable_in<
                 Eigen::Matrix<typename Vector::Scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>>;
     }();
+    /// An optional member with a capital would be passed over; a number called Mass is something else.
+    static constexpr bool lower_case = !requires(
+        Problem & p, const typename Vector::Scalar& t, const Vector& y,
+        Eigen::Matrix<typename Vector::Scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>& J) {
+        p.Jacobian(t, y, J);
+    }
+    &&!requires(Problem & p) { p.Mass().rows(); }
+    &&!requires(Problem & p) { p.Index()[0]; }
+    &&!requires(Problem & p) { p.Bandwidth().lower; }
+    &&!requires(Problem & p) { p.Sparsity().rows(); };
     /// It will be differentiated automatically if it is generic.
     static constexpr bool without_jacobian = !has_matrix<Problem> && !has_bandwidth<Problem> &&
                                              !has_sparsity<Problem> &&
                                              !detail::has_member_named<Problem, detail::jacobian_member>;
 
     static constexpr bool good = column && const_enough && callable && writes_through && band_known &&
-                                 pattern_usable && pattern_known && mass_usable && jacobian_usable;
+                                 pattern_usable && pattern_known && mass_usable && jacobian_usable &&
+                                 lower_case;
 };
 
 }  // namespace stagecraft

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/named_member.hpp>
+
 namespace stagecraft {
 
 namespace detail {
@@ -68,6 +70,22 @@ auto with_index(Rhs rhs, Index index) {
 template <class Solver, class Problem>
 auto with_linear_solver(Problem problem) {
     return detail::problem_with_solver<Solver, Problem>(std::move(problem));
+}
+
+/// A template in place of a Solver.
+template <template <class...> class Solver, class Problem>
+Problem with_linear_solver(Problem problem) {
+    static_assert(detail::never<Problem>,
+                  "with_linear_solver: the solver needs the scalar of the state: write "
+                  "with_linear_solver<sparse_blocks<double>>(problem)");
+    return problem;
+}
+template <template <class, int> class Solver, class Problem>
+Problem with_linear_solver(Problem problem) {
+    static_assert(detail::never<Problem>,
+                  "with_linear_solver: the solver needs the scalar and the size of the state: write "
+                  "with_linear_solver<dense_blocks<double, 3>>(problem), or Eigen::Dynamic for the size");
+    return problem;
 }
 
 }  // namespace stagecraft

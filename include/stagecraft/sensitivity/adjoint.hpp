@@ -127,6 +127,13 @@ class adjoint_steps {
     Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic> Z_;
 };
 
+/// g is generic and returns a number.
+template <class Functional, class Vector,
+          class Number = dual<typename Vector::Scalar, Vector::RowsAtCompileTime>,
+          class Numbers = dual_vector<typename Vector::Scalar, Vector::RowsAtCompileTime>>
+concept differentiable_functional = callable_unconverted<const Functional, const Numbers&> &&
+    std::is_invocable_r_v<Number, const Functional&, Numbers&>;
+
 /// g(y) and, in `slope`, its derivative.
 template <class Functional, class Vector>
 typename Vector::Scalar differentiate_functional(const Functional& g, const Vector& y, Vector& slope) {
@@ -169,6 +176,22 @@ class thinned_checkpoints {
     long steps_ = 0, spacing_ = 8;
 };
 
+struct call_of_adjoint_gradient {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(
+            runnable_method<Method> || never<Method>,
+            "adjoint_gradient: the first argument must be a transformed_tableau or a variable_order "
+            "set, radau_iia<3>() with its parentheses, say");
+        static_assert(
+            !runnable_method<Method> || never<Method>,
+            "adjoint_gradient(method, problem, y0, p, t0, t1, g, options): the problem must be callable as "
+            "problem(t, y, p, f), y0 and p be column vectors of Eigen's (one parameter too: "
+            "Eigen::Matrix<double, 1, 1>(2.0)), and options have the names that they have for integrate()");
+        return true;
+    }
+};
+
 }  // namespace detail
 
 /// Integrates M y' = f(t, y, p) and differentiates a functional g(y(t1)) of the end with respect to y0 and p, at a
@@ -189,6 +212,8 @@ class thinned_checkpoints {
 /// does not end with success there is no gradient (zeros); status::newton_failed if a step's linear equations are not
 /// solved. std::invalid_argument as integrate().
 template <class Method, class Problem, class DerivedY, class DerivedP, class Functional>
+requires detail::run_with_parameters<Method, Problem, typename DerivedY::PlainObject,
+                                     typename DerivedP::PlainObject>
 auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen::MatrixBase<DerivedY>& y0,
                       const Eigen::MatrixBase<DerivedP>& p,
                       std::type_identity_t<typename DerivedY::Scalar> t0,
@@ -196,6 +221,11 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
                       const options<typename DerivedY::Scalar>& o = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
+    constexpr bool differentiable = detail::differentiable_functional<Functional, vector>;
+    static_assert(
+        differentiable,
+        "adjoint_gradient: g is called with a vector of dual numbers and must accept any scalar and return "
+        "a number: [](const auto& y) { return y[0]; }");
     using bound = at_parameters<Problem, parameters>;
     using run_type = integrator<Method, const bound, vector>;
     const bound at_p(problem, p);
@@ -213,7 +243,7 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
         r.report = run.counts();
         if (!r.ok()) return r;
         vector slope = start;
-        r.value = detail::differentiate_functional(g, r.y, slope);
+        if constexpr (differentiable) r.value = detail::differentiate_functional(g, r.y, slope);
         detail::adjoint_steps<Method, bound, vector> adjoint(method, at_p, slope, o);
         std::vector<std::pair<typename run_type::output_type, int>> steps;
         for (auto& points = kept.points(); !points.empty(); points.pop_back()) {
@@ -240,5 +270,10 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
     }
     return r;
 }
+
+/// Other arguments.
+gradient_result<Eigen::VectorXd, Eigen::VectorXd> adjoint_gradient(
+    detail::refused_call<detail::call_of_adjoint_gradient>, detail::anything, detail::anything = 0,
+    detail::anything = 0, detail::anything = 0, detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft

@@ -69,6 +69,21 @@ class forward_sensitivities {
     Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic> Z_;
 };
 
+struct call_of_sensitivities {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(runnable_method<Method> || never<Method>,
+                      "sensitivities: the first argument must be a transformed_tableau or a variable_order "
+                      "set, radau_iia<3>() with its parentheses, say");
+        static_assert(
+            !runnable_method<Method> || never<Method>,
+            "sensitivities(method, problem, y0, p, t0, t1, options, S0, observer): the problem must be "
+            "callable as problem(t, y, p, f), y0 and p be column vectors of Eigen's (one parameter too: "
+            "Eigen::Matrix<double, 1, 1>(2.0)), and options have the names that they have for integrate()");
+        return true;
+    }
+};
+
 }  // namespace detail
 
 /// Integrates M y' = f(t, y, p) together with its sensitivities S = dy/dp, M S' = f_y S + f_p, S(t0) = S0.
@@ -94,6 +109,8 @@ class forward_sensitivities {
 /// Costs s Jacobians and, for each parameter, some ten solves with the factors there are, in every step. A step whose linear
 /// equations the factors do not solve ends the run with status::newton_failed. std::invalid_argument as integrate().
 template <class Method, class Problem, class DerivedY, class DerivedP, class Observer = no_observer>
+requires detail::run_with_parameters<Method, Problem, typename DerivedY::PlainObject,
+                                     typename DerivedP::PlainObject>
 auto sensitivities(
     const Method& method, const Problem& problem, const Eigen::MatrixBase<DerivedY>& y0,
     const Eigen::MatrixBase<DerivedP>& p, std::type_identity_t<typename DerivedY::Scalar> t0,
@@ -136,5 +153,10 @@ auto sensitivities(
     r.report = run.counts();
     return r;
 }
+
+/// Other arguments.
+sensitivity_result<Eigen::VectorXd, Eigen::MatrixXd> sensitivities(
+    detail::refused_call<detail::call_of_sensitivities>, detail::anything, detail::anything = 0,
+    detail::anything = 0, detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft

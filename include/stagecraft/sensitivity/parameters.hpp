@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <type_traits>
 
+#include <stagecraft/integrate.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 
@@ -21,6 +22,14 @@ Eigen::Matrix<S, Vector::RowsAtCompileTime, 1> promoted(const Vector& x) {
 
 template <class Problem, class T, class Y, class P, class F>
 concept callable_with_parameters = callable_unconverted<const Problem, const T&, const Y&, const P&, F&>;
+
+/// What sensitivities() and adjoint_gradient() may be called with.
+template <class Method, class Problem, class Vector, class Parameters>
+concept run_with_parameters = runnable_method<Method> &&
+    requires(const Problem& problem, const typename Vector::Scalar& t, const Vector& y, const Parameters& p,
+             Vector& f) {
+    problem(t, y, p, f);
+};
 
 /// A Problem with its parameters, and with jacobian(t, y, J) where it has jacobian(t, y, p, J).
 template <class Problem, class Parameters>
