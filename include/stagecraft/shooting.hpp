@@ -271,7 +271,7 @@ class shots {
     shooting_options<scalar> o_;
     int n_;
     report<scalar> counts_;
-    two_point_system<Rhs, Conditions, Vector, none> system_;
+    two_point_system<two_point_problem<Rhs, Conditions>, Vector, none> system_;
     two_point_matrix<scalar, N> matrix_;
     std::vector<square> X_;
     std::vector<Vector> ends_;

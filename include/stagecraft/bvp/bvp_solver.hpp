@@ -28,12 +28,8 @@ namespace stagecraft::detail {
 /// the tolerance holds or it is clear that it will not.
 template <class Scalar, int S, class Problem, class Vector, class Parameters, int Positions>
 class bvp_solver {
-    using rhs = decltype(Problem::f);
-    using conditions = decltype(Problem::r);
-    static constexpr int N = Vector::RowsAtCompileTime, P = Parameters::RowsAtCompileTime;
-    using system_type = two_point_system<rhs, conditions, Vector, Parameters>;
-    using mass_type = decltype(make_mass<Scalar>(std::declval<rhs&>(), 0));
-    using equations_type = collocation_equations<Scalar, N, P, S, Positions, system_type, mass_type>;
+    using system_type = two_point_system<Problem, Vector, Parameters>;
+    using equations_type = collocation_equations<system_type, S, Positions>;
     using iterate = typename equations_type::iterate;
     using result_type = bvp_result<Vector, Parameters>;
 
@@ -380,7 +376,7 @@ class bvp_solver {
     report<Scalar> counts_;
     result_type result_;
     system_type system_;
-    mass_type mass_;
+    typename system_type::mass_type mass_;
     equations_type equations_;
     error_estimate<equations_type> estimate_;
     damped_newton<equations_type> newton_;

@@ -11,7 +11,7 @@
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableau/legendre_rule.hpp>
 
-namespace stagecraft {
+namespace stagecraft::detail {
 
 /// The equations of one interval [t, t + h] by a collocation tableau, linearised, in the unknowns y at its two
 /// ends, the scaled slopes Z_j = h y'(t + c_j h) and the parameters p:
@@ -240,4 +240,4 @@ class collocation_blocks {
     std::vector<int> from_;
 };
 
-}  // namespace stagecraft
+}  // namespace stagecraft::detail

@@ -29,9 +29,14 @@ struct bvp_iterate {
 };
 
 /// The collocation equations of a two-point problem on a mesh: residuals, their linearisation (condensed
-/// interval by interval to an n x 2n relation) and solutions with its factors.
-template <class Scalar, int N, int P, int S, int Positions, class System, class Mass>
+/// interval by interval to an n x 2n relation) and solutions with its factors. System is the two_point_system, S the number
+/// of stages, Positions that of the first equations that are q' = v.
+template <class System, int S, int Positions>
 class collocation_equations {
+    using Scalar = typename System::scalar;
+    using Mass = typename System::mass_type;
+    static constexpr int N = System::N, P = System::P;
+
   public:
     using iterate = bvp_iterate<Scalar, N, P>;
     using wide = Eigen::Matrix<Scalar, N, Eigen::Dynamic>;
@@ -205,7 +210,7 @@ class collocation_equations {
     tableau<Scalar, S> method_;
     System& system_;
     const Mass& mass_;
-    collocation_blocks<Scalar, N, P, S, Positions> blocks_;
+    detail::collocation_blocks<Scalar, N, P, S, Positions> blocks_;
     two_point_matrix<Scalar, N> matrix_;
     wide rho_, gamma_, g_, J_;
     column beta_;

@@ -149,7 +149,7 @@ class hopf_search {
 
     int n_;
     report<scalar> counts_;
-    two_point_system<Rhs, Conditions, Vector, Parameters> system_;
+    two_point_system<two_point_problem<Rhs, Conditions>, Vector, Parameters> system_;
     dense f_y_;
     std::vector<complex> values_;
     scalar omega_{0};

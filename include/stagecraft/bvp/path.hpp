@@ -270,7 +270,7 @@ class path_follower {
         const state& near_;
         conditions r_, whole_;
         report<Scalar> ignored_;
-        two_point_system<Rhs, conditions, Vector, Parameters> original_;
+        two_point_system<two_point_problem<Rhs, conditions>, Vector, Parameters> original_;
         column row_;
         Scalar value_{0};
     };

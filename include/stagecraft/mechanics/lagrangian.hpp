@@ -31,6 +31,15 @@ concept takes_one_scalar = requires {
     &T::operator();
 };
 
+/// What the caller of `lagrangian` gives.
+template <class Kinetic, class Potential, class Constraint, class Forces>
+struct lagrangian_parts {
+    Kinetic T;
+    Potential V;
+    Constraint constraint;
+    Forces Q;
+};
+
 /// Stands in for a kinetic or potential energy that is refused, so that the one sentence that says why is all.
 struct refused_energy {
     template <class Vector>
@@ -53,8 +62,10 @@ struct refused_energy {
 /// system at rest or in moving frames), so that its second derivative M, and dT/dv, are differences of values
 /// of T without any error but rounding (polarisation). The derivatives with respect to q are taken by
 /// automatic differentiation. One F costs 2 n + 2 evaluations of T in dual numbers.
-template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint, class Forces>
+template <int Coordinates, int Constraints, class Parts>
 class lagrangian_model {
+    using Constraint = decltype(Parts::constraint);
+    using Forces = decltype(Parts::Q);
     template <class S>
     using vector = Eigen::Matrix<S, Coordinates, 1>;
     /// True if the constraint depends on t as well; what it returns, a number as 1 x 1.
@@ -77,20 +88,19 @@ class lagrangian_model {
     static constexpr bool columns_fit = of_position || affine || columns == Coordinates,
                           rows_fit = constraints == Constraints;
 
-    lagrangian_model(Kinetic T, Potential V, Constraint g, Forces Q)
-        : T_(std::move(T)), V_(std::move(V)), constraint_(std::move(g)), Q_(std::move(Q)) {}
+    explicit lagrangian_model(Parts parts) : parts_(std::move(parts)) {}
 
     template <class S>
     Eigen::Matrix<S, Coordinates, Coordinates> M(const vector<S>& q) const {
         Eigen::Matrix<S, Coordinates, Coordinates> M;
-        const S least = T_(q, zero<S>());
+        const S least = parts_.T(q, zero<S>());
         vector<S> single;
-        for (int i = 0; i < Coordinates; ++i) single[i] = T_(q, unit<S>(i));
+        for (int i = 0; i < Coordinates; ++i) single[i] = parts_.T(q, unit<S>(i));
         for (int i = 0; i < Coordinates; ++i) {
             for (int j = 0; j <= i; ++j) {
                 vector<S> both = unit<S>(i);
                 both[j] += S(1);
-                M(i, j) = M(j, i) = T_(q, both) - single[i] - single[j] + least;
+                M(i, j) = M(j, i) = parts_.T(q, both) - single[i] - single[j] + least;
             }
         }
         return M;
@@ -103,7 +113,7 @@ class lagrangian_model {
         vector<S> w, twice;
         for (int i = 0; i < Coordinates; ++i) w[i] = S(6 + i) / S(4), twice[i] = S(2) * w[i];
         const vector<S> Mw = detail::times(M<S>(q), w);
-        const S far = T_(q, twice), near = S(2) * T_(q, w), least = T_(q, zero<S>());
+        const S far = parts_.T(q, twice), near = S(2) * parts_.T(q, w), least = parts_.T(q, zero<S>());
         S by_mass(0);
         for (int i = 0; i < Coordinates; ++i) by_mass += w[i] * Mw[i];
         const S size = abs(far) + abs(near) + abs(least) + abs(by_mass);
@@ -122,7 +132,7 @@ class lagrangian_model {
         using rate = dual_number<S, 1>;
         using dual = dual_number<S, Coordinates>;
         const Eigen::Matrix<dual, Coordinates, 1> moving = detail::variables<dual>(q);
-        const dual lagrange = T_(moving, detail::constants<dual>(v)) - V_(moving);
+        const dual lagrange = parts_.T(moving, detail::constants<dual>(v)) - parts_.V(moving);
         vector<S> F = lagrange.derivatives();
         // d/dt of dT/dv along q' = v, v' = a: dT/dv_i = (T(v + e_i) - T(v - e_i)) / 2.
         Eigen::Matrix<rate, Coordinates, 1> along, w;
@@ -134,14 +144,14 @@ class lagrangian_model {
         }
         for (int i = 0; i < Coordinates; ++i) {
             w[i].value() = v[i] + S(1);
-            const rate up = T_(along, w);
+            const rate up = parts_.T(along, w);
             w[i].value() = v[i] - S(1);
-            const rate down = T_(along, w);
+            const rate down = parts_.T(along, w);
             w[i].value() = v[i];
             F[i] -= (up.derivatives()[0] - down.derivatives()[0]) / S(2);
         }
         if constexpr (!std::is_same_v<Forces, no_forces>) {
-            const vector<S> force = Q_(q, v, t);
+            const vector<S> force = parts_.Q(q, v, t);
             for (int i = 0; i < Coordinates; ++i) F[i] += force[i];
         }
         return F;
@@ -186,7 +196,7 @@ class lagrangian_model {
 
     template <class S>
     S potential(const vector<S>& q) const {
-        return V_(q);
+        return parts_.V(q);
     }
 
   private:
@@ -206,9 +216,9 @@ class lagrangian_model {
     Eigen::Matrix<S, constraints, columns> constraint(const vector<S>& q, [[maybe_unused]] const S& t) const {
         const auto value = [&] {
             if constexpr (moves)
-                return constraint_(q, t);
+                return parts_.constraint(q, t);
             else
-                return constraint_(q);
+                return parts_.constraint(q);
         }();
         if constexpr (std::is_convertible_v<decltype(value), S>)
             return Eigen::Matrix<S, 1, 1>(S(value));
@@ -216,10 +226,7 @@ class lagrangian_model {
             return value;
     }
 
-    Kinetic T_;
-    Potential V_;
-    Constraint constraint_;
-    Forces Q_;
+    Parts parts_;
 };
 
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
@@ -255,32 +262,35 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
     static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
     if constexpr (!fewer) {
         using energy = detail::refused_energy;
-        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, energy, energy, energy, no_forces>(
-            {}, {}, {}, {});
+        using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
+        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
     } else if constexpr (kinetic && potential && on_the_stack) {
-        using model = lagrangian_model<Coordinates, Constraints, Kinetic, Potential, Constraint, Forces>;
+        using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
+        using model = lagrangian_model<Coordinates, Constraints, parts>;
         constexpr bool columns = model::columns_fit, rows = model::rows_fit;
         static_assert(
             columns,
             "lagrangian: the constraint must return a number or a column of position constraints, the matrix "
             "G of n columns, or (G, b) of n + 1 columns");
         static_assert(rows, "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
-        return model(std::move(T), std::move(V), std::move(constraint), std::move(Q));
+        return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
     } else {
         using energy = detail::refused_energy;
-        return lagrangian_model<Coordinates, Constraints, energy, energy, Constraint, Forces>(
-            {}, {}, std::move(constraint), std::move(Q));
+        using parts = detail::lagrangian_parts<energy, energy, Constraint, Forces>;
+        return lagrangian_model<Coordinates, Constraints, parts>(
+            parts{{}, {}, std::move(constraint), std::move(Q)});
     }
 }
 
 /// The number of constraints is missing.
 template <int Coordinates, class Kinetic, class Potential, class Constraint, class Forces = no_forces>
 auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
-    using model = lagrangian_model<Coordinates, 1, Kinetic, Potential, Constraint, Forces>;
+    using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
+    using model = lagrangian_model<Coordinates, 1, parts>;
     constexpr bool number_of_constraints = std::is_void_v<model>;
     static_assert(number_of_constraints,
                   "lagrangian<n, m>: give m, the number of constraints, as well: lagrangian<2, 1>(T, V, g)");
-    return model(std::move(T), std::move(V), std::move(constraint), std::move(Q));
+    return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
 }
 
 }  // namespace stagecraft

@@ -175,12 +175,16 @@ struct joint_conditions {
 
 }  // namespace detail
 
-/// A two-point problem as the collocation sees it: evaluations of f and r that are counted, and their
+/// A two_point_problem as the collocation sees it: evaluations of f and r that are counted, and their
 /// derivatives with respect to (y, p) and (left, right, p).
-template <class Rhs, class Conditions, class Vector, class Parameters>
+template <class Problem, class Vector, class Parameters>
 class two_point_system {
+    using Rhs = decltype(Problem::f);
+    using Conditions = decltype(Problem::r);
+
   public:
     using scalar = typename Vector::Scalar;
+    using mass_type = decltype(make_mass<scalar>(std::declval<Rhs&>(), 0));
     static constexpr int N = Vector::RowsAtCompileTime, P = Parameters::RowsAtCompileTime;
     static constexpr int Z = detail::added<N, P>, X = detail::added<detail::added<N, N>, P>;
     using joint = Eigen::Matrix<scalar, Z, 1>;

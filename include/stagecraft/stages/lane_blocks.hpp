@@ -7,7 +7,7 @@
 #include <stagecraft/linear/lane_lu.hpp>
 #include <stagecraft/linear/mass.hpp>
 
-namespace stagecraft {
+namespace stagecraft::detail {
 
 /// The systems of a step as lanes of one factorisation, the real one (odd number of stages) in lane 0 with
 /// imaginary part zero; the number of lanes is even, those left over repeat lane 0. Same members as
@@ -142,4 +142,4 @@ class lane_blocks {
     pack inverse_re_, inverse_im_;
 };
 
-}  // namespace stagecraft
+}  // namespace stagecraft::detail

@@ -37,7 +37,8 @@ class transformed_stages {
     static constexpr bool in_lanes =
         dense && dense_blocks<Scalar, N>::built_in && Stages > 1 && N >= 1 && N <= 16;
     using blocks_type = std::conditional_t<
-        in_lanes, lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1, in_lanes ? positions : 0>,
+        in_lanes,
+        detail::lane_blocks<Scalar, in_lanes ? N : 1, in_lanes ? Stages : 1, in_lanes ? positions : 0>,
         separate_blocks<Scalar, Blocks>>;
 
   public:
