@@ -14,6 +14,7 @@
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>
 #include <stagecraft/step/continued.hpp>
+#include <stagecraft/step/given_arguments.hpp>
 #include <stagecraft/step/integrator.hpp>
 
 namespace stagecraft {
@@ -33,15 +34,6 @@ struct result {
 
 namespace detail {
 
-template <class Method>
-concept runnable_method = requires(const Method& m) {
-    as_tuple(m);
-};
-
-template <class Method>
-using scalar_of_method =
-    typename std::tuple_element_t<0, std::decay_t<decltype(as_tuple(std::declval<Method>()))>>::scalar;
-
 template <class Derived>
 requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) void take_real(
     const Eigen::MatrixBase<Derived>&);
@@ -50,13 +42,6 @@ template <class State>
 concept eigen_object = requires(const State& y) {
     take_real(y);
 };
-
-/// True if the observer can be called in a run by these, or there is none to be made.
-template <bool Runnable, class Method, class Problem, class Vector, class Observer>
-inline constexpr bool observes = true;
-template <class Method, class Problem, class Vector, class Observer>
-inline constexpr bool observes<true, Method, Problem, Vector, Observer> =
-    can_observe<Observer, Vector, typename integrator<Method, Problem, Vector>::output_type>;
 
 /// Makes the steps of a run that begins, or goes on, at `start`, which later takes the states to be corrected.
 template <class Run, class Vector, class Observer>
@@ -95,6 +80,25 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
 
 template <class Observer, class Run, class Vector>
 inline constexpr bool wants_output = asks_for_output<Observer, Vector, typename Run::output_type>;
+
+/// The run from y0, where the arguments are good.
+template <class Given, class Method, class Problem, class Derived, class Observer>
+result<typename Given::vector> run_from(const Method& method, Problem& problem,
+                                        const Eigen::MatrixBase<Derived>& y0,
+                                        const typename Given::scalar& t0, const typename Given::scalar& t1,
+                                        const options<typename Given::scalar>& o, Observer& observer) {
+    if constexpr (Given::returns && Given::same_size) {
+        return integrate(method, Given::writing(problem), y0, t0, t1, o, observer);
+    } else if constexpr (Given::good && Given::observed) {
+        using vector = typename Given::vector;
+        using run_type = integrator<Method, Problem, vector>;
+        vector start = y0;
+        run_type run(method, problem, start, t0, t1, o, wants_output<Observer, run_type, vector>);
+        return run_to_the_end(run, start, t1, observer);
+    } else {
+        return {};
+    }
+}
 
 /// True of what may stand in the place of y0 by another overload than that of Eigen's vectors.
 template <class State>
@@ -169,105 +173,57 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
     const options<typename Derived::Scalar>& o = {}, Observer&& observer = {})
     -> result<typename Derived::PlainObject> {
-    using vector = typename Derived::PlainObject;
-    using problem_type = std::remove_reference_t<Problem>;
-    using check = checked_call<problem_type, vector>;
-    using scalar = typename Derived::Scalar;
-    constexpr bool method_first = detail::runnable_method<Method>, same_scalar = [] {
-        if constexpr (method_first)
-            return std::is_same_v<detail::scalar_of_method<Method>, scalar>;
-        else
-            return true;
-    }();
-    constexpr bool ready = method_first && same_scalar,
-                   returns = ready && detail::returning_right_hand_side<problem_type, vector>,
-                   unseen = !ready || returns, column = unseen || check::column,
-                   const_enough = unseen || check::const_enough, callable = unseen || check::callable,
-                   writes_through = unseen || check::writes_through, band_known = unseen || check::band_known,
-                   pattern_known = unseen || check::pattern_known, mass_usable = unseen || check::mass_usable,
-                   jacobian_usable = unseen || check::jacobian_usable,
-                   pattern_usable = unseen || check::pattern_usable, lower_case = unseen || check::lower_case,
-                   good = !unseen && check::good;
-    constexpr bool same_size = [] {
-        if constexpr (returns)
-            return detail::returns_its_size<problem_type, vector>();
-        else
-            return true;
-    }();
-    if constexpr (good && check::without_jacobian) {
-        // The first to differentiate it, if it is generic: what does not compile in it is said from here.
-        using number = dual<scalar, vector::RowsAtCompileTime>;
-        using numbers = dual_vector<scalar, vector::RowsAtCompileTime>;
-        if constexpr (!detail::converts_duals<problem_type, const number&, const numbers&, numbers&>()) {
-            [[maybe_unused]] constexpr bool differentiable =
-                requires(const number& t, const numbers& y, numbers& f) {
-                problem(t, y, f);
-            };
-        }
+    using given = detail::given_arguments<Method, std::remove_reference_t<Problem>,
+                                          typename Derived::PlainObject, std::remove_reference_t<Observer>>;
+    if constexpr (given::differentiated) {
+        using number = typename given::number;
+        using numbers = typename given::numbers;
+        [[maybe_unused]] constexpr bool compiles = requires(const number& t, const numbers& y, numbers& f) {
+            problem(t, y, f);
+        };
     }
-    constexpr bool observed =
-        detail::observes<good, Method, problem_type, vector, std::remove_reference_t<Observer>>;
-    static_assert(
-        method_first,
-        "integrate(method, problem, y0, t0, t1, options, observer): the first argument must be a "
-        "tableau, a transformed_tableau or a variable_order set, radau_iia<3>() with its parentheses, say");
-    static_assert(
-        same_scalar,
-        "integrate: method and y0 must have the same scalar type: y0 is Eigen::Vector3d, say, for a "
-        "method in double");
-    static_assert(
-        column,
-        "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say; a matrix is "
-        "one as Y.reshaped(), and in f an Eigen::Map of y.data() is the matrix again");
-    static_assert(const_enough,
+    static_assert(given::method_first,
+                  "integrate(method, problem, y0, t0, t1, ...): the first argument must be a tableau, a "
+                  "transformed_tableau or a variable_order set, radau_iia<3>() with its parentheses, say");
+    static_assert(given::same_scalar,
+                  "integrate: method and y0 must have the same scalar type: y0 is Eigen::Vector3d, say, "
+                  "for a method in double");
+    static_assert(given::column,
+                  "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say; a "
+                  "matrix is one as Y.reshaped(), and in f an Eigen::Map of y.data() is the matrix again");
+    static_assert(given::const_enough,
                   "integrate: the problem is const and its operator()(t, y, f) is not: write `void "
                   "operator()(...) const`");
-    static_assert(
-        callable,
-        "integrate: the problem must be callable as problem(t, y, f) and write f(t, y) into f, as `void "
-        "operator()(double t, const Vector& y, Vector& f) const` with Vector the type of y0 (of fixed "
-        "size if that is), or as problem(t, y) and return it");
-    static_assert(writes_through,
+    static_assert(given::callable,
+                  "integrate: the problem must be callable as problem(t, y, f) and write f(t, y) into f, "
+                  "as `void operator()(double t, const Vector& y, Vector& f) const` with Vector the type "
+                  "of y0 (of fixed size if that is), or as problem(t, y) and return it");
+    static_assert(given::writes_through,
                   "integrate: the problem takes f by value, what it writes is lost: write `Vector& f` or "
                   "`auto& f`");
-    static_assert(band_known,
+    static_assert(given::band_known,
                   "integrate: the problem has bandwidth(): include stagecraft/linear/banded_blocks.hpp");
-    static_assert(same_size, "integrate: the problem returns a vector of another size than y0");
-    static_assert(
-        pattern_usable,
-        "integrate: problem.sparsity must be a member function `auto sparsity() const` that returns "
-        "an Eigen::SparseMatrix with the pattern of df/dy");
-    static_assert(pattern_known,
+    static_assert(given::same_size, "integrate: the problem returns a vector of another size than y0");
+    static_assert(given::pattern_usable,
+                  "integrate: problem.sparsity must be a member function `auto sparsity() const` that "
+                  "returns an Eigen::SparseMatrix with the pattern of df/dy");
+    static_assert(given::pattern_known,
                   "integrate: the problem has sparsity(): include stagecraft/linear/sparse_blocks.hpp");
+    static_assert(given::mass_usable,
+                  "integrate: problem.mass must be a member function `auto mass() const` that returns the "
+                  "n x n matrix M; give a member that means something else another name");
+    static_assert(given::jacobian_usable,
+                  "integrate: problem.jacobian must be a member function `void jacobian(double t, const "
+                  "Vector& y, Matrix& J) const`, Vector the type of y0, Matrix n x n of the same sizes "
+                  "(at compile time); a banded_matrix with bandwidth(), the type of sparsity() with that");
+    static_assert(given::lower_case,
+                  "integrate: members of the problem are called jacobian, mass, index, bandwidth and "
+                  "sparsity, without a capital");
     static_assert(
-        mass_usable,
-        "integrate: problem.mass must be a member function `auto mass() const` that returns the n x n "
-        "matrix M; give a member that means something else another name");
-    static_assert(
-        jacobian_usable,
-        "integrate: problem.jacobian must be a member function `void jacobian(double t, const Vector& "
-        "y, Matrix& J) const`, Vector the type of y0, Matrix n x n of the same sizes (at compile time); a "
-        "banded_matrix with bandwidth(), the type of sparsity() with that");
-    static_assert(
-        lower_case,
-        "integrate: members of the problem are called jacobian, mass, index, bandwidth and sparsity, "
-        "without a capital");
-    static_assert(
-        observed,
-        "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, output), y by "
-        "value or const reference and of the type of y0, and const if it is given as const");
-    if constexpr (returns && same_size) {
-        return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, y0, t0, t1, o,
-                         std::forward<Observer>(observer));
-    } else if constexpr (good && observed) {
-        using run_type = integrator<Method, problem_type, vector>;
-        vector start = y0;
-        run_type run(method, problem, start, t0, t1, o,
-                     detail::wants_output<std::remove_reference_t<Observer>, run_type, vector>);
-        return detail::run_to_the_end(run, start, t1, observer);
-    } else {
-        return {};
-    }
+        given::observed,
+        "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, "
+        "output), y by value or const reference and of the type of y0, and const if it is given as const");
+    return detail::run_from<given>(method, problem, y0, t0, t1, o, observer);
 }
 
 /// Goes on with a run from a checkpoint of it (checkpoint.hpp): with the same method, problem, t1 and options it ends with

@@ -81,6 +81,22 @@ struct orbit_conditions {
     }
 };
 
+/// What fixes the phase: a component with its value, or a normal on f at the guess; zero at an equilibrium.
+template <class Rhs, class Vector, class Scalar>
+orbit_conditions<Vector> phase_of(Rhs& f, const orbit_guess<Vector>& guess, const orbit_options<Scalar>& o) {
+    const Vector at = guess.y(guess.begin);
+    const Eigen::Index n = at.size();
+    if (o.phase_component >= n)
+        throw std::invalid_argument("periodic_orbit: phase_component must be below the size of y");
+    if (o.phase_component >= 0 && o.integral_phase)
+        throw std::invalid_argument("periodic_orbit: phase_component and integral_phase exclude each other");
+    Vector normal(n);
+    f(guess.begin, at, normal);
+    if (!(normal.norm() > Scalar(0))) return {at, Vector::Zero(n), Scalar(0)};
+    if (o.phase_component < 0) return {at, normal / normal.norm(), Scalar(0)};
+    return {at, Vector::Unit(n, o.phase_component), o.phase_value - at[o.phase_component]};
+}
+
 template <class Vector>
 void validate_period(const orbit_guess<Vector>& guess, const std::string& who) {
     if (!(guess.period > 0) || !(guess.period - guess.period == 0))
@@ -171,33 +187,19 @@ struct call_of_periodic_orbit {
 template <class Scalar, int S, class Rhs, class Vector>
 orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
                                     const orbit_options<std::type_identity_t<Scalar>>& o = {}) {
-    using std::abs;
     detail::validate_period(guess, "periodic_orbit");
-    const Vector at = guess.y(guess.begin);
-    const int n = static_cast<int>(at.size());
-    if (o.phase_component >= n)
-        throw std::invalid_argument("periodic_orbit: phase_component must be below the size of y");
-    if (o.phase_component >= 0 && o.integral_phase)
-        throw std::invalid_argument("periodic_orbit: phase_component and integral_phase exclude each other");
-    Vector normal(n);
-    f(guess.begin, at, normal);
-    if (!(normal.norm() > Scalar(0))) {
-        orbit_result<Vector> r;
+    const auto phase = detail::phase_of(f, guess, o);
+    const int n = static_cast<int>(phase.at.size());
+    orbit_result<Vector> r;
+    if (phase.normal.isZero(Scalar(0))) {
         r.status = bvp_status::equilibrium;
         r.message = "the guess begins at an equilibrium";
         r.error.forget(n, 1);
         return r;
     }
-    Scalar shift(0);
-    normal /= normal.norm();
-    if (o.phase_component >= 0) {
-        normal.setZero();
-        normal[o.phase_component] = Scalar(1);
-        shift = o.phase_value - at[o.phase_component];
-    }
     using problem = two_point_problem<detail::scaled_rhs<Rhs>, detail::orbit_conditions<Vector>>;
     using parameters = Eigen::Matrix<Scalar, 1, 1>;
-    problem scaled{{f}, {at, normal, shift}};
+    problem scaled{{f}, phase};
     bvp_options<Scalar> b;
     b.rtol = o.rtol, b.atol = o.atol, b.intervals = o.intervals, b.max_intervals = o.max_intervals;
     b.conditioning = false;
@@ -225,7 +227,6 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
         f(guess.begin, scaled.r.at, scaled.r.normal);
         scaled.r.normal /= scaled.r.normal.norm();
     }
-    orbit_result<Vector> r;
     r.status = solved.status, r.message = solved.message;
     r.period = solved.p[0];
     r.y = std::move(solved.y);

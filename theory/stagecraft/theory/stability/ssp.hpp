@@ -9,6 +9,18 @@
 
 namespace stagecraft::theory {
 
+namespace detail {
+
+/// True if p is negative right after 0.
+template <class K>
+bool falls_below_zero_at_once(const polynomial<K>& p) {
+    for (int l = 0; l <= p.degree(); ++l)
+        if (!(p[l] == K(0))) return p[l] < K(0);
+    return false;
+}
+
+}  // namespace detail
+
 /// The radius of absolute monotonicity, which is the SSP coefficient of an irreducible method: the largest r
 /// with K (I + rK)^-1 >= 0 and (I + rK)^-1 1 >= 0 on [0, r], K = [A 0; b^T 0] (Kraaijevanger 1991;
 /// Gottlieb-Ketcheson-Shu, section 4). Every entry is a quotient of polynomials in r over the field, so the
@@ -57,13 +69,8 @@ stability_interval<K> ssp_radius(const tableau<K>& t, int bits = 60) {
             }));
         }
     }
-    for (const auto& p : conditions) {  // the cheap look first: negative right after 0
-        for (int l = 0; l <= p.degree(); ++l) {
-            if (p[l] == K(0)) continue;
-            if (p[l] < K(0)) return {false, K(0), K(0)};
-            break;
-        }
-    }
+    for (const auto& p : conditions)  // the cheap look first
+        if (detail::falls_below_zero_at_once(p)) return {false, K(0), K(0)};
     stability_interval<K> radius{true, K(0), K(0)};
     const K width = detail::two_to_minus<K>(bits);
     for (std::size_t index = 0; index < conditions.size(); ++index) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/observe/observer.hpp>
+#include <stagecraft/problem/checked_call.hpp>
+#include <stagecraft/step/integrator.hpp>
+
+namespace stagecraft::detail {
+
+template <class Method>
+concept runnable_method = requires(const Method& m) {
+    as_tuple(m);
+};
+
+template <class Method>
+using scalar_of_method =
+    typename std::tuple_element_t<0, std::decay_t<decltype(as_tuple(std::declval<Method>()))>>::scalar;
+
+/// True if the observer can be called in a run by these, or there is none to be made.
+template <bool Runnable, class Method, class Problem, class Vector, class Observer>
+inline constexpr bool observes = true;
+template <class Method, class Problem, class Vector, class Observer>
+inline constexpr bool observes<true, Method, Problem, Vector, Observer> =
+    can_observe<Observer, Vector, typename integrator<Method, Problem, Vector>::output_type>;
+
+/// What integrate() looks at in its arguments, and its sentences about them say: what cannot be looked at yet, because
+/// of what came before, counts as true.
+template <class Method, class Problem, class Vector, class Observer>
+struct given_arguments {
+    using vector = Vector;
+    using scalar = typename Vector::Scalar;
+    using check = checked_call<Problem, Vector>;
+    static constexpr bool method_first = runnable_method<Method>;
+    static constexpr bool same_scalar = [] {
+        if constexpr (method_first)
+            return std::is_same_v<scalar_of_method<Method>, scalar>;
+        else
+            return true;
+    }();
+    static constexpr bool ready = method_first && same_scalar,
+                          returns = ready && returning_right_hand_side<Problem, Vector>,
+                          unseen = !ready || returns, good = !unseen && check::good;
+    static constexpr bool same_size = [] {
+        if constexpr (returns)
+            return returns_its_size<Problem, Vector>();
+        else
+            return true;
+    }();
+    static constexpr bool column = unseen || check::column, const_enough = unseen || check::const_enough,
+                          callable = unseen || check::callable,
+                          writes_through = unseen || check::writes_through,
+                          band_known = unseen || check::band_known,
+                          pattern_known = unseen || check::pattern_known,
+                          pattern_usable = unseen || check::pattern_usable,
+                          mass_usable = unseen || check::mass_usable,
+                          jacobian_usable = unseen || check::jacobian_usable,
+                          lower_case = unseen || check::lower_case;
+    /// The problem is generic and will be differentiated automatically, in these numbers. integrate() calls it with them
+    /// before anybody else does, so that what does not compile in it is said from there.
+    using number = dual<scalar, Vector::RowsAtCompileTime>;
+    using numbers = dual_vector<scalar, Vector::RowsAtCompileTime>;
+    static constexpr bool differentiated = [] {
+        if constexpr (good && check::without_jacobian)
+            return !converts_duals<Problem, const number&, const numbers&, numbers&>();
+        else
+            return false;
+    }();
+    static constexpr bool observed = observes<good, Method, Problem, Vector, Observer>;
+
+    static auto writing(const Problem& problem) { return writes_returned<std::decay_t<Problem>>{problem}; }
+};
+
+}  // namespace stagecraft::detail
