@@ -9,15 +9,47 @@
 
 namespace stagecraft {
 
+namespace detail {
+
+/// The part that both forms share: the model, and states (q, v, lambda, ...) with Multipliers vectors of the size of
+/// lambda.
+template <class Model, class Scalar, int Multipliers>
+class holonomic_form {
+  public:
+    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + Multipliers * m;
+    using state = Eigen::Matrix<Scalar, size, 1>;
+
+    explicit holonomic_form(Model model) : model_(std::move(model)) {}
+
+    Eigen::Matrix<Scalar, size, size> mass() const { return leading_identity<Scalar, size>(2 * n); }
+
+    /// (q, v, lambda, 0); see index_2_dae::initial_state.
+    state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
+                        const Scalar& t = Scalar(0)) const {
+        check_start(model_, q, v, t);
+        return joined<size>(q, v, consistent_multiplier(model_, q, v, t));
+    }
+    /// The multiplier in a state.
+    multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
+        return part<m>(y, 2 * n);
+    }
+    const Model& model() const { return model_; }
+
+  protected:
+    Model model_;
+};
+
+}  // namespace detail
+
 /// The equations of motion of a holonomic model as they are, index 3: state (q, v, lambda), 0 = g(q); q has
 /// index 1, v 2, lambda 3. Made by `index_3`.
 template <holonomic_model Model, class Scalar = double>
-class index_3_dae {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
-    using state = Eigen::Matrix<Scalar, size, 1>;
+class index_3_dae : public detail::holonomic_form<Model, Scalar, 1> {
+    using base = detail::holonomic_form<Model, Scalar, 1>;
+    using base::model_;
 
-    explicit index_3_dae(Model model) : model_(std::move(model)) {}
+  public:
+    using base::base, base::n, base::m, base::size;
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
@@ -35,23 +67,7 @@ class index_3_dae {
         detail::put(d.G, J, 2 * n, 0);
     }
 
-    Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
     std::array<int, size> index() const { return detail::index_flags<size>(n, 2 * n); }
-
-    /// (q, v, lambda); see index_2_dae::initial_state.
-    state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
-                        const Scalar& t = Scalar(0)) const {
-        detail::check_start(model_, q, v, t);
-        return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
-    }
-    /// The multiplier in a state.
-    multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
-        return detail::part<m>(y, 2 * n);
-    }
-    const Model& model() const { return model_; }
-
-  private:
-    Model model_;
 };
 
 /// The stabilised index-2 formulation of Gear, Gupta and Leimkuhler (Hairer-Wanner II, (VII.1.48)): state
@@ -62,12 +78,12 @@ class index_3_dae {
 /// mu vanishes on the exact solution, and both constraints are kept. lambda and mu have index 2.
 /// Made by `stabilised_index_2`.
 template <holonomic_model Model, class Scalar = double>
-class stabilised_dae {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + 2 * m;
-    using state = Eigen::Matrix<Scalar, size, 1>;
+class stabilised_dae : public detail::holonomic_form<Model, Scalar, 2> {
+    using base = detail::holonomic_form<Model, Scalar, 2>;
+    using base::model_;
 
-    explicit stabilised_dae(Model model) : model_(std::move(model)) {}
+  public:
+    using base::base, base::n, base::m, base::size;
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
@@ -96,23 +112,7 @@ class stabilised_dae {
         detail::put(d.G, J, 2 * n + m, 0);
     }
 
-    Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
     std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
-
-    /// (q, v, lambda, 0); see index_2_dae::initial_state.
-    state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
-                        const Scalar& t = Scalar(0)) const {
-        detail::check_start(model_, q, v, t);
-        return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
-    }
-    /// The multiplier in a state.
-    multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
-        return detail::part<m>(y, 2 * n);
-    }
-    const Model& model() const { return model_; }
-
-  private:
-    Model model_;
 };
 
 /// The index-3 system of a holonomic model, state (q, v, lambda).
