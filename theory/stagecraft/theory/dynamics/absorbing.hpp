@@ -39,17 +39,9 @@ void require_everywhere(const dissipativity_constants<N>& d) {
 /// An upper bound of |f| on |x - centre| <= radius, to one per cent.
 template <int N, class F>
 double largest_value(F&& f, const state<rational, N>& centre, double radius) {
-    const auto g = [&](const box<N>& x) {
-        box<N> d;
-        for (int i = 0; i < N; ++i) d[i] = x[i] - interval(centre[i]);
-        if (length<N>(d).low() > radius) {
-            constexpr double out = -std::numeric_limits<double>::infinity();
-            return interval(out, out);
-        }
-        return length<N>(enclosed<N>(f, x));
-    };
-    const auto m =
-        maximise<N>(g, cube<N>(centre, radius), {.absolute = 1e-12, .relative = 1e-2, .boxes = 20'000});
+    const search_limits limits{.absolute = 1e-12, .relative = 1e-2, .boxes = 20'000};
+    const auto m = maximise_on_ball<N>(
+        centre, radius, limits, [&](const box<N>& x, const box<N>&) { return length<N>(enclosed<N>(f, x)); });
     if (!std::isfinite(m.high)) throw std::invalid_argument("f: cannot be bounded on the ball");
     return m.high;
 }

@@ -55,6 +55,22 @@ inline void require_beta(const rational& beta) {
 
 inline rational not_negative(const rational& a) { return a < 0 ? rational(0) : a; }
 
+/// Encloses the maximum of value(x, x - centre) on |x - centre| <= radius.
+template <int N, class Value>
+auto maximise_on_ball(const state<rational, N>& centre, double radius, const search_limits& limits,
+                      Value&& value) {
+    const auto g = [&](const box<N>& x) {
+        box<N> d;
+        for (int i = 0; i < N; ++i) d[i] = x[i] - interval(centre[i]);
+        if (length<N>(d).low() > radius) {
+            constexpr double out = -std::numeric_limits<double>::infinity();
+            return interval(out, out);
+        }
+        return value(x, d);
+    };
+    return maximise<N>(g, cube<N>(centre, radius), limits);
+}
+
 /// The supremum of a polynomial of degree 2 at most over R^N, exactly; nothing where it is unbounded.
 template <int N>
 std::optional<rational> supremum_of_quadratic(const multinomial& q) {
@@ -152,19 +168,12 @@ dissipativity_constants<N> dissipativity_within(F&& f, const rational& beta, dou
     detail::require_beta(beta);
     if (!(radius > 0) || !std::isfinite(radius))
         throw std::invalid_argument("radius: must be positive and finite");
-    const auto g = [&](const box<N>& x) {
-        box<N> d;
-        for (int i = 0; i < N; ++i) d[i] = x[i] - interval(centre[i]);
-        if (length<N>(d).low() > radius) {
-            constexpr double out = -std::numeric_limits<double>::infinity();
-            return interval(out, out);
-        }
+    const auto m = detail::maximise_on_ball<N>(centre, radius, limits, [&](const box<N>& x, const box<N>& d) {
         const box<N> y = enclosed<N>(f, x, time);
         interval sum = 0;
         for (int i = 0; i < N; ++i) sum += y[i] * d[i] + interval(beta) * square(d[i]);
         return sum;
-    };
-    const auto m = maximise<N>(g, cube<N>(centre, radius), limits);
+    });
     if (!std::isfinite(m.high))
         throw std::invalid_argument(
             "f: cannot be bounded on the ball (division through zero, or dependence on "
