@@ -35,16 +35,11 @@ std::vector<hypothesis> left_stage_hypotheses(const tableau<K>& t, const dae_tra
 template <class K>
 order_prediction predict_index1_left_stage(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
-    order_prediction p;
-    p.theorem = "Hairer-Wanner II, section VI.1, state space form";
-    p.hypotheses = detail::left_stage_hypotheses(t, m);
-    p.hypotheses.push_back(detail::of_order_one(m));
-    if (!detail::all_proved(p.hypotheses)) {
-        p.note = "no theorem applies";
-        return p;
-    }
-    p.y = p.z = m.order;
-    return p;
+    detail::theorem row{"Hairer-Wanner II, section VI.1, state space form",
+                        detail::left_stage_hypotheses(t, m),
+                        [&m](order_prediction& p) { p.y = p.z = m.order; }};
+    row.hypotheses.push_back(detail::of_order_one(m));
+    return row.applied_or_none();
 }
 
 /// The same for index 2, for collocation methods with c_1 = 0 and c_s = 1 (Lobatto IIIA): y has the order of the
@@ -53,19 +48,15 @@ order_prediction predict_index1_left_stage(const tableau<K>& t) {
 template <class K>
 order_prediction predict_index2_left_stage(const tableau<K>& t) {
     const auto m = dae_traits_of(t);
-    order_prediction p;
-    p.theorem = "Jay 1993 (Hairer-Wanner II, Table VII.4.1)";
-    p.hypotheses = detail::left_stage_hypotheses(t, m);
-    p.hypotheses.push_back(detail::is_collocation(m));
-    p.hypotheses.push_back(detail::bounded(m));
-    if (!detail::all_proved(p.hypotheses)) {
-        p.note = "no theorem applies";
-        return p;
-    }
-    p.y = m.simplifying.B;
-    p.z = *m.r_infinity == K(1) ? m.stages - 1 : m.stages;
-    p.note = "for constant step sizes";
-    return p;
+    detail::theorem row{"Jay 1993 (Hairer-Wanner II, Table VII.4.1)", detail::left_stage_hypotheses(t, m),
+                        [&m](order_prediction& p) {
+                            p.y = m.simplifying.B;
+                            p.z = *m.r_infinity == K(1) ? m.stages - 1 : m.stages;
+                            p.note = "for constant step sizes";
+                        }};
+    row.hypotheses.push_back(detail::is_collocation(m));
+    row.hypotheses.push_back(detail::bounded(m));
+    return row.applied_or_none();
 }
 
 }  // namespace stagecraft::theory
