@@ -248,7 +248,7 @@ class bvp_solver {
         const bool unknown = regular_.unknown(floor_), stays = kappa < 2 * last && last < 2 * kappa;
         vanishes_ = regular_.resolved() && kappa > 10 * first_kappa_;
         return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100 ||
-                             (newton_.linear() && regular_.doubt(floor_) < Scalar(1e-5)))) ||
+                             (newton_.linear() && regular_.doubt() < Scalar(1e-5)))) ||
                !o_.adapt || ++checks_ > 6 ||
                kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000;
     }

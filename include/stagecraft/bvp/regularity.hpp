@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include <stagecraft/bvp/conditioning.hpp>
@@ -36,30 +37,18 @@ class regularity {
     bool unknown(const scalar& floor) {
         choose(floor);
         resolved_ = true;
+        doubt_.reset();
         // M could then be singular only by errors of the mesh of some per cent, which are seen in x as well.
-        return !(answer_ < scalar(30)) && !(doubt(floor) < scalar(1) / 4) && resolved_;
+        return !(answer_ < scalar(30)) && !(doubt() < scalar(1) / 4) && resolved_;
     }
     /// Were they small, when unknown() looked?
     bool resolved() const { return resolved_; }
 
-    /// What the errors of the mesh may be of M, as a part of it: e beside u, 1 where u is not resolved.
-    scalar doubt(const scalar& floor) {
-        choose(floor);
-        resolved_ = true;
-        if (std::decay_t<decltype(equations_.mass())>::identity) {
-            const scalar bound = answer_ * local_bound();
-            if (bound < scalar(1) / 20) return bound;
-        }
-        wide local(equations_.n(), x_.intervals());
-        const bool usual = rule_.nodes() == usual_nodes;
-        for (int i = 0; i < x_.intervals(); ++i)
-            usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
-        resolved_ = share(local) < scalar(1) / 10;
-        if (!resolved_) return scalar(1);
-        iterate e;
-        equations_.solve(x_, wide::Zero(local.rows(), equations_.s() * local.cols()), local,
-                         column::Zero(local.rows() + p_.rows()), e);
-        return share(e.y, e.p);
+    /// What the errors of the mesh may be of the M that unknown() has looked at, as a part of it: e beside u, 1 where u
+    /// is not resolved.
+    scalar doubt() {
+        if (!doubt_) doubt_ = find_doubt();
+        return *doubt_;
     }
 
     /// Can the errors of differences, from which a nonlinear f has its Jacobian, be all there is of M?
@@ -134,6 +123,23 @@ class regularity {
     }
 
   private:
+    scalar find_doubt() {
+        if (std::decay_t<decltype(equations_.mass())>::identity) {
+            const scalar bound = answer_ * local_bound();
+            if (bound < scalar(1) / 20) return bound;
+        }
+        wide local(equations_.n(), x_.intervals());
+        const bool usual = rule_.nodes() == usual_nodes;
+        for (int i = 0; i < x_.intervals(); ++i)
+            usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
+        resolved_ = share(local) < scalar(1) / 10;
+        if (!resolved_) return scalar(1);
+        iterate e;
+        equations_.solve(x_, wide::Zero(local.rows(), equations_.s() * local.cols()), local,
+                         column::Zero(local.rows() + p_.rows()), e);
+        return share(e.y, e.p);
+    }
+
     /// u: the answer to the condition that moves it most, as its terms and the components of y are large.
     void choose(const scalar& floor) {
         using std::abs;
@@ -257,6 +263,7 @@ class regularity {
     lifting_elimination<scalar, N, Equations::positions> elimination_;
     column p_, size_, scale_;
     scalar answer_{0};
+    std::optional<scalar> doubt_;
     bool resolved_ = false;
 };
 
