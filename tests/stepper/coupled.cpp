@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE coupled
 #include "methods.hpp"
+#include "outcome.hpp"
 #include "smooth.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <functional>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/lobatto_iiia.hpp>
 #include <stagecraft/coefficients/lobatto_iiib.hpp>
@@ -45,9 +45,6 @@ auto solve(const method& m, const Problem& p, double t1, double h) {
                                  {.rtol = tiny, .atol = tiny, .fixed_step = h});
     BOOST_TEST(r.ok());
     return r;
-}
-double slope(const std::function<double(double)>& error, double h) {
-    return std::log2(error(h) / error(h / 2));
 }
 double wave_order(const method& m, double h) {
     return slope([&](double k) { return std::abs(solve(m, wave{}, 0.5, k).y[0] - std::exp(std::sin(0.5))); },

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE diagonally_implicit
 #include "methods.hpp"
+#include "outcome.hpp"
 #include "smooth.hpp"
 
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
-#include <functional>
 #include <problems/equations.hpp>
 #include <problems/stored.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stdexcept>
 #include <string>
 
 namespace sc = stagecraft;
 using V1 = Eigen::Matrix<double, 1, 1>;
 using method = sc::tableau<double>;
-
-namespace {
-
-double slope(const std::function<double(double)>& error, double h) {
-    return std::log2(error(h) / error(h / 2));
-}
-
-template <class Problem, class Vector>
-std::string refusal(const method& m, const Problem& p, const Vector& y0, double step) {
-    try {
-        const auto r = sc::integrate(m, p, y0, 0, 1, {.fixed_step = step});
-        return sc::name(r.status);
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-}
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(stiff_van_der_pol_is_solved_to_the_tolerance) {
     const Eigen::Vector2d y0(2, -0.66);

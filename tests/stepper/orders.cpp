@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE orders
+#include "outcome.hpp"
+
 #include <boost/test/unit_test.hpp>
-#include <functional>
 #include <problems/equations.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
@@ -17,11 +18,6 @@ namespace {
 const auto wave = [](double t, const Eigen::Matrix<double, 1, 1>& y, Eigen::Matrix<double, 1, 1>& f) {
     f[0] = y[0] * std::cos(t) - y[0] * y[0] + std::exp(2 * std::sin(t));
 };
-
-// log2 of error(h) / error(h / 2).
-double slope(const std::function<double(double)>& error, double h) {
-    return std::log2(error(h) / error(h / 2));
-}
 
 template <class Method>
 double end_error(const Method& method, double h) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE sequential
 #include "methods.hpp"
+#include "outcome.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <functional>
 #include <limits>
 #include <stagecraft/integrate.hpp>
 #include <stdexcept>
-#include <string>
 
 namespace sc = stagecraft;
 using V1 = Eigen::Matrix<double, 1, 1>;
@@ -38,21 +37,6 @@ struct kepler {
     }
 };
 const Eigen::Vector4d pericentre(0.5, 0, 0, std::sqrt(3.0));
-
-double slope(const std::function<double(double)>& error, double h) {
-    return std::log2(error(h) / error(h / 2));
-}
-
-template <class Problem, class Vector>
-std::string refusal(const method& m, const Problem& p, const Vector& y0, double step) {
-    try {
-        const auto r = sc::integrate(m, p, y0, 0, 1, {.fixed_step = step});
-        return sc::name(r.status);
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-}
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 double wave_error(const method& m, double h) {
     const auto r = sc::integrate(m, wave{}, V1(1.0), 0, 0.5, {.rtol = 1e-14, .atol = 1e-14, .fixed_step = h});
