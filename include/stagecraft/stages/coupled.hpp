@@ -31,7 +31,7 @@ class coupled_stages {
         : n_(n),
           first_(is.left_stage ? 1 : 0),
           count_(is.lower ? 0 : m.stages() - first_),
-          systems_(coupled_part(m), count_, n, is.regular),
+          systems_(coupled_part(m), count_, n, is.regular()),
           x_(static_cast<std::size_t>(count_ * n)),
           yi_(n),
           fi_(n) {}

@@ -74,8 +74,8 @@ class tableau_step : public step_defaults<Space> {
                     "integrate: method, whose A has no basis of eigenvectors, needs the entries of the "
                     "Jacobian and of M, which problem.matrix() and mass().add_times do not show");
         if constexpr (!System::mass_type::identity) {
-            if ((is_.left_stage || !is_.regular) && !v_.mass.prepare(system)) {
-                if (!is_.regular || !is_.stiffly_accurate)
+            if ((is_.left_stage || !is_.regular()) && !v_.mass.prepare(system)) {
+                if (!is_.regular() || !is_.stiffly_accurate)
                     throw std::invalid_argument(
                         "integrate: problem.mass() is singular, which method cannot serve: it needs a "
                         "regular A, or a last row equal to b and a regular A without its first stage");
@@ -125,7 +125,7 @@ class tableau_step : public step_defaults<Space> {
     Scalar jump_ratio(const Scalar&) const { return blind_.largest_ratio; }
     bool stiffly_accurate() const { return is_.stiffly_accurate; }
     bool has_stage_order_two() const { return stagecraft::has_stage_order_two(v_.method); }
-    bool forgets() const { return is_.forgets; }
+    bool forgets() const { return is_.forgets(); }
     /// False if no stage needs a Jacobian.
     bool implicit() const { return !is_.lower || sequential_.implicit(); }
     bool iterates() const { return implicit(); }

@@ -48,7 +48,7 @@ bool blind_to_quadrature(const tableau<Scalar, Stages>& m, const Weights& d) {
 template <class Scalar, int Stages, class Weights>
 bool needs_filter(const tableau<Scalar, Stages>& m, const tableau_structure& is, const Weights& d) {
     using std::abs;
-    if (!is.stiffly_accurate || !is.regular) return false;
+    if (!is.stiffly_accurate || !is.regular()) return false;
     const int s = m.stages(), first = is.left_stage ? 1 : 0, n = s - first;
     split_lu<Scalar, -1> lu(n);
     std::vector<Scalar> w(static_cast<std::size_t>(s), Scalar(0));

@@ -12,14 +12,24 @@
 
 namespace stagecraft {
 
+/// What a method makes of the errors of algebraic components.
+enum class algebraic_errors {
+    none,  ///< it cannot have such components: A without a left end is singular
+    stay,  ///< |R(infinity)| >= 1
+    decay  ///< |R(infinity)| < 1
+};
+
 /// How the stages of a tableau can be solved, from the zeros among its entries.
 struct tableau_structure {
     bool lower = true;        ///< A is lower triangular: explicit, DIRK, SDIRK, ESDIRK
     bool left_stage = false;  ///< the first stage is the left end of the step (first row of A, c_1 zero)
     bool stiffly_accurate = false;  ///< last row of A equals b and c_s = 1, so that y1 = Y_s
-    bool regular = false;           ///< A without a left end is regular
-    bool forgets = true;  ///< |R(infinity)| < 1: errors of algebraic components decay. Where A can have any.
+    algebraic_errors errors = algebraic_errors::none;
 
+    /// A without a left end is regular.
+    bool regular() const { return errors != algebraic_errors::none; }
+    /// No errors of algebraic components stay.
+    bool forgets() const { return errors != algebraic_errors::stay; }
     /// The last stage of a step is the first one of the next.
     bool first_same_as_last() const { return left_stage && stiffly_accurate; }
 };
@@ -59,13 +69,12 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
         for (int j = 0; j < n; ++j) a[i + j * n] = m.A(first + i, first + j);
     }
     carry.setZero(s);
-    is.regular = n > 0;
-    for (int k = 0; k < n && is.regular; ++k) {
+    if (n == 0) return is;
+    for (int k = 0; k < n; ++k) {
         int p = k;
         for (int i = k + 1; i < n; ++i)
             if (abs(a[i + k * n]) > abs(a[p + k * n])) p = i;
-        is.regular = abs(a[p + k * n]) > detail::condition_tolerance<Scalar>() / Scalar(1000) * largest;
-        if (!is.regular) break;
+        if (!(abs(a[p + k * n]) > detail::condition_tolerance<Scalar>() / Scalar(1000) * largest)) return is;
         std::swap(x[k], x[p]);
         for (int j = 0; j < n; ++j) std::swap(a[k + j * n], a[p + j * n]);
         for (int i = k + 1; i < n; ++i) {
@@ -74,7 +83,6 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
             for (int j = k + 1; j < n; ++j) a[i + j * n] -= f * a[k + j * n];
         }
     }
-    if (!is.regular) return is;
     for (int k = n - 1; k >= 0; --k) {
         for (int j = k + 1; j < n; ++j) x[k] -= a[k + j * n] * x[j];
         x[k] /= a[k + k * n];
@@ -87,7 +95,7 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
     } else {
         for (int k = 0; k < n; ++k) r -= m.b[k] * x[k];
     }
-    is.forgets = abs(r) < detail::largest_damping<Scalar>();
+    is.errors = abs(r) < detail::largest_damping<Scalar>() ? algebraic_errors::decay : algebraic_errors::stay;
     return is;
 }
 
