@@ -23,14 +23,13 @@ inline constexpr int dynamic = Eigen::Dynamic;
 struct facts {
     int order = 0;
     int stage_order = 0;
-    bool stiffly_accurate = false;  ///< last row of A equals b, hence y1 = Y_s
     bool a_stable = false;
-    bool l_stable = false;
     bool algebraically_stable = false;
     bool symplectic = false;
     bool symmetric = false;
     double r_infinity = 0;  ///< R(inf), NaN where the stability function has no finite limit
 
+    constexpr bool l_stable() const { return a_stable && r_infinity == 0; }
     friend bool operator==(const facts&, const facts&) = default;
 };
 
@@ -49,6 +48,13 @@ struct tableau {
     stagecraft::facts facts;
 
     int stages() const { return static_cast<int>(b.size()); }
+    /// The last row of A equals b, hence y1 = Y_s.
+    bool stiffly_accurate() const {
+        const int s = stages();
+        for (int j = 0; j < s; ++j)
+            if (!(A(s - 1, j) == b[j])) return false;
+        return s > 0;
+    }
 };
 
 /// A tableau whose A is regular, with A^-1 brought to real block-diagonal form (Hairer-Wanner II.IV.8):

@@ -58,10 +58,12 @@ BOOST_AUTO_TEST_CASE(arrays_are_unpacked_into_their_places) {
 BOOST_AUTO_TEST_CASE(facts_are_those_of_the_families) {
     static_assert(coefficients::radau_iia<5>::facts.order == 9);
     static_assert(coefficients::gauss<4>::facts.symplectic && !coefficients::radau_iia<4>::facts.symplectic);
+    static_assert(coefficients::radau_iia<4>::facts.l_stable() && !coefficients::gauss<4>::facts.l_stable());
     const facts iia = radau_iia<3>().facts;
     BOOST_TEST(iia.order == 5);
     BOOST_TEST(iia.stage_order == 3);
-    BOOST_TEST((iia.l_stable && iia.stiffly_accurate && iia.algebraically_stable && !iia.symmetric));
+    BOOST_TEST((iia.l_stable() && iia.algebraically_stable && !iia.symmetric));
+    BOOST_TEST((radau_iia<3>().stiffly_accurate() && !gauss<3>().stiffly_accurate()));
     BOOST_TEST(iia.r_infinity == 0.0);
     BOOST_TEST(gauss<3>().facts.r_infinity == -1.0);
     BOOST_TEST((lobatto_iiia<4>().facts.symmetric && !lobatto_iiia<4>().facts.algebraically_stable));

@@ -14,9 +14,7 @@ template <>
 struct gauss<1> {
     static constexpr stagecraft::facts facts{.order = 2,
                                              .stage_order = 1,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -42,9 +40,7 @@ template <>
 struct gauss<2> {
     static constexpr stagecraft::facts facts{.order = 4,
                                              .stage_order = 2,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -76,9 +72,7 @@ template <>
 struct gauss<3> {
     static constexpr stagecraft::facts facts{.order = 6,
                                              .stage_order = 3,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -116,9 +110,7 @@ template <>
 struct gauss<4> {
     static constexpr stagecraft::facts facts{.order = 8,
                                              .stage_order = 4,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -158,9 +150,7 @@ template <>
 struct gauss<5> {
     static constexpr stagecraft::facts facts{.order = 10,
                                              .stage_order = 5,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -206,9 +196,7 @@ template <>
 struct gauss<6> {
     static constexpr stagecraft::facts facts{.order = 12,
                                              .stage_order = 6,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -256,9 +244,7 @@ template <>
 struct gauss<7> {
     static constexpr stagecraft::facts facts{.order = 14,
                                              .stage_order = 7,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -312,9 +298,7 @@ template <>
 struct gauss<8> {
     static constexpr stagecraft::facts facts{.order = 16,
                                              .stage_order = 8,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,
@@ -370,9 +354,7 @@ template <>
 struct gauss<9> {
     static constexpr stagecraft::facts facts{.order = 18,
                                              .stage_order = 9,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = true,
                                              .symplectic = true,
                                              .symmetric = true,

@@ -14,9 +14,7 @@ template <>
 struct lobatto_iiia<2> {
     static constexpr stagecraft::facts facts{.order = 2,
                                              .stage_order = 2,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = false,
                                              .symplectic = false,
                                              .symmetric = true,
@@ -34,9 +32,7 @@ template <>
 struct lobatto_iiia<3> {
     static constexpr stagecraft::facts facts{.order = 4,
                                              .stage_order = 3,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = false,
                                              .symplectic = false,
                                              .symmetric = true,
@@ -55,9 +51,7 @@ template <>
 struct lobatto_iiia<4> {
     static constexpr stagecraft::facts facts{.order = 6,
                                              .stage_order = 4,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = false,
                                              .symplectic = false,
                                              .symmetric = true,
@@ -77,9 +71,7 @@ template <>
 struct lobatto_iiia<5> {
     static constexpr stagecraft::facts facts{.order = 8,
                                              .stage_order = 5,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = false,
                                              .symplectic = false,
                                              .symmetric = true,
@@ -100,9 +92,7 @@ template <>
 struct lobatto_iiia<6> {
     static constexpr stagecraft::facts facts{.order = 10,
                                              .stage_order = 6,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = false,
                                              .algebraically_stable = false,
                                              .symplectic = false,
                                              .symmetric = true,

@@ -14,9 +14,7 @@ template <>
 struct lobatto_iiic<2> {
     static constexpr stagecraft::facts facts{.order = 2,
                                              .stage_order = 1,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -48,9 +46,7 @@ template <>
 struct lobatto_iiic<3> {
     static constexpr stagecraft::facts facts{.order = 4,
                                              .stage_order = 2,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -88,9 +84,7 @@ template <>
 struct lobatto_iiic<4> {
     static constexpr stagecraft::facts facts{.order = 6,
                                              .stage_order = 3,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -130,9 +124,7 @@ template <>
 struct lobatto_iiic<5> {
     static constexpr stagecraft::facts facts{.order = 8,
                                              .stage_order = 4,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -178,9 +170,7 @@ template <>
 struct lobatto_iiic<6> {
     static constexpr stagecraft::facts facts{.order = 10,
                                              .stage_order = 5,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,

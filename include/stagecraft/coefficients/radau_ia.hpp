@@ -14,9 +14,7 @@ template <>
 struct radau_ia<1> {
     static constexpr stagecraft::facts facts{.order = 1,
                                              .stage_order = 0,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -42,9 +40,7 @@ template <>
 struct radau_ia<2> {
     static constexpr stagecraft::facts facts{.order = 3,
                                              .stage_order = 1,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -76,9 +72,7 @@ template <>
 struct radau_ia<3> {
     static constexpr stagecraft::facts facts{.order = 5,
                                              .stage_order = 2,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -116,9 +110,7 @@ template <>
 struct radau_ia<4> {
     static constexpr stagecraft::facts facts{.order = 7,
                                              .stage_order = 3,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -158,9 +150,7 @@ template <>
 struct radau_ia<5> {
     static constexpr stagecraft::facts facts{.order = 9,
                                              .stage_order = 4,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -206,9 +196,7 @@ template <>
 struct radau_ia<6> {
     static constexpr stagecraft::facts facts{.order = 11,
                                              .stage_order = 5,
-                                             .stiffly_accurate = false,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,

@@ -14,9 +14,7 @@ template <>
 struct radau_iia<1> {
     static constexpr stagecraft::facts facts{.order = 1,
                                              .stage_order = 1,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -42,9 +40,7 @@ template <>
 struct radau_iia<2> {
     static constexpr stagecraft::facts facts{.order = 3,
                                              .stage_order = 2,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -76,9 +72,7 @@ template <>
 struct radau_iia<3> {
     static constexpr stagecraft::facts facts{.order = 5,
                                              .stage_order = 3,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -116,9 +110,7 @@ template <>
 struct radau_iia<4> {
     static constexpr stagecraft::facts facts{.order = 7,
                                              .stage_order = 4,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -158,9 +150,7 @@ template <>
 struct radau_iia<5> {
     static constexpr stagecraft::facts facts{.order = 9,
                                              .stage_order = 5,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -206,9 +196,7 @@ template <>
 struct radau_iia<6> {
     static constexpr stagecraft::facts facts{.order = 11,
                                              .stage_order = 6,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -256,9 +244,7 @@ template <>
 struct radau_iia<7> {
     static constexpr stagecraft::facts facts{.order = 13,
                                              .stage_order = 7,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -312,9 +298,7 @@ template <>
 struct radau_iia<8> {
     static constexpr stagecraft::facts facts{.order = 15,
                                              .stage_order = 8,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,
@@ -370,9 +354,7 @@ template <>
 struct radau_iia<9> {
     static constexpr stagecraft::facts facts{.order = 17,
                                              .stage_order = 9,
-                                             .stiffly_accurate = true,
                                              .a_stable = true,
-                                             .l_stable = true,
                                              .algebraically_stable = true,
                                              .symplectic = false,
                                              .symmetric = false,

@@ -334,8 +334,7 @@ class collocation_step : public step_defaults<Space> {
             interpolation_nodes<Scalar, Space::columns>(s), zero, zero, zero, zero, zero, zero};
         for (int j = 0; j < s; ++j)
             for (int i = 0; i < s; ++i) known.update[j] += method.b[i] * method.A_inverse(i, j);
-        for (int j = 0; j < s; ++j)
-            known.stiffly_accurate = known.stiffly_accurate && method.A(s - 1, j) == method.b[j];
+        known.stiffly_accurate = method.stiffly_accurate();
         known.jump = method.c[0] == Scalar(0);
         known.stage_order_two = stagecraft::has_stage_order_two(method);
         known.order = method.facts.order > 0 ? method.facts.order : quadrature_conditions(method, 2 * s);

@@ -53,13 +53,12 @@ tableau_structure structure_of(const tableau<Scalar, Stages>& m, Eigen::Matrix<S
     const int s = m.stages();
     tableau_structure is;
     is.left_stage = m.c[0] == Scalar(0);
-    is.stiffly_accurate = m.c[s - 1] == Scalar(1);
+    is.stiffly_accurate = m.stiffly_accurate() && m.c[s - 1] == Scalar(1);
     Scalar largest(0);
     for (int i = 0; i < s; ++i)
         for (int j = 0; j < s; ++j) {
             if (j > i && !(m.A(i, j) == Scalar(0))) is.lower = false;
             if (i == 0 && !(m.A(i, j) == Scalar(0))) is.left_stage = false;
-            if (i == s - 1 && !(m.A(i, j) == m.b[j])) is.stiffly_accurate = false;
             if (abs(m.A(i, j)) > largest) largest = abs(m.A(i, j));
         }
     const int first = is.left_stage ? 1 : 0, n = s - first;

@@ -50,9 +50,7 @@ inline std::string facts(const stagecraft::facts& f) {
     if (!std::isfinite(f.r_infinity)) throw std::invalid_argument("emit: R(infinity) is not finite");
     return "    static constexpr stagecraft::facts facts{.order = " + std::to_string(f.order) +
            ",\n                                             .stage_order = " + std::to_string(f.stage_order) +
-           ",\n                                             .stiffly_accurate = " + text(f.stiffly_accurate) +
            ",\n                                             .a_stable = " + text(f.a_stable) +
-           ",\n                                             .l_stable = " + text(f.l_stable) +
            ",\n                                             .algebraically_stable = " +
            text(f.algebraically_stable) +
            ",\n                                             .symplectic = " + text(f.symplectic) +

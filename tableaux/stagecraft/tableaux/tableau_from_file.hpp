@@ -20,8 +20,7 @@ Real nearest(const rational& q) {
 
 /// The method of a tableau file in the numbers a stepper computes with, each entry rounded once: exact
 /// entries to the nearest double or long double, decimals from the number as it is written. The facts are
-/// what the file claims (`stagecraft certify` proves or refutes it), and stiff accuracy as the entries show
-/// it. What the file does not claim is 0 or false, R(inf) is NaN.
+/// what the file claims (`stagecraft certify` proves or refutes it). What it does not claim is 0 or false, R(inf) is NaN.
 template <class Real = double>
 tableau<Real> rounded(const tableau_file& file) {
     auto t = to_tableau<Real>(file, [](const entry& e) {
@@ -31,15 +30,12 @@ tableau<Real> rounded(const tableau_file& file) {
     auto& f = t.facts;
     f.order = file.claims.order.value_or(0);
     f.stage_order = file.claims.stage_order.value_or(0);
-    f.a_stable = file.claims.a_stable.value_or(false);
-    f.l_stable = file.claims.l_stable.value_or(false);
+    const bool l_stable = file.claims.l_stable.value_or(false);
+    f.a_stable = l_stable || file.claims.a_stable.value_or(false);
     f.algebraically_stable = file.claims.algebraically_stable.value_or(false);
     f.symplectic = file.claims.symplectic.value_or(false);
     f.symmetric = file.claims.symmetric.value_or(false);
-    f.r_infinity = f.l_stable ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    f.stiffly_accurate = true;
-    for (int j = 0; j < t.stages(); ++j)
-        f.stiffly_accurate = f.stiffly_accurate && t.A(t.stages() - 1, j) == t.b(j);
+    f.r_infinity = l_stable ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     return t;
 }
 

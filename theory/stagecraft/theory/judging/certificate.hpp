@@ -55,9 +55,7 @@ struct certificate {
         stagecraft::facts f;
         f.order = order;
         f.stage_order = simplifying.stage_order();
-        f.stiffly_accurate = stiffly_accurate.is_proved();
         f.a_stable = a_stable.is_proved();
-        f.l_stable = l_stable.is_proved();
         f.algebraically_stable = algebraically_stable.is_proved();
         f.symplectic = symplectic.is_proved();
         f.symmetric = symmetric.is_proved();
