@@ -6,13 +6,29 @@ namespace stagecraft {
 /// Where a run had its Jacobian from; none where no stage is implicit.
 enum class jacobian_source { none, member, automatic_differentiation, differences };
 
-/// The optional members that a run found in its problem (problem/capabilities.hpp); one that is misspelt is
-/// false here.
+/// The optional members of a problem besides its jacobian (problem/capabilities.hpp).
+enum class capability {
+    mass,
+    index,
+    constant_jacobian,
+    second_order_components,
+    bandwidth,
+    sparsity,
+    matrix,
+    linear_solver,
+    add_up,
+    measure
+};
+
+/// The optional members that a run found in its problem; one that is misspelt is missing here.
 struct found_capabilities {
     jacobian_source jacobian = jacobian_source::none;
-    bool mass = false, index = false, constant_jacobian = false, second_order_components = false,
-         bandwidth = false, sparsity = false, matrix = false, linear_solver = false, add_up = false,
-         measure = false;
+
+    constexpr bool has(capability c) const { return (members_ >> static_cast<int>(c)) % 2 != 0; }
+    constexpr void add(capability c) { members_ |= 1u << static_cast<int>(c); }
+
+  private:
+    unsigned members_ = 0;
 };
 
 /// What a run cost, and what it was told: plain counts, filled by every integrator.

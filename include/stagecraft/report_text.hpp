@@ -63,16 +63,16 @@ inline void print(std::ostream& out, const found_capabilities& found) {
     };
     name(true, "f");
     name(found.jacobian == jacobian_source::member, "jacobian");
-    name(found.mass, "mass");
-    name(found.index, "index");
-    name(found.constant_jacobian, "constant_jacobian");
-    name(found.second_order_components, "second_order_components");
-    name(found.bandwidth, "bandwidth");
-    name(found.sparsity, "sparsity");
-    name(found.matrix, "matrix");
-    name(found.linear_solver, "linear_solver");
-    name(found.add_up, "add_up");
-    name(found.measure, "measure");
+    name(found.has(capability::mass), "mass");
+    name(found.has(capability::index), "index");
+    name(found.has(capability::constant_jacobian), "constant_jacobian");
+    name(found.has(capability::second_order_components), "second_order_components");
+    name(found.has(capability::bandwidth), "bandwidth");
+    name(found.has(capability::sparsity), "sparsity");
+    name(found.has(capability::matrix), "matrix");
+    name(found.has(capability::linear_solver), "linear_solver");
+    name(found.has(capability::add_up), "add_up");
+    name(found.has(capability::measure), "measure");
     if (found.jacobian == jacobian_source::automatic_differentiation)
         out << "; Jacobian by automatic differentiation";
     if (found.jacobian == jacobian_source::differences) out << "; Jacobian by finite differences";
@@ -117,10 +117,11 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
 /// What to look at where a run with a mass matrix could not go on, in a sentence; empty otherwise.
 template <class Scalar>
 constexpr const char* advice(status s, const report<Scalar>& r) {
-    if (!r.found.mass || s == status::success || s == status::stopped || s == status::event ||
-        s == status::too_many_steps || s == status::size_changed || s == status::function_threw)
+    if (!r.found.has(capability::mass) || s == status::success || s == status::stopped ||
+        s == status::event || s == status::too_many_steps || s == status::size_changed ||
+        s == status::function_threw)
         return "";
-    if (s == status::singular_matrix && !r.found.index)
+    if (s == status::singular_matrix && !r.found.has(capability::index))
         return "there is no problem.index(): where the constraints determine components of index 2 and 3, it "
                "has to name them; or look at the constraints: they may depend on each other, or y0 may not "
                "satisfy them (dae/consistent.hpp)";
@@ -128,7 +129,7 @@ constexpr const char* advice(status s, const report<Scalar>& r) {
         return "look at the constraints: they may depend on each other, or y0 may not satisfy them "
                "(dae/consistent.hpp), "
                "or they determine components of index 2 and 3, which problem.index() has to name";
-    if (!r.found.index)
+    if (!r.found.has(capability::index))
         return "where mass() is singular, look at y0, which has to satisfy the constraints "
                "(dae/consistent.hpp), and "
                "at the index: problem.index() has to name components of index 2 and 3";

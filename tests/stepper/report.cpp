@@ -145,12 +145,12 @@ BOOST_AUTO_TEST_CASE(a_failure_with_a_mass_matrix_says_what_to_look_at) {
         return text.str().find(what) != std::string::npos;
     };
     BOOST_TEST(!says(sc::status::step_underflow, "look at"));
-    r.found.mass = true;
+    r.found.add(sc::capability::mass);
     BOOST_TEST(says(sc::status::step_underflow, "problem.index() has to name components of index 2 and 3"));
     BOOST_TEST(says(sc::status::singular_matrix, "look at the constraints"));
     BOOST_TEST(says(sc::status::singular_matrix, "there is no problem.index()"));
     BOOST_TEST(!says(sc::status::success, "look at"));
-    r.found.index = true;
+    r.found.add(sc::capability::index);
     BOOST_TEST(!says(sc::status::singular_matrix, "there is no problem.index()"));
     BOOST_TEST(says(sc::status::non_finite, "look at y0, which has to satisfy the constraints"));
     r.steps = 1;

@@ -287,8 +287,8 @@ inline std::array<long, 2> same_steps(const Method& method, const Whole& problem
         BOOST_TEST(part.report.solves == whole.report.solves);
         BOOST_TEST(part.report.jacobians == whole.report.jacobians);
         BOOST_TEST(part.report.largest_step == parts[0].report.largest_step);
-        BOOST_TEST(part.report.found.add_up);
-        BOOST_TEST(part.report.found.matrix);
+        BOOST_TEST(part.report.found.has(sc::capability::add_up));
+        BOOST_TEST(part.report.found.has(sc::capability::matrix));
     }
     for (int i = 0; i < both.size(); ++i)
         BOOST_TEST(std::abs(both[i] - whole.y[i]) <= 1e-3 * (o.atol + o.rtol * std::abs(whole.y[i])));

@@ -130,16 +130,7 @@ class system
           mass_(make_mass<scalar>(problem, n_)),
           engine_(size_at_compile_time == Eigen::Dynamic ? 0 : n_),
           J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
-        report_.found = {.mass = has_mass<Problem>,
-                         .index = has_index<Problem>,
-                         .constant_jacobian = has_constant_jacobian<Problem>,
-                         .second_order_components = has_second_order_components<Problem>,
-                         .bandwidth = has_bandwidth<Problem>,
-                         .sparsity = has_sparsity<Problem>,
-                         .matrix = has_matrix<Problem>,
-                         .linear_solver = has_linear_solver<Problem>,
-                         .add_up = has_add_up<Problem, scalar>,
-                         .measure = has_stopwatch<Problem>};
+        report_.found = found();
         if (n_ == 0 && sums_type::complete)
             throw std::invalid_argument("integrate: y0 must have one component at least");
         static_assert(has_entries<mass_type> || has_linear_solver<Problem>,
@@ -350,6 +341,25 @@ class system
     }
 
   private:
+    /// The optional members that the problem has, but for its Jacobian.
+    static constexpr found_capabilities found() {
+        found_capabilities all;
+        const auto add = [&](bool there, capability c) {
+            if (there) all.add(c);
+        };
+        add(has_mass<Problem>, capability::mass);
+        add(has_index<Problem>, capability::index);
+        add(has_constant_jacobian<Problem>, capability::constant_jacobian);
+        add(has_second_order_components<Problem>, capability::second_order_components);
+        add(has_bandwidth<Problem>, capability::bandwidth);
+        add(has_sparsity<Problem>, capability::sparsity);
+        add(has_matrix<Problem>, capability::matrix);
+        add(has_linear_solver<Problem>, capability::linear_solver);
+        add(has_add_up<Problem, scalar>, capability::add_up);
+        add(has_stopwatch<Problem>, capability::measure);
+        return all;
+    }
+
     void check_size(const Vector& f) const {
         if constexpr (size_at_compile_time == Eigen::Dynamic)
             if (f.size() != n_) throw size_change{};
