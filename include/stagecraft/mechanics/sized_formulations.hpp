@@ -112,11 +112,11 @@ class sized_formulation
             f.segment(2 * n_, n_) = force - inertia;
         }
         if constexpr (Level != constraint_level::position)
-            f.segment(multipliers_at(), m_) = sized::velocity_constraint(model_, q, v, t);
+            f.segment(multipliers_at(), m_) = sized::velocity_constraint(model_, G, q, v, t);
         if constexpr (Level != constraint_level::velocity) f.tail(m_) = sized::g(model_, q, t);
         if (contact_)
             f.tail(m_) +=
-                contact_->damping / contact_->stiffness * sized::velocity_constraint(model_, q, v, t) -
+                contact_->damping / contact_->stiffness * sized::velocity_constraint(model_, G, q, v, t) -
                 lambda / contact_->stiffness;
         if constexpr (Level == constraint_level::both) f.head(n_) -= G.transpose() * y.tail(m_);
     }

@@ -86,16 +86,21 @@ Eigen::VectorXd g(const Model& model, const Eigen::VectorXd& q, [[maybe_unused]]
     else
         return model.g(q);
 }
-/// G v + b.
-template <class Model>
-Eigen::VectorXd velocity_constraint(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                                    double t) {
-    Eigen::VectorXd r = G(model, q, t) * v;
+/// G v + b with the G there is.
+template <class Model, class Matrix>
+Eigen::VectorXd velocity_constraint(const Model& model, const Matrix& G, const Eigen::VectorXd& q,
+                                    const Eigen::VectorXd& v, [[maybe_unused]] double t) {
+    Eigen::VectorXd r = G * v;
     if constexpr (requires { model.b(q, t); })
         r += model.b(q, t);
     else if constexpr (requires { model.b(q); })
         r += model.b(q);
     return r;
+}
+template <class Model>
+Eigen::VectorXd velocity_constraint(const Model& model, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                    double t) {
+    return velocity_constraint(model, G(model, q, t), q, v, t);
 }
 
 template <class Model>
