@@ -201,3 +201,26 @@ BOOST_AUTO_TEST_CASE(refactoring_a_kept_pattern_allocates_nothing_outside_the_fa
     BOOST_TEST(outside(30) > 0);
     BOOST_TEST(outside(30) == 0);
 }
+
+BOOST_AUTO_TEST_CASE(few_unknowns_allocate_nothing_from_the_second_matrix_on) {
+    const int n = 200;
+    auto J = far_coupled(n, 1, n - 50);
+    sc::sparse_blocks<double>::real real(n);
+    sc::sparse_blocks<double>::complex complex(n);
+    Eigen::VectorXd x = Eigen::VectorXd::Ones(n), y = x;
+    const auto taken = [&](double shift) {
+        const long before = allocations;
+        const bool good = real.factor_shifted(sc::identity_mass{}, J, shift) &&
+                          complex.factor_shifted(sc::identity_mass{}, J, shift, -shift);
+        real.solve(x.data());
+        complex.solve(x.data(), y.data());
+        const long all = allocations - before;
+        BOOST_REQUIRE(good);
+        return all;
+    };
+    BOOST_TEST(taken(30) > 0);
+    for (const double shift : {30.0, 7.0, 1e3}) {
+        J *= 1.5;
+        BOOST_TEST(taken(shift) == 0);
+    }
+}

@@ -19,6 +19,7 @@ struct real_column {
     Scalar* x;
 
     number operator[](std::ptrdiff_t i) const { return x[i]; }
+    bool holds(std::ptrdiff_t i) const { return !is_zero(x[i]); }
     void set(int i, const number& v) const { x[i] = v; }
     void swap(int i, int k) const { std::swap(x[i], x[k]); }
     friend real_column operator+(const real_column& c, std::ptrdiff_t i) { return {c.x + i}; }
@@ -72,6 +73,7 @@ struct complex_column {
     Scalar *re, *im;
 
     number operator[](std::ptrdiff_t i) const { return {re[i], im[i]}; }
+    bool holds(std::ptrdiff_t i) const { return !is_zero((*this)[i]); }
     void set(int i, const number& v) const { re[i] = v.re, im[i] = v.im; }
     void swap(int i, int k) const { std::swap(re[i], re[k]), std::swap(im[i], im[k]); }
     friend complex_column operator+(const complex_column& c, std::ptrdiff_t i) {

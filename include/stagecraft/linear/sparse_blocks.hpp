@@ -3,23 +3,21 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 #include <complex>
 #include <memory>
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/shifted_sparse.hpp>
+#include <stagecraft/linear/sparse_lu.hpp>
 
 namespace stagecraft {
 
 /// The linear solvers for shift M - J with J an Eigen::SparseMatrix, on any sparse direct solvers with
-/// Eigen's interface: analyzePattern, factorize, solve, info. SparseLU by default; where SuiteSparse is
+/// Eigen's interface: analyzePattern, factorize, solve, info. sparse_lu by default; where SuiteSparse is
 /// installed linear/klu.hpp and linear/umfpack.hpp have KLU and UMFPACK. The pattern is analysed once per
 /// pattern of J, so J should keep explicit zeros; a matrix of the same pattern costs its factorisation only.
-template <class Scalar,
-          class RealSolver = Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::COLAMDOrdering<int>>,
-          class ComplexSolver =
-              Eigen::SparseLU<Eigen::SparseMatrix<std::complex<Scalar>>, Eigen::COLAMDOrdering<int>>>
+template <class Scalar, class RealSolver = sparse_lu<Scalar>,
+          class ComplexSolver = sparse_lu<std::complex<Scalar>>>
 struct sparse_blocks {
     /// For a real shift.
     class real {

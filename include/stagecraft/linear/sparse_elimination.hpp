@@ -12,7 +12,9 @@ namespace stagecraft {
 
 /// Gaussian elimination of a dense matrix most of whose entries are zero (kinetics, circuits, chains of masses): only
 /// entries that are not zero, or are filled, are touched. All pivots are on the diagonal; a matrix that needs others,
-/// or is too full to gain by this, is left to `elimination`. Column: real_column or complex_column.
+/// or is too full to gain by this, is left to `elimination`. Column: real_column or complex_column; the matrix is given as
+/// one, or as anything that knows its entries by a[i + n j], by a.holds(place) which are there, and by a.zeros(n n)
+/// how many are not.
 template <class Column>
 class sparse_elimination {
     using scalar = typename Column::scalar;
@@ -23,12 +25,13 @@ class sparse_elimination {
     /// what has been subtracted somewhere is more than ten times the largest entry of its row, and elsewhere of its
     /// column. (The error is n eps |L| |U|, N. J. Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002,
     /// Theorem 9.3, which either bound keeps small, whatever the units of unknowns and equations are.)
-    bool factor(const Column& a, int n) {
+    template <class Entries = Column>
+    bool factor(const Entries& a, int n) {
         factored_ = false;
         if (n < smallest) return false;
         const int zeros = a.zeros(n * n);
         if (2 * zeros < n * n) return false;
-        const auto nonzero = [&](std::ptrdiff_t place) { return !is_zero(a[place]); };
+        const auto nonzero = [&](std::ptrdiff_t place) { return a.holds(place); };
         if (n * n - zeros != static_cast<int>(pattern_.size()) ||
             !std::all_of(pattern_.begin(), pattern_.end(), nonzero)) {
             pattern_.clear();
@@ -46,6 +49,9 @@ class sparse_elimination {
     }
     /// The last matrix has been factored here.
     bool factored() const { return factored_; }
+
+    /// How many entries the factors have.
+    int entries() const { return order_.size(); }
 
     /// x := A^-1 x.
     void solve(const Column& x) {
@@ -72,7 +78,8 @@ class sparse_elimination {
     static constexpr int smallest = 8;  // below, loops without indices are as fast
 
     /// Column by column: the columns of L before it are subtracted from each, which is spread out in x_ meanwhile.
-    bool eliminate(const Column& a, int n) {
+    template <class Entries>
+    bool eliminate(const Entries& a, int n) {
         const int* row = order_.rows();
         std::fill(largest_l_.begin(), largest_l_.end(), scalar(1));
         std::fill(largest_u_.begin(), largest_u_.end(), scalar(0));
@@ -110,7 +117,8 @@ class sparse_elimination {
         }
         return small_in_columns || small_in_rows(a, n);
     }
-    bool small_in_rows(const Column& a, int n) {
+    template <class Entries>
+    bool small_in_rows(const Entries& a, int n) {
         std::fill(largest_l_.begin(), largest_l_.end(), scalar(0));  // from here on: entries of the rows of a
         for (int t = 0; t < order_.entries(); ++t)
             raise(largest_l_[order_.entry_at(t).row], size_of(a[order_.entry_at(t).place]));
