@@ -87,7 +87,9 @@ BOOST_AUTO_TEST_CASE(fast_modes_that_a_smooth_solution_does_not_have_ask_for_no_
         }
 }
 
-// kappa times the tolerance is above 1: of a nonlinear problem more meshes would have to show that M is regular.
+// kappa times the tolerance is above 1: of a nonlinear problem more meshes would have to be solved on to show that M is
+// regular. Where fast modes are not resolved, the Jacobians on the mesh halved show it, for as many evaluations of f and one
+// factorisation.
 BOOST_AUTO_TEST_CASE(ill_conditioned_linear_problems_take_one_step_on_a_mesh) {
     const auto both = [](const auto& a, const auto& b, auto& r) {
         r[0] = a[0] + 1;
@@ -101,7 +103,11 @@ BOOST_AUTO_TEST_CASE(ill_conditioned_linear_problems_take_one_step_on_a_mesh) {
                 BOOST_TEST(error_of(answer.y) <= rtol);
                 BOOST_TEST(answer.report.meshes <= 2);
                 BOOST_TEST(answer.report.newton_steps == answer.report.meshes);
-                BOOST_TEST(answer.report.factorisations == answer.report.meshes);
+                BOOST_TEST(answer.report.factorisations <= 2);
+                if (eps < 1e-7) continue;
+                BOOST_TEST(answer.report.meshes == 1);
+                BOOST_TEST(answer.report.intervals == 10);
+                BOOST_TEST(answer.report.f <= 400);
             }
 }
 

@@ -75,15 +75,7 @@ class bvp_solver {
         return equations_;
     }
     const iterate& solution_on_mesh() const { return x_; }
-    iterate response(int condition) {
-        using wide = typename equations_type::wide;
-        auto& e = linearised();
-        typename equations_type::column unit = equations_type::column::Zero(e.n() + e.np());
-        unit[condition] = Scalar(1);
-        iterate d;
-        e.solve(x_, wide::Zero(e.n(), e.s() * x_.intervals()), wide::Zero(e.n(), x_.intervals()), unit, d);
-        return d;
-    }
+    iterate response(int condition) { return linearised().response(x_, condition); }
     /// The same problem on a mesh with every interval halved; false where Newton's iteration fails there.
     bool halve() {
         move_to(halved(x_.t));
@@ -122,7 +114,8 @@ class bvp_solver {
                 restart(guess);
                 continue;
             }
-            if (!o_.adapt || (error_ <= o_.rtol && settled() && (!few || regular_.resolved()))) {
+            if (!o_.adapt ||
+                (error_ <= o_.rtol && (few ? settled() && regular_.resolved() : settled() || confirmed()))) {
                 accept();
                 if (!few || result_.ok()) return;
             }
@@ -251,6 +244,14 @@ class bvp_solver {
                              (newton_.linear() && regular_.doubt() < Scalar(1e-5)))) ||
                !o_.adapt || ++checks_ > 6 ||
                kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000;
+    }
+    /// Where fast modes leave fundamental solutions unresolved, the mesh halved says whether the condition number stays: of a
+    /// linear problem by its Jacobians, without its solution there.
+    bool confirmed() {
+        if (!newton_.linear() || regular_.resolved() || 2 * x_.intervals() > o_.max_intervals) return false;
+        ++result_.report.factorisations;
+        equations_type finer(equations_.method(), system_, mass_);
+        return confirms_condition(finer, estimate_.on(halved(x_.t), x_), *rule_, floor_, last_kappa_);
     }
     Scalar relative_kappa() { return conditioning_.fundamental(), conditioning_.relative(floor_); }
 

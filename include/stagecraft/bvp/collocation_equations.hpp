@@ -136,6 +136,15 @@ class collocation_equations {
                             rho.middleCols(i * s(), s()), d.Z.middleCols(i * s(), s()));
     }
 
+    /// The derivative of x with respect to the value of a condition.
+    iterate response(const iterate& x, int condition) {
+        column unit = column::Zero(n() + np());
+        unit[condition] = Scalar(1);
+        iterate d;
+        solve(x, wide::Zero(n(), s() * x.intervals()), wide::Zero(n(), x.intervals()), unit, d);
+        return d;
+    }
+
     auto jacobians(int i) const { return J_.middleCols(i * s() * (n() + np()), s() * (n() + np())); }
     two_point_matrix<Scalar, N>& factors() { return matrix_; }
     /// The block F of interval i in E y_i + F y_{i+1} + P p = g.

@@ -178,7 +178,7 @@ class regularity {
         for (int k = 1; k <= order / 2; ++k) constant *= scalar(k) / scalar((4 * k - 2) * 2 * (2 * k + 1));
         for (int i = 0; i < x_.intervals(); ++i) {
             const auto all = equations_.jacobians(i);
-            const matrix J = x_.h(i) * all.middleCols((s / 2) * width, n);
+            const Eigen::Matrix<scalar, N, N> J = x_.h(i) * all.middleCols((s / 2) * width, n);
             const scalar most = J.cwiseAbs().maxCoeff();
             for (int j = 0; j < s; ++j)
                 if ((x_.h(i) * all.middleCols(j * width, n) - J).cwiseAbs().maxCoeff() > most / 2)
@@ -266,5 +266,19 @@ class regularity {
     std::optional<scalar> doubt_;
     bool resolved_ = false;
 };
+
+/// Is M of a linear problem known on the mesh of x as well, where `finer` are its equations, and its relative condition number
+/// `kappa` but for a factor of 2?
+template <class Equations>
+bool confirms_condition(Equations& finer, typename Equations::iterate x, const typename Equations::rule& rule,
+                        const typename regularity<Equations>::scalar& floor,
+                        const typename regularity<Equations>::scalar& kappa) {
+    finer.resize(x);
+    if (!finer.linearise(x)) return false;
+    conditioning_of<Equations> conditioning(finer, x);
+    if (regularity<Equations>(finer, conditioning, x, rule).unknown(floor)) return false;
+    const auto found = conditioning.relative(floor);
+    return found < 2 * kappa && kappa < 2 * found;
+}
 
 }  // namespace stagecraft::detail
