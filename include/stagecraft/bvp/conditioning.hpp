@@ -14,8 +14,24 @@ namespace stagecraft {
 
 namespace detail {
 
-/// The spectral norm of a small matrix: the largest eigenvalue of A^T A by Jacobi's method, of 2 x 2 matrices in closed
-/// form, relative to the largest entry so that squares do not overflow. Any scalar.
+/// The largest eigenvalue of B, symmetric with no negative one and not zero: the trace of P B with P the projector on its
+/// eigenvectors, to which B^(2^k) over its trace converges.
+template <class Square>
+typename Square::Scalar largest_eigenvalue(const Square& B) {
+    using scalar = typename Square::Scalar;
+    Square P = B / B.trace(), next;
+    for (int k = 0; k < 60; ++k) {
+        next = P.lazyProduct(P);
+        next /= next.trace();
+        const scalar change = (P - next).cwiseAbs().maxCoeff();
+        P = next;
+        if (!(change > 4 * std::numeric_limits<scalar>::epsilon())) break;
+    }
+    return P.cwiseProduct(B).sum();
+}
+
+/// The spectral norm of a small matrix A: of 2 x 2 matrices in closed form, else by the largest eigenvalue of A A^T, relative
+/// to the largest entry so that squares do not overflow. All singular `values` by Jacobi's method. Any scalar.
 template <class Matrix>
 typename Matrix::Scalar spectral_norm(const Matrix& a,
                                       std::vector<typename Matrix::Scalar>* values = nullptr) {
@@ -36,6 +52,7 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
                    2;
         }
     Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
+    if (!values) return largest * sqrt(largest_eigenvalue(u.lazyProduct(u.transpose()).eval()));
     for (int sweep = 0; sweep < 40; ++sweep) {  // one-sided: columns made orthogonal
         bool rotated = false;
         for (int p = 0; p < n; ++p)
@@ -59,7 +76,7 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
     scalar best(0);
     for (int j = 0; j < n; ++j) {
         const scalar norm = largest * sqrt(u.col(j).squaredNorm());
-        if (values) (*values)[j] = norm;
+        (*values)[j] = norm;
         if (norm > best) best = norm;
     }
     return best;
