@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 
 #include <stagecraft/linear/norms.hpp>
@@ -45,11 +46,13 @@ inline constexpr int most_linear_iterations = 200;
 /// Solves for Z the stage equations of a step h from `x` whose right-hand sides are linear (add), with the factors
 /// that `stages` has, to rounding relative to x and Z in the weighted norm, absolute where that nearly
 /// underflows. Where h f_y is so large that rounding errors of its products are larger, the iteration may end with
-/// increments below `tolerance`. False if it does not converge.
+/// increments below `tolerance`, or below sqrt(eps) where that is more: an iteration that has come so far down, from
+/// one, and no further contracts, and the rest is rounding. False if it does not converge.
 template <class Stages, class Mass, class Add, class Vector, class StageMatrix>
 bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const Vector& x,
                          const typename Vector::Scalar& h, Vector weights,
                          const typename Vector::Scalar& tolerance, StageMatrix& Z) {
+    using std::sqrt;
     using scalar = typename Vector::Scalar;
     const int s = stages.stages();
     const scalar eps = std::numeric_limits<scalar>::epsilon();
@@ -74,7 +77,8 @@ bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const
         return stages.solve(system, scalar(0), x, h, weights, limits, Z, solves).end == newton_end::converged;
     };
     if (converged()) return true;
-    limits.noise = tolerance;
+    const scalar far_down = sqrt(eps);
+    limits.noise = tolerance < far_down ? far_down : tolerance;
     return converged();
 }
 
