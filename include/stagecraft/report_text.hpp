@@ -140,14 +140,16 @@ constexpr const char* advice(status s, const report<Scalar>& r) {
 }
 
 /// What the counts of a run give reason to doubt, in a sentence; empty where they do not. Where f is smooth and its
-/// Jacobian right, Newton's iteration fails in few attempts.
+/// Jacobian right, Newton's iteration fails in few attempts. With a wrong one many attempts are rejected: those whose
+/// iteration fails, and those that a far-off iteration which has been believed leaves with a large error.
 template <class Scalar>
 constexpr const char* doubt(status s, const report<Scalar>& r) {
     const long attempts = r.steps + r.rejected(), few = 10;
     if (r.found.jacobian == jacobian_source::member && r.rejected_newton > few &&
-        3 * r.rejected_newton > attempts)
-        return "Newton's iteration failed in more than a third of the attempts: look at "
-               "problem.jacobian(), or compare with a run without it";
+        3 * r.rejected() > attempts && 7 * r.rejected_newton > attempts)
+        return "more than a third of the attempts were rejected, and Newton's iteration failed in more than "
+               "a seventh: look "
+               "at problem.jacobian(), or compare with a run without it";
     if (s == status::too_many_steps && r.rejected() > few && 3 * r.rejected() > attempts &&
         1000000 * r.smallest_step < r.largest_step)
         return "more than a third of the attempts were rejected, and steps became tiny: f may switch "
