@@ -147,7 +147,9 @@ BOOST_AUTO_TEST_CASE(steps_of_the_mass_matrix_form_do_not_grow_as_eps_vanishes) 
             const auto r = run(regularised(disc<>(), eps, kappa, 2.0, 2.0), 1.0, 1e-8, consistent());
             BOOST_TEST(r.steps <= reference.report.steps * 11 / 10);
         }
-    const auto creeping = run(regularised_creep_form(disc<>(), 1e-6, 1.0, 2.0, 2.0), 1.0, 1e-8, consistent());
+    // Those of the form with y and z do: 208 with eps = 1e-6, 549 with 1e-8, 2,181 with 1e-10 when this was written.
+    const auto creeping =
+        run(regularised_creep_form(disc<>(), 1e-10, 1.0, 2.0, 2.0), 1.0, 1e-8, consistent());
     BOOST_TEST(creeping.steps > reference.report.steps * 3 / 2);
 }
 

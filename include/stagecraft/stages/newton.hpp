@@ -26,8 +26,9 @@ template <class Scalar>
 struct newton_limits {
     Scalar factor, floor, noise;
     int iterations;
-    bool affine = false;  ///< f is affine in y with the Jacobian in use: the first iteration is exact
-    int patience = 1;     ///< contractions to be seen before slow ones are believed
+    bool affine = false;    ///< f is affine in y with the Jacobian in use: the first iteration is exact
+    int patience = 1;       ///< contractions to be seen before slow ones are believed
+    int most_at_once = 10;  ///< tolerances that the second increment may have where it is the last one
 };
 
 /// Iterations a step by s coupled stages may take.
@@ -80,13 +81,14 @@ class newton_monitor {
         if (k > 0) {
             const Scalar rate = size / last_;
             Scalar& theta = outcome_.theta;
-            // One contraction from a guess that was far off tells of the way back, not of where it has led: it is
-            // not enough where the last increment is larger than ten tolerances.
             const Scalar least = limits_.factor / 10;
             theta = k == 1 ? rate : Scalar(sqrt(rate * (theta < least ? least : theta)));
             if (size <= limits_.noise && rate > Scalar(1) / 4) return end(newton_end::converged);
             if (theta < Scalar(99) / 100) {
-                const Scalar believed = k == 1 && theta < least ? least : theta;
+                // One contraction from a guess that was far off tells of the way back, not of where it has led: it
+                // is not enough where the last increment is larger than so many tolerances.
+                const Scalar once = limits_.factor / Scalar(limits_.most_at_once);
+                const Scalar believed = k == 1 && theta < once ? once : theta;
                 const Scalar left = size * believed / (Scalar(1) - believed);
                 if (left <= limits_.factor) return end(newton_end::converged);
                 // Give up if the iterations that remain cannot reach the goal at the observed rate.

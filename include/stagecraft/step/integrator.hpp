@@ -153,7 +153,6 @@ class integrator {
   private:
     using system_type = stagecraft::system<Problem, Vector>;
     enum class progress { again, accepted, given_up };
-    static constexpr bool variable = method_count<Method> > 1;
 
     template <class F>
     decltype(auto) visit_current(F&& f) {
@@ -374,7 +373,8 @@ class integrator {
     newton_limits<scalar> newton_limits_for(int s, const scalar& h) {
         const bool affine =
             report_.steps > 0 && linear_.constant(system_) && linear_.factored_within(h, options_.rtol / 100);
-        return newton_room(options_, s, system_.largest_index(), refused_.by_newton, affine);
+        return newton_room(options_, s, system_.largest_index(), system_type::mass_type::identity,
+                           refused_.by_newton, affine);
     }
 
     [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;

@@ -16,10 +16,14 @@ namespace stagecraft {
 /// three stages it has to leave less. Where a free step has been refused, twice and three times as many
 /// iterations are allowed: with an approximate Jacobian they may converge steadily at a rate that does not
 /// depend on the step. With index k that rate shows after k contractions: an error in a constraint's gradient
-/// passes from q to v to lambda, one iteration each.
+/// passes from q to v to lambda, one iteration each. In ordinary differential equations (`ordinary`) it shows after
+/// two: where stiff directions turn, an error in one of them passes to other components |h J| times larger, and is
+/// gone, or as much smaller, one iteration later. (With a singular M one is waited for: steps that are longer for it
+/// leave errors in algebraic components that no next step mends.) For the same reason one fast contraction does not
+/// say much: after a failure it is enough only where the last increment is within the tolerance.
 template <class Scalar>
-newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_index, int failures,
-                                  bool affine) {
+newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_index, bool ordinary,
+                                  int failures, bool affine) {
     const bool fixed = o.fixed_step > Scalar(0);
     const Scalar rounding = std::numeric_limits<Scalar>::epsilon() / o.rtol;
     const int most = o.newton_iterations > 0 ? o.newton_iterations
@@ -31,8 +35,8 @@ newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_i
         if (!fixed && s > 3)
             for (int k = 3 * (largest_index - 1); k > 0; --k) factor *= Scalar(3) / Scalar(s);
     }
-    const int patience = !fixed && largest_index > 1 ? largest_index + 1 : 1;
-    return {factor, 4 * rounding, 100 * rounding, most, affine, patience};
+    const int patience = fixed ? 1 : largest_index > 1 ? largest_index + 1 : ordinary ? 2 : 1;
+    return {factor, 4 * rounding, 100 * rounding, most, affine, patience, ordinary && failures > 0 ? 1 : 10};
 }
 
 }  // namespace stagecraft
