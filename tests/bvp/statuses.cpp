@@ -191,12 +191,14 @@ BOOST_AUTO_TEST_CASE(singular_iterates_say_nothing_of_nonlinear_problems) {
         f[0] = y[1];
         f[1] = -sin(y[0]);
     };
-    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+    for (double tolerance = 1e-3; tolerance > 2e-13; tolerance /= 1.7) {
         const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(pendulum, ends{0, 0, 1}), 0.0, 8.0, swing,
                                      {.rtol = tolerance});
         const bool family = r.status == sc::bvp_status::not_isolated && r.kernel == 1;
         BOOST_TEST((family || r.status == sc::bvp_status::ill_conditioned));
         BOOST_TEST(std::abs(r.y(3.0)[0]) + std::abs(r.y(3.0)[1]) > 1);
+    }
+    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
         const auto blurred = sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{6}, ends{0, 0, 1}), 0.0,
                                            8.0, swing, {.rtol = tolerance});
         BOOST_TEST(!blurred.ok());

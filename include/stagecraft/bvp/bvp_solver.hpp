@@ -165,7 +165,7 @@ class bvp_solver {
     bool refresh() {
         if (newton_.linear() ||
             !(newton_.moved() * std::max(Scalar(1), relative_kappa()) > Scalar(1) / 1000) ||
-            !equations_.jacobians_differ(x_) || !equations_.linearise(x_))
+            !equations_.linearise(x_))
             return false;
         ++result_.report.factorisations;
         conditioning_.forget();
