@@ -130,8 +130,8 @@ struct call_of_integrate {
             sizeof(T) == 0,
             "integrate(method, problem, y0, t0, t1, options, observer): options have no such name, or "
             "one with a value of another type: {.rtol, .atol, .atol_components, .fixed_step, .initial_step, "
-            ".min_step, "
-            ".max_step, .control, .continuous, .jumps, .max_steps, .newton_iterations, .newton_factor}");
+            ".min_step, .max_step, .control, .continuous, .jumps, .max_steps, .newton_iterations, "
+            ".newton_factor}");
         return true;
     }
 };

@@ -2,14 +2,7 @@
 // says: take index_reduced(model, r)
 // lines: 8
 #include <stagecraft/mechanics/formulations.hpp>
-#include <stagecraft/mechanics/lagrangian.hpp>
 
-const auto T = [](const auto&, const auto& v) { return 0.5 * v.squaredNorm(); };
-const auto V = [](const auto& q) { return 9.81 * q[1]; };
-const auto blade = [](const auto& q) {
-    auto G = (0 * q).transpose().eval();
-    G(0) = 1;
-    return G;
-};
+#include "skate.hpp"
 
-auto run() { return stagecraft::baumgarte(stagecraft::lagrangian<2, 1>(T, V, blade), 1, 1); }
+auto run() { return stagecraft::baumgarte(skate, 1, 1); }

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: take regularised(model, eps, kappa, c, d)
 // lines: 8
-#include <stagecraft/mechanics/lagrangian.hpp>
 #include <stagecraft/mechanics/regularised_position.hpp>
 
-const auto T = [](const auto&, const auto& v) { return 0.5 * v.squaredNorm(); };
-const auto V = [](const auto& q) { return 9.81 * q[1]; };
-const auto blade = [](const auto& q) {
-    auto G = (0 * q).transpose().eval();
-    G(0) = 1;
-    return G;
-};
+#include "skate.hpp"
 
-auto run() {
-    return stagecraft::regularised_position(stagecraft::lagrangian<2, 1>(T, V, blade), 0.1, 1, 1, 1);
-}
+auto run() { return stagecraft::regularised_position(skate, 0.1, 1, 1, 1); }
