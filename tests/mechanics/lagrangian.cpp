@@ -390,8 +390,8 @@ BOOST_AUTO_TEST_CASE(a_constraint_that_depends_on_others_is_named) {
     const auto check = [](const auto& problem) {
         BOOST_CHECK_EXCEPTION(problem.initial_state(Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)),
                               std::domain_error, [](const std::domain_error& e) {
-                                  return std::string(e.what()).find("constraint 1 depends") !=
-                                         std::string::npos;
+                                  return std::string(e.what()).find(
+                                             "constraints that depend on others: 1 ") != std::string::npos;
                               });
     };
     check(index_2(twice));

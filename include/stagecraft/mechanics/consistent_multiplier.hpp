@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include <stagecraft/mechanics/constraint_rank.hpp>
 #include <stagecraft/mechanics/model.hpp>
 
 // The multiplier of a start, and what is wrong with a model that has none.
@@ -14,18 +15,19 @@ namespace stagecraft {
 
 namespace detail {
 
-/// The factors of G M^-1 G^T. Throws std::domain_error that names the first constraint that depends on those before it,
-/// to working precision, or whose row of G vanishes.
-template <class S, int m>
-small_ldlt<S, m> independent_constraints(const Eigen::Matrix<S, m, m>& inertia) {
+/// The factors of the inertia G M^-1 G^T. Throws std::domain_error with the rank of G and the constraints that depend on
+/// others, to working precision, or that names the first whose row of G vanishes.
+template <class S, int m, int n>
+small_ldlt<S, m> independent_constraints(const Eigen::Matrix<S, m, m>& inertia,
+                                         const Eigen::Matrix<S, m, n>& G) {
     small_ldlt<S, m> factors(inertia);
     for (int k = 0; k < m; ++k) {
         if (factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * inertia(k, k)) continue;
         const std::string which = "mechanical: constraint " + std::to_string(k);
-        if (inertia(k, k) > S(0))
-            throw std::domain_error(which + " depends on those before it here: G has not full rank");
         if (inertia(k, k) == S(0)) throw std::domain_error(which + " has a row of zeros in G here");
-        throw std::domain_error(which + " has a G M^-1 G^T that is not positive, or not finite, here");
+        if (!(inertia(k, k) > S(0)))
+            throw std::domain_error(which + " has a G M^-1 G^T that is not positive, or not finite, here");
+        refuse_dependent(G.template cast<double>(), k);
     }
     return factors;
 }
@@ -77,9 +79,10 @@ multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coor
         constraint_curvature<S, Model, Model::coordinates>(model, q, v, t);
     detail::check_finite(curvature, "the derivative of G v + b along the motion");
     const mass_inverse<S, Model> solve(model, q);
-    multiplier_vector<S, Model> rhs = detail::times(constraint_gradient<S>(model, q, t), solve(F));
+    const Eigen::Matrix<S, Model::constraints, Model::coordinates> G = constraint_gradient<S>(model, q, t);
+    multiplier_vector<S, Model> rhs = detail::times(G, solve(F));
     for (int k = 0; k < Model::constraints; ++k) rhs[k] += curvature[k];
-    return detail::independent_constraints(constraint_inertia<S>(model, q, t)).solve(rhs);
+    return detail::independent_constraints(detail::product(G, solve.of_transposed(G)), G).solve(rhs);
 }
 
 }  // namespace stagecraft

@@ -255,9 +255,10 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
         "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
         "(stagecraft/mechanics/sized_model.hpp) has any size");
     constexpr bool fewer = Constraints < Coordinates;
-    static_assert(fewer,
-                  "lagrangian<n, m>: m must be less than n: with as many constraints as coordinates nothing "
-                  "moves");
+    static_assert(
+        fewer,
+        "lagrangian<n, m>: m must be less than n: with as many constraints as coordinates nothing "
+        "moves, unless some depend on others: independent_constraints<m>(constraint, q) keeps m of them");
     static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
     static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
     if constexpr (!fewer) {

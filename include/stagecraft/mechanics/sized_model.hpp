@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/mechanics/constraint_rank.hpp>
 #include <stagecraft/mechanics/start.hpp>
 
 namespace stagecraft {
@@ -130,27 +130,6 @@ void append(std::vector<Eigen::Triplet<double>>& entries, const Matrix& m, int r
 
 }  // namespace sized
 
-/// Which rows of a matrix of constraints are independent: QR decomposition of G^T with column pivoting, rank to
-/// `tolerance` relative to the largest pivot.
-struct constraint_rank {
-    int rank = 0;
-    std::vector<int> independent;  ///< increasing row numbers, `rank` of them
-    std::vector<int> dependent;    ///< the others: combinations of the independent ones
-};
-template <class Matrix>
-constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Eigen::MatrixXd(G).transpose());
-    qr.setThreshold(tolerance);
-    constraint_rank r;
-    r.rank = static_cast<int>(qr.rank());
-    const auto order = qr.colsPermutation().indices();
-    for (int k = 0; k < order.size(); ++k)
-        (k < r.rank ? r.independent : r.dependent).push_back(static_cast<int>(order[k]));
-    std::sort(r.independent.begin(), r.independent.end());
-    std::sort(r.dependent.begin(), r.dependent.end());
-    return r;
-}
-
 namespace sized {
 
 /// (x, y) of M x + G^T y = a, G x = b with (a, b) = right. Throws std::domain_error that names the constraints that
@@ -177,16 +156,15 @@ Eigen::VectorXd saddle_point(const Mass& M, const Gradient& G, const Eigen::Vect
         if ((error.array().abs() <= 1e-3 * known.array()).all()) return lu.solve(right);
     }
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n), steep = G.cwiseAbs() * ones;
-    std::string rows;
-    for (const int k : independent_rows(G, 1e-6).dependent) {
+    const constraint_rank found = independent_rows(G, 1e-6);
+    for (const int k : found.dependent)
         if (steep[k] == 0)
             throw std::domain_error("mechanical: constraint " + std::to_string(k) +
                                     " has a row of zeros in G here");
-        rows += (rows.empty() ? "" : ", ") + std::to_string(k);
-    }
-    if (rows.empty()) throw std::domain_error("mechanical: M is singular here, or M or G is not finite");
-    throw std::domain_error("mechanical: G has not full rank, constraints that depend on others here: " +
-                            rows + " (independent_constraints(model, q) leaves such constraints out)");
+    if (found.dependent.empty())
+        throw std::domain_error("mechanical: M is singular here, or M or G is not finite");
+    throw std::domain_error("mechanical: " + detail::rank_in_words(found) +
+                            " (independent_constraints(model, q) leaves such constraints out)");
 }
 
 /// Acceleration and multiplier that belong to (q, v) at t: M a + G^T lambda = F, G a = -d/dt (G v + b) with v

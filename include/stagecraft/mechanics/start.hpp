@@ -110,7 +110,7 @@ assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Ei
         Eigen::Matrix<S, n, m> W;
         for (int k = 0; k < m; ++k) W.col(k) = solve(coordinate_vector<S, Model>(G.row(k).transpose()));
         const multiplier_matrix<S, Model> inertia = G * W;
-        return coordinate_vector<S, Model>(W * detail::independent_constraints(inertia).solve(r));
+        return coordinate_vector<S, Model>(W * detail::independent_constraints(inertia, G).solve(r));
     };
     if constexpr (holonomic_model<Model>) {
         constexpr int most = 50;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include <stagecraft/mechanics/constraint_rank.hpp>
+#include <stagecraft/mechanics/lagrangian.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// The rows of G to keep. Throws std::domain_error unless G has this rank.
+template <int Rank, class Matrix>
+std::array<int, Rank> rows_of_rank(const Matrix& G) {
+    static_assert(
+        Rank >= 1 && Rank <= Matrix::RowsAtCompileTime,
+        "independent_constraints<rank>: the rank of G lies between 1 and the number of constraints");
+    const constraint_rank r = independent_rows(G);
+    if (r.rank != Rank)
+        throw std::domain_error(
+            "independent_constraints<" + std::to_string(Rank) + ">: " +
+            (r.dependent.empty() ? "G has rank " + std::to_string(r.rank) + " here" : rank_in_words(r)));
+    std::array<int, Rank> rows{};
+    for (int k = 0; k < Rank; ++k) rows[k] = r.independent[k];
+    return rows;
+}
+
+template <int Rank, class Matrix>
+auto kept_rows(const Matrix& all, const std::array<int, Rank>& rows) {
+    Eigen::Matrix<typename Matrix::Scalar, Rank, Matrix::ColsAtCompileTime> r;
+    for (int j = 0; j < r.cols(); ++j)
+        for (int k = 0; k < Rank; ++k) r(k, j) = all(rows[k], j);
+    return r;
+}
+
+/// dG/dt of the constraints that are kept, where the model has G_rate.
+template <class Model, int Rank>
+struct kept_rate : Model {
+    std::array<int, Rank> rows;
+};
+template <has_constraint_rate Model, int Rank>
+struct kept_rate<Model, Rank> : Model {
+    std::array<int, Rank> rows;
+    template <class S>
+    Eigen::Matrix<S, Rank, Model::coordinates> G_rate(const coordinate_vector<S, Model>& q,
+                                                      const coordinate_vector<S, Model>& v) const {
+        const Eigen::Matrix<S, Model::constraints, Model::coordinates> all = Model::G_rate(q, v);
+        return kept_rows<Rank>(all, rows);
+    }
+};
+
+template <int Rank, class Constraint>
+struct kept_constraints {
+    Constraint all;
+    std::array<int, Rank> rows;
+
+    template <class... Arguments>
+    requires std::is_invocable_v<const Constraint&, const Arguments&...>
+    auto operator()(const Arguments&... q) const { return kept_rows<Rank>(all(q...).eval(), rows); }
+};
+
+}  // namespace detail
+
+/// A model with `Rank` of its constraints. Made by `independent_constraints`.
+template <class Model, int Rank>
+class independent_model_of_rank : public detail::kept_rate<Model, Rank> {
+    using base = detail::kept_rate<Model, Rank>;
+    template <class S>
+    using vector = coordinate_vector<S, Model>;
+
+  public:
+    static constexpr int constraints = Rank;
+
+    independent_model_of_rank(Model model, const std::array<int, Rank>& kept)
+        : base{std::move(model), kept} {}
+
+    template <class S>
+    Eigen::Matrix<S, Rank, Model::coordinates> G(const vector<S>& q, const S& t) const {
+        return detail::kept_rows<Rank>(constraint_gradient<S>(all(), q, t), base::rows);
+    }
+    template <class S>
+    Eigen::Matrix<S, Rank, 1> b(const vector<S>& q, const S& t) const
+        requires(has_prescribed_velocity<Model>) {
+        return detail::kept_rows<Rank>(prescribed_velocity<S>(all(), q, t), base::rows);
+    }
+    template <class S>
+    Eigen::Matrix<S, Rank, 1> g(const vector<S>& q, const S& t) const requires(
+        requires(const Model& m) { m.g(q); } || requires(const Model& m) { m.g(q, t); }) {
+        multiplier_vector<S, Model> values;
+        if constexpr (requires(const Model& m) { m.g(q, t); })
+            values = all().g(q, t);
+        else
+            values = all().g(q);
+        return detail::kept_rows<Rank>(values, base::rows);
+    }
+
+  private:
+    const Model& all() const { return *this; }
+};
+
+/// A model whose constraints depend on others (a door on three hinges, a table on four legs), with those `Rank` of them
+/// that are independent at q and time t: the motion is the same, and the multipliers that remain are unique. How a
+/// force is shared among dependent constraints is no question that rigid bodies answer; `regularised_position` gives
+/// each its stiffness. Constraints that depend on others along the whole motion are meant: those left out are
+/// not looked at again. Throws std::domain_error with the rank of G if it is another one, as in a singular position.
+template <int Rank, class Model>
+requires requires { Model::coordinates; }
+independent_model_of_rank<Model, Rank> independent_constraints(
+    Model model, const std::type_identity_t<coordinate_vector<double, Model>>& q, double t = 0) {
+    const auto rows = detail::rows_of_rank<Rank>(constraint_gradient<double>(model, q, t));
+    return {std::move(model), rows};
+}
+
+/// The same for the constraint of a `lagrangian`, which may have as many rows as coordinates and more:
+///
+///     const auto model = lagrangian<4, 3>(T, V, independent_constraints<3>(constraint, q));
+template <int Rank, class Constraint, int Coordinates>
+requires(!requires {
+    Constraint::coordinates;
+}) auto independent_constraints(Constraint constraint, const Eigen::Matrix<double, Coordinates, 1>& q,
+                                double t = 0) {
+    static_assert(Coordinates > 0,
+                  "independent_constraints<rank>(constraint, q): q must be a vector of fixed size");
+    using energy = detail::refused_energy;
+    using parts = detail::lagrangian_parts<energy, energy, Constraint, no_forces>;
+    const lagrangian_model<Coordinates, Rank, parts> all(parts{{}, {}, constraint, {}});
+    const auto rows = detail::rows_of_rank<Rank>(all.template G<double>(q, t));
+    return detail::kept_constraints<Rank, Constraint>{std::move(constraint), rows};
+}
+
+}  // namespace stagecraft
