@@ -49,6 +49,15 @@ void check_mass(const Eigen::Matrix<S, n, n>& M) {
     }
 }
 
+/// Throws std::invalid_argument for a kinetic energy that is not quadratic in v.
+template <class Model, class Vector>
+void check_kinetic_energy(const Model& model, const Vector& q) {
+    if constexpr (requires { model.quadratic_in_v(q); })
+        if (!model.quadratic_in_v(q))
+            throw std::invalid_argument(
+                "mechanical: T(q, v) must be a quadratic polynomial in v, and finite");
+}
+
 /// Throws std::domain_error that names the first component of `values` that is not finite.
 template <class Vector>
 void check_finite(const Vector& values, const char* what) {

@@ -35,6 +35,27 @@ Eigen::Matrix<Dual, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// F - M a in dual numbers, with the acceleration a held fixed.
+template <class Dual, class S, class Model>
+coordinate_vector<Dual, Model> balance(const Model& model, const coordinate_vector<Dual, Model>& q,
+                                       const coordinate_vector<Dual, Model>& v,
+                                       const coordinate_vector<S, Model>& a, const Dual& t) {
+    constexpr int n = Model::coordinates;
+    if constexpr (has_balance<Model>) {
+        return model.balance(q, v, constants<Dual>(a), t);
+    } else {
+        coordinate_vector<Dual, Model> r = force<Dual>(model, q, v, t);
+        const Eigen::Matrix<Dual, n, n> M = model.M(q);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) r[i] -= M(i, j) * a[j];
+        return r;
+    }
+}
+
+}  // namespace detail
+
 /// G(q, t) and the derivatives of the velocity constraint G v + b by q and v (that by v is G).
 template <class S, class Model>
 struct velocity_constraint_jacobian {
@@ -107,7 +128,7 @@ struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
         const dual time = detail::constant<dual>(t);
         const dual_vector q_moving = detail::variables<dual>(q), q_fixed = detail::constants<dual>(q);
         const dual_vector v_moving = detail::variables<dual>(v), v_fixed = detail::constants<dual>(v);
-        const dual_vector F_q = balance(model, q_moving, v_fixed, a, time);
+        const dual_vector F_q = detail::balance<dual, S>(model, q_moving, v_fixed, a, time);
         const dual_vector F_v = force<dual>(model, q_fixed, v_moving, time);
         a_q = this->force_derivative(lambda);
         for (int i = 0; i < n; ++i)
@@ -125,19 +146,6 @@ struct acceleration_jacobian : velocity_constraint_jacobian<S, Model> {
 
   private:
     using dual_vector = Eigen::Matrix<dual, n, 1>;
-    /// F - M a.
-    static dual_vector balance(const Model& model, const dual_vector& q, const dual_vector& v,
-                               const coordinate_vector<S, Model>& acceleration, const dual& t) {
-        if constexpr (has_balance<Model>) {
-            return model.balance(q, v, detail::constants<dual>(acceleration), t);
-        } else {
-            dual_vector r = force<dual>(model, q, v, t);
-            const Eigen::Matrix<dual, n, n> M = model.M(q);
-            for (int i = 0; i < n; ++i)
-                for (int j = 0; j < n; ++j) r[i] -= M(i, j) * acceleration[j];
-            return r;
-        }
-    }
 };
 
 /// The once differentiated constraint Phi = d/dt (G v + b) = (dG/dt) v + db/dt + G a, with its derivatives.

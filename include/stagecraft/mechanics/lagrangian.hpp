@@ -13,6 +13,8 @@ namespace stagecraft {
 
 /// No generalised forces: only those of the potential act.
 struct no_forces {};
+/// No constraint: every coordinate is free.
+struct no_constraint {};
 
 namespace detail {
 
@@ -54,41 +56,25 @@ struct refused_energy {
 
 }  // namespace detail
 
-/// A mechanical model from its energies: the equations of Lagrange,
+/// What kinetic energy T(q, v), potential energy V(q) and generalised forces Q(q, v, t) give: M and F of the equations
+/// of Lagrange
 ///
 ///     d/dt dT/dv - dT/dq = -dV/dq + Q - G^T lambda,
 ///
-/// as M(q) a = F(q, v) - G^T lambda. Made by `lagrangian`. T is a quadratic polynomial in v (any mechanical
-/// system at rest or in moving frames), so that its second derivative M, and dT/dv, are differences of values
-/// of T without any error but rounding (polarisation). The derivatives with respect to q are taken by
-/// automatic differentiation. One F costs 2 n + 2 evaluations of T in dual numbers.
-template <int Coordinates, int Constraints, class Parts>
-class lagrangian_model {
-    using Constraint = decltype(Parts::constraint);
+/// as M(q) a = F(q, v) - G^T lambda. T is a quadratic polynomial in v (any mechanical system at rest or in moving
+/// frames), so that its second derivative M, and dT/dv, are differences of values of T without any error but rounding
+/// (polarisation). The derivatives with respect to q are taken by automatic differentiation. One F costs 2 n + 2
+/// evaluations of T in dual numbers. By itself a model without constraints, for `free_motion`.
+template <int Coordinates, class Parts>
+class lagrangian_energies {
     using Forces = decltype(Parts::Q);
     template <class S>
     using vector = Eigen::Matrix<S, Coordinates, 1>;
-    /// True if the constraint depends on t as well; what it returns, a number as 1 x 1.
-    static constexpr bool moves =
-        std::is_invocable_v<const Constraint&, const vector<double>&, const double&>;
-    static constexpr auto shape = [] {
-        using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
-        if constexpr (std::is_arithmetic_v<returned>)
-            return std::array{1, 1};
-        else
-            return std::array{int(returned::RowsAtCompileTime), int(returned::ColsAtCompileTime)};
-    }();
-    static constexpr int columns = shape[1];
-    static constexpr bool of_position = columns == 1, affine = columns == Coordinates + 1;
 
   public:
-    /// `constraints` is what the constraint returns where that is known, so that a call with another number is
-    /// refused by these alone.
-    static constexpr int coordinates = Coordinates, constraints = shape[0] < 0 ? Constraints : shape[0];
-    static constexpr bool columns_fit = of_position || affine || columns == Coordinates,
-                          rows_fit = constraints == Constraints;
+    static constexpr int coordinates = Coordinates;
 
-    explicit lagrangian_model(Parts parts) : parts_(std::move(parts)) {}
+    explicit lagrangian_energies(Parts parts) : parts_(std::move(parts)) {}
 
     template <class S>
     Eigen::Matrix<S, Coordinates, Coordinates> M(const vector<S>& q) const {
@@ -157,6 +143,59 @@ class lagrangian_model {
         return F;
     }
 
+    template <class S>
+    S potential(const vector<S>& q) const {
+        return parts_.V(q);
+    }
+
+  protected:
+    Parts parts_;
+
+  private:
+    template <class S>
+    static vector<S> zero() {
+        vector<S> x;
+        detail::fill(x, S(0));
+        return x;
+    }
+    template <class S>
+    static vector<S> unit(int i) {
+        vector<S> e = zero<S>();
+        e[i] = S(1);
+        return e;
+    }
+};
+
+/// A mechanical model from its energies and a constraint of position or of velocity. Made by `lagrangian`.
+template <int Coordinates, int Constraints, class Parts>
+class lagrangian_model : public lagrangian_energies<Coordinates, Parts> {
+    using base = lagrangian_energies<Coordinates, Parts>;
+    using base::parts_;
+    using Constraint = decltype(Parts::constraint);
+    template <class S>
+    using vector = Eigen::Matrix<S, Coordinates, 1>;
+    /// True if the constraint depends on t as well; what it returns, a number as 1 x 1.
+    static constexpr bool moves =
+        std::is_invocable_v<const Constraint&, const vector<double>&, const double&>;
+    static constexpr auto shape = [] {
+        using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
+        if constexpr (std::is_arithmetic_v<returned>)
+            return std::array{1, 1};
+        else
+            return std::array{int(returned::RowsAtCompileTime), int(returned::ColsAtCompileTime)};
+    }();
+    static constexpr int columns = shape[1];
+    static constexpr bool of_position = columns == 1, affine = columns == Coordinates + 1;
+
+  public:
+    /// `constraints` is what the constraint returns where that is known, so that a call with another number is
+    /// refused by these alone.
+    static constexpr int constraints = shape[0] < 0 ? Constraints : shape[0];
+    static constexpr bool columns_fit = of_position || affine || columns == Coordinates,
+                          rows_fit = constraints == Constraints;
+
+    using base::base;
+
     /// The gradient of the position constraints, or the matrix that was given.
     template <class S>
     Eigen::Matrix<S, constraints, Coordinates> G(const vector<S>& q, const S& t) const {
@@ -194,24 +233,7 @@ class lagrangian_model {
         }
     }
 
-    template <class S>
-    S potential(const vector<S>& q) const {
-        return parts_.V(q);
-    }
-
   private:
-    template <class S>
-    static vector<S> zero() {
-        vector<S> x;
-        detail::fill(x, S(0));
-        return x;
-    }
-    template <class S>
-    static vector<S> unit(int i) {
-        vector<S> e = zero<S>();
-        e[i] = S(1);
-        return e;
-    }
     template <class S>
     Eigen::Matrix<S, constraints, columns> constraint(const vector<S>& q, [[maybe_unused]] const S& t) const {
         const auto value = [&] {
@@ -225,9 +247,34 @@ class lagrangian_model {
         else
             return value;
     }
-
-    Parts parts_;
 };
+
+namespace detail {
+
+/// True for generalised forces Q(q, v, t), which no constraint can be called as.
+template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
+concept forces_on = std::is_invocable_v<const Q&, const Vector&, const Vector&, const double&>;
+
+template <int Coordinates, class Kinetic, class Potential, class Forces>
+auto free_energies(Kinetic T, Potential V, Forces Q) {
+    using vector = Eigen::Matrix<double, Coordinates, 1>;
+    static_assert(!takes_one_scalar<Kinetic> && !takes_one_scalar<Potential> && !takes_one_scalar<Forces>,
+                  "lagrangian: T, V and Q must accept vectors of any scalar, as they are differentiated "
+                  "automatically: [](const auto& q, const auto& v) { ... }");
+    constexpr bool kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
+                   potential = std::is_invocable_v<const Potential&, const vector&>;
+    static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
+    static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
+    using T_used = std::conditional_t<kinetic, Kinetic, refused_energy>;
+    using V_used = std::conditional_t<potential, Potential, refused_energy>;
+    using parts = lagrangian_parts<T_used, V_used, no_constraint, Forces>;
+    if constexpr (kinetic && potential)
+        return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
+    else
+        return lagrangian_energies<Coordinates, parts>(parts{T_used{}, V_used{}, {}, std::move(Q)});
+}
+
+}  // namespace detail
 
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
 /// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm();
@@ -283,9 +330,22 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
     }
 }
 
+/// The model without constraints that these energies give, and with the forces Q(q, v, t): M and F for `free_motion`,
+/// where the coordinates are as many as the degrees of freedom (angles, say).
+template <int Coordinates, class Kinetic, class Potential>
+auto lagrangian(Kinetic T, Potential V) {
+    return detail::free_energies<Coordinates>(std::move(T), std::move(V), no_forces{});
+}
+template <int Coordinates, class Kinetic, class Potential, class Forces>
+requires detail::forces_on<Forces, Coordinates>
+auto lagrangian(Kinetic T, Potential V, Forces Q) {
+    return detail::free_energies<Coordinates>(std::move(T), std::move(V), std::move(Q));
+}
+
 /// The number of constraints is missing.
 template <int Coordinates, class Kinetic, class Potential, class Constraint, class Forces = no_forces>
-auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
+requires(!detail::forces_on<Constraint, Coordinates>) auto lagrangian(Kinetic T, Potential V,
+                                                                      Constraint constraint, Forces Q = {}) {
     using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
     using model = lagrangian_model<Coordinates, 1, parts>;
     constexpr bool number_of_constraints = std::is_void_v<model>;

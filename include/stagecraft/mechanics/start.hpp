@@ -54,10 +54,7 @@ void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
     const auto at_least = [](const Scalar& size, double least) {
         return size < Scalar(least) ? Scalar(least) : size;
     };
-    if constexpr (requires { model.quadratic_in_v(q); })
-        if (!model.quadratic_in_v(q))
-            throw std::invalid_argument(
-                "mechanical: T(q, v) must be a quadratic polynomial in v, and finite");
+    check_kinetic_energy(model, q);
     std::ostringstream violated;
     if constexpr (holonomic_model<Model>)
         list_violations(violated, "position constraint", position_constraint<Scalar>(model, q, t),
