@@ -19,10 +19,13 @@ class small_ldlt {
     explicit small_ldlt(const matrix& a) : l_(a) {
         for (int j = 0; j < N; ++j) {
             for (int k = 0; k < j; ++k) {
+                if constexpr (std::is_floating_point_v<Scalar>)
+                    if (l_(j, k) == Scalar(0)) continue;  // masses of points: nothing couples them
                 const Scalar weighted = l_(j, k) * l_(k, k);
                 for (int i = j; i < N; ++i) l_(i, j) -= l_(i, k) * weighted;
             }
-            for (int i = j + 1; i < N; ++i) l_(i, j) /= l_(j, j);
+            inverse_[j] = Scalar(1) / l_(j, j);
+            for (int i = j + 1; i < N; ++i) l_(i, j) *= inverse_[j];
         }
     }
 
@@ -31,7 +34,7 @@ class small_ldlt {
     vector solve(vector x) const {
         for (int j = 0; j < N; ++j)
             for (int i = j + 1; i < N; ++i) x[i] -= l_(i, j) * x[j];
-        for (int j = 0; j < N; ++j) x[j] /= l_(j, j);
+        for (int j = 0; j < N; ++j) x[j] *= inverse_[j];
         for (int j = N - 1; j >= 0; --j)
             for (int i = j + 1; i < N; ++i) x[j] -= l_(i, j) * x[i];
         return x;
@@ -46,7 +49,8 @@ class small_ldlt {
     }
 
   private:
-    matrix l_;  // L below the diagonal, D on it
+    matrix l_;        // L below the diagonal, D on it
+    vector inverse_;  // of D
 };
 
 }  // namespace stagecraft
