@@ -142,7 +142,8 @@ outcome regularisation_error() {
         const std::string label = std::string(", ") + p.name;
         fy.curves.push_back({p.name + (", slope " + decimal(sy)), s.eps, s.y, true});
         if (p.kappa < 1)  // for kappa = 1 the largest is that at t = 1
-            fy.curves.push_back({std::string(p.name) + ", t = 1", s.eps, s.y_end, true});
+            fy.curves.push_back({p.name + (", t = 1, slope " + decimal(late_slope(s.eps, s.y_end, 7))), s.eps,
+                                 s.y_end, true});
         fl.curves.push_back({p.name + (", slope " + decimal(sl)), s.eps, s.lambda, true});
         fc.curves.push_back({p.name + (", slope " + decimal(sc)), s.eps, s.constraint, true});
         o.findings.push_back({"4.13 slope of y" + label, decimal(p.y), decimal(sy), "1",

@@ -20,7 +20,7 @@ concept free_model = Model::coordinates >
 
 /// The ordinary differential equation q' = v, v' = M(q)^-1 F(q, v, t) in the state (q, v), for any method; implicit ones
 /// use its Jacobian. M is factored once per evaluation. Made by `free_motion`.
-template <free_model Model, class Scalar = double>
+template <class Model, class Scalar = double>
 class free_motion_ode : checked_model<Model> {
   public:
     static constexpr int n = Model::coordinates, size = 2 * n;
@@ -83,6 +83,15 @@ class free_motion_ode : checked_model<Model> {
 ///     const auto pendulum = free_motion(lagrangian<1>(T, V));  // one angle
 template <class Scalar = double, free_model Model>
 free_motion_ode<Model, Scalar> free_motion(Model model) {
+    return free_motion_ode<Model, Scalar>(std::move(model));
+}
+
+/// A constraint would be passed over.
+template <class Scalar = double, mechanical_model Model>
+free_motion_ode<Model, Scalar> free_motion(Model model) {
+    static_assert(detail::never<Model>,
+                  "free_motion: the model has constraints: take index_2(model), stabilised_index_2(model) or "
+                  "index_reduced(model)");
     return free_motion_ode<Model, Scalar>(std::move(model));
 }
 
