@@ -27,7 +27,7 @@ small_ldlt<S, m> independent_constraints(const Eigen::Matrix<S, m, m>& inertia,
         if (inertia(k, k) == S(0)) throw std::domain_error(which + " has a row of zeros in G here");
         if (!(inertia(k, k) > S(0)))
             throw std::domain_error(which + " has a G M^-1 G^T that is not positive, or not finite, here");
-        refuse_dependent(G.template cast<double>(), k);
+        refuse_dependent(G, k);
     }
     return factors;
 }

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stagecraft {
@@ -15,36 +19,65 @@ struct constraint_rank {
     std::vector<int> dependent;    ///< the others: zero, or combinations of the independent ones
 };
 
+namespace detail {
+
+/// In plain loops, which every mechanical program can compile without noticing.
+inline constraint_rank rank_of_rows(std::vector<std::vector<double>> rows, double tolerance) {
+    const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
+        double sum = 0;
+        for (std::size_t j = 0; j < a.size(); ++j) sum += a[j] * b[j];
+        return sum;
+    };
+    const auto scale = [](std::vector<double>& a, double by) {
+        for (double& x : a) x /= by;
+    };
+    for (auto& row : rows) {
+        double largest = 0;
+        for (const double x : row) largest = std::max(largest, std::abs(x));
+        if (!(largest > 0)) continue;
+        scale(row, largest);
+        scale(row, std::sqrt(product(row, row)));
+    }
+    constexpr double nearly = 1 + 1e-8;  // of rows as far as each other the first is taken
+    std::vector<bool> taken(rows.size(), false);
+    constraint_rank r;
+    while (true) {
+        std::size_t next = rows.size();
+        double distance = tolerance;
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            if (const double d = std::sqrt(product(rows[k], rows[k])); !taken[k] && d > nearly * distance)
+                next = k, distance = d;
+        if (next == rows.size()) break;
+        ++r.rank;
+        taken[next] = true;
+        scale(rows[next], distance);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            for (int twice = 0; twice < 2 && !taken[k]; ++twice) {
+                const double along = product(rows[next], rows[k]);
+                for (std::size_t j = 0; j < rows[k].size(); ++j) rows[k][j] -= along * rows[next][j];
+            }
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        (taken[k] ? r.independent : r.dependent).push_back(static_cast<int>(k));
+    return r;
+}
+
+}  // namespace detail
+
 /// The rank of G and its rows, each measured by its own length: the row farthest from the span of those taken before is
 /// taken (Gram-Schmidt orthogonalisation with pivoting) until all that are left lie in it to `tolerance`.
 /// rows^2 x columns operations. Rows with entries that are not finite count as dependent.
 template <class Matrix>
 constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10) {
-    Eigen::MatrixXd rest = Eigen::MatrixXd(G).transpose();  // one column for each constraint
-    const Eigen::Index m = rest.cols();
-    for (Eigen::Index k = 0; k < m; ++k)
-        if (const double largest = rest.col(k).cwiseAbs().maxCoeff(); largest > 0) {
-            rest.col(k) /= largest;
-            rest.col(k) /= rest.col(k).norm();
-        }
-    std::vector<bool> taken(static_cast<std::size_t>(m), false);
-    constraint_rank r;
-    for (; r.rank < m; ++r.rank) {
-        Eigen::Index next = -1;
-        double distance = tolerance;
-        for (Eigen::Index k = 0; k < m; ++k)
-            if (!taken[static_cast<std::size_t>(k)] && rest.col(k).norm() > distance * (1 + 1e-8))
-                next = k, distance = rest.col(k).norm();
-        if (next < 0) break;
-        taken[static_cast<std::size_t>(next)] = true;
-        const Eigen::VectorXd direction = rest.col(next) / distance;
-        for (Eigen::Index k = 0; k < m; ++k)
-            if (!taken[static_cast<std::size_t>(k)])
-                for (int twice = 0; twice < 2; ++twice) rest.col(k) -= direction * direction.dot(rest.col(k));
+    if constexpr (requires { G(0, 0); }) {
+        std::vector<std::vector<double>> rows(static_cast<std::size_t>(G.rows()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            for (int j = 0; j < G.cols(); ++j)
+                rows[k].push_back(static_cast<double>(G(static_cast<int>(k), j)));
+        return detail::rank_of_rows(std::move(rows), tolerance);
+    } else {
+        return independent_rows(Eigen::MatrixXd(G), tolerance);
     }
-    for (int k = 0; k < m; ++k)
-        (taken[static_cast<std::size_t>(k)] ? r.independent : r.dependent).push_back(k);
-    return r;
 }
 
 namespace detail {
@@ -60,7 +93,8 @@ inline std::string rank_in_words(const constraint_rank& r) {
 }
 
 /// Throws std::domain_error for a G of which constraint k depends on those before it.
-inline void refuse_dependent(const Eigen::MatrixXd& G, int k) {
+template <class Matrix>
+void refuse_dependent(const Matrix& G, int k) {
     constraint_rank r = independent_rows(G, 1e-6);
     if (r.dependent.empty()) {  // nearly so: the inertia is singular to rounding
         --r.rank;
