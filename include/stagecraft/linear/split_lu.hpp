@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/linear/columns.hpp>
 #include <stagecraft/linear/split_complex.hpp>
 
 namespace stagecraft {
@@ -71,7 +72,7 @@ class split_lu {
             for (int j = k + 1; j < n; ++j) {
                 Scalar* aj = a + j * n;
                 const Scalar m = aj[k];
-                for (int i = k + 1; i < n; ++i) aj[i] -= ak[i] * m;
+                subtract(aj, ak, m, k + 1, n);
             }
         }
         return true;
@@ -92,17 +93,27 @@ class split_lu {
             if (p_[k] != k) std::swap(x[k], x[p_[k]]);
         unrolled<N>(n, [&](auto k) {
             const Scalar m = x[k];
-            for (int i = k + 1; i < n; ++i) x[i] -= a[i + k * n] * m;
+            subtract(x, a + k * n, m, k + 1, n);
         });
         unrolled<N>(n, [&](auto step) {
             const int k = n - 1 - step;
             const Scalar m = x[k] * a[k + k * n];
             x[k] = m;
-            for (int i = 0; i < k; ++i) x[i] -= a[i + k * n] * m;
+            subtract(x, a + k * n, m, 0, k);
         });
     }
 
   private:
+    /// Subtracts m a from x, from entry first to last - 1: in packets where the size is known at run time only, which
+    /// g++ makes of the loop at -O3 alone.
+    static void subtract(Scalar* x, const Scalar* a, const Scalar& m, int first, int last) {
+        if constexpr (N < 0 && built_in<Scalar>) {
+            const real_column<Scalar> column{const_cast<Scalar*>(a)};
+            real_column<Scalar>{x}.subtract(first, last, &column, &m, std::integer_sequence<int, 0>());
+        } else {
+            for (int i = first; i < last; ++i) x[i] -= a[i] * m;
+        }
+    }
     int size() const {
         if constexpr (N >= 0)
             return N;
