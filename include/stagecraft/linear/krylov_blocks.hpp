@@ -5,6 +5,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Jacobi>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -186,7 +187,8 @@ class shifted_operator {
 ///
 ///     using linear_solver = stagecraft::krylov_blocks;
 ///
-/// Inexact solves are Newton's business: what they leave shows in its contraction.
+/// Inexact solves are Newton's business: what they leave shows in its contraction, and its last solves are told which
+/// part of their right-hand sides they may leave (newton_monitor).
 struct krylov_blocks {
     class real {
       public:
@@ -195,11 +197,12 @@ struct krylov_blocks {
         bool factor_shifted(const Mass& mass, const Matrix& J, double shift) {
             return n_ == 0 || system_->set(mass, J, shift);
         }
-        void solve(double* x) {
+        void solve(double* x) { solve_leaving(0, x); }
+        void solve_leaving(double part, double* x) {
             if (n_ == 0) return;
             system_->used(gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
                                        [&](const auto& in, auto&& out) { system_->precondition(in, out); },
-                                       Eigen::Map<Eigen::VectorXd>(x, n_), bound, most));
+                                       Eigen::Map<Eigen::VectorXd>(x, n_), std::max(bound, part), most));
         }
         /// Incomplete factorisations that have been made.
         long setups() const { return system_->setups(); }
@@ -220,13 +223,14 @@ struct krylov_blocks {
             sign_ = im < 0 ? -1 : 1;  // the conjugate system has the same real form
             return n_ == 0 || system_->set(mass, J, re + beta_);
         }
-        void solve(double* x, double* y) {
+        void solve(double* x, double* y) { solve_leaving(0, x, y); }
+        void solve_leaving(double part, double* x, double* y) {
             if (n_ == 0) return;
             Eigen::Map<Eigen::VectorXd> u(x, n_), v(y, n_);
             both_ << u, sign_ * v;
             system_->used(2 * gmres_.solve([&](const auto& in, auto&& out) { multiply(in, out); },
                                            [&](const auto& in, auto&& out) { precondition(in, out); }, both_,
-                                           bound, most));
+                                           std::max(bound, part), most));
             u = both_.head(n_);
             v = sign_ * both_.tail(n_);
         }

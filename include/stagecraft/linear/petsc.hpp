@@ -5,13 +5,13 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/petsc_iteration.hpp>
 #include <stagecraft/linear/petsc_matrix.hpp>
 #include <stagecraft/linear/petsc_multigrid.hpp>
 #include <stagecraft/linear/preconditioner_life.hpp>
@@ -96,51 +96,6 @@ class petsc_shifted {
     preconditioner_life life_;
 };
 
-/// Flexible GMRES, from the right and from zero, to a hundredth of the residual.
-inline petsc_owned<KSP> petsc_krylov(MPI_Comm processes, const char* prefix, Mat A) {
-    auto ksp = petsc_made<KSP>([&](KSP* k) { return KSPCreate(processes, k); });
-    petsc_check(KSPSetType(ksp.get(), KSPFGMRES));
-    petsc_check(KSPSetTolerances(ksp.get(), 1e-2, 0, PETSC_DEFAULT, 60));
-    petsc_check(KSPSetOptionsPrefix(ksp.get(), prefix));
-    petsc_check(KSPSetOperators(ksp.get(), A, A));
-    return ksp;
-}
-
-/// A shell preconditioner for a KSP that calls apply(in, out) of an object.
-template <class Object>
-void petsc_shell(KSP ksp, Object* object) {
-    PC pc = nullptr;
-    petsc_check(KSPGetPC(ksp, &pc));
-    petsc_check(PCSetType(pc, PCSHELL));
-    petsc_check(PCShellSetContext(pc, object));
-    petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-        void* context = nullptr;
-        if (const PetscErrorCode code = PCShellGetContext(shell, &context)) return code;
-        return petsc_code([&] { static_cast<Object*>(context)->precondition(in, out); });
-    }));
-}
-
-/// Solves in the memory of x; right-hand side and solution are local parts. NaN where the iteration breaks down:
-/// whoever asks refuses the step. An iteration that is merely slow is left as it is, as Newton's sees how good it
-/// was.
-inline long petsc_solve(KSP ksp, Vec rhs, Vec solution, double* x) {
-    PetscInt n = 0;
-    petsc_check(VecGetLocalSize(rhs, &n));
-    double* r = nullptr;
-    petsc_check(VecGetArrayWrite(rhs, &r));
-    std::memcpy(r, x, sizeof(double) * static_cast<std::size_t>(n));
-    petsc_check(VecRestoreArrayWrite(rhs, &r));
-    const petsc_view out(solution, x);
-    petsc_check(KSPSolve(ksp, rhs, solution));
-    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-    petsc_check(KSPGetConvergedReason(ksp, &reason));
-    if (reason < 0 && reason != KSP_DIVERGED_ITS)
-        petsc_check(VecSet(solution, std::numeric_limits<double>::quiet_NaN()));
-    PetscInt iterations = 0;
-    petsc_check(KSPGetIterationNumber(ksp, &iterations));
-    return static_cast<long>(iterations);
-}
-
 /// (re - i |im|) M - J as real matrix of twice the size, preconditioned by cycles of real hierarchies.
 class petsc_pair {
   public:
@@ -149,7 +104,7 @@ class petsc_pair {
     petsc_pair& operator=(const petsc_pair&) = delete;
 
     bool set(Mat mass, const petsc_matrix& J, double re, double im) {
-        if (!ksp_) choose();
+        if (!iteration_.made()) choose();
         mass_ = mass;
         flip_ = im < 0;
         beta_ = std::abs(im);
@@ -159,11 +114,11 @@ class petsc_pair {
             return false;
         shift_ = presb_ ? re + beta_ : re;
         re_ = re;
-        if (!ksp_) make(J);
-        petsc_check(KSPSetOperators(ksp_.get(), operator_.get(), operator_.get()));
+        if (!iteration_.made()) make(J);
+        iteration_.set_matrix(operator_.get());
         return true;
     }
-    void solve(double* x, double* y) {
+    void solve(double* x, double* y, double part) {
         const auto n = static_cast<std::size_t>(n_);
         double* both = x;
         if (y != x + n) {  // the steppers hand them over side by side
@@ -174,7 +129,7 @@ class petsc_pair {
         }
         const double sign = flip_ ? -1 : 1;  // the conjugate system
         for (std::size_t i = n; i < 2 * n; ++i) both[i] *= sign;
-        const long iterations = petsc_solve(ksp_.get(), rhs_.get(), solution_.get(), both);
+        const long iterations = iteration_.solve(both, part);
         for (std::size_t i = n; i < 2 * n; ++i) both[i] *= sign;
         if (both != x) {
             std::memcpy(x, both, sizeof(double) * n);
@@ -241,11 +196,7 @@ class petsc_pair {
             return petsc_code([&] { static_cast<petsc_pair*>(context)->multiply(in, out); });
         };
         petsc_check(MatShellSetOperation(operator_.get(), MATOP_MULT, reinterpret_cast<void (*)()>(product)));
-        ksp_ = petsc_krylov(processes, "stage_pair_", operator_.get());
-        petsc_shell(ksp_.get(), this);
-        petsc_check(KSPSetFromOptions(ksp_.get()));
-        for (auto* v : {&rhs_, &solution_})
-            *v = petsc_made<Vec>([&](Vec* x) { return MatCreateVecs(operator_.get(), x, nullptr); });
+        iteration_.make("stage_pair_", operator_.get(), this);
         for (auto* v : {&u_, &v_, &p_, &q_, &w_, &z_}) *v = first_.vector();
     }
     /// y := y + factor M x.
@@ -277,8 +228,8 @@ class petsc_pair {
     bool flip_ = false, presb_ = true;
     petsc_shifted first_, second_;
     petsc_owned<Mat> operator_;
-    petsc_owned<Vec> rhs_, solution_, u_, v_, p_, q_, w_, z_;
-    petsc_owned<KSP> ksp_;
+    petsc_owned<Vec> u_, v_, p_, q_, w_, z_;
+    petsc_iteration iteration_;
     std::unique_ptr<double[]> room_;
 };
 
@@ -291,20 +242,12 @@ class petsc_single {
 
     bool set(Mat mass, const petsc_matrix& J, double shift) {
         if (!shifted_.set(mass, J, shift)) return false;
-        if (!ksp_) {
-            MPI_Comm processes = MPI_COMM_NULL;
-            petsc_check(PetscObjectGetComm(reinterpret_cast<PetscObject>(J.get()), &processes));
-            ksp_ = petsc_krylov(processes, "stage_real_", shifted_.matrix());
-            petsc_shell(ksp_.get(), this);
-            petsc_check(KSPSetFromOptions(ksp_.get()));
-            rhs_ = shifted_.vector();
-            solution_ = shifted_.vector();
-        }
-        petsc_check(KSPSetOperators(ksp_.get(), shifted_.matrix(), shifted_.matrix()));
+        if (!iteration_.made()) iteration_.make("stage_real_", shifted_.matrix(), this);
+        iteration_.set_matrix(shifted_.matrix());
         return true;
     }
-    void solve(double* x) {
-        const long iterations = petsc_solve(ksp_.get(), rhs_.get(), solution_.get(), x);
+    void solve(double* x, double part) {
+        const long iterations = iteration_.solve(x, part);
         shifted_.used(iterations);
         petsc_counts& counts = shifted_.counts();
         ++counts.real_solves;
@@ -315,8 +258,7 @@ class petsc_single {
 
   private:
     petsc_shifted shifted_;
-    petsc_owned<KSP> ksp_;
-    petsc_owned<Vec> rhs_, solution_;
+    petsc_iteration iteration_;
 };
 
 }  // namespace detail
@@ -333,7 +275,8 @@ class petsc_single {
 /// A hierarchy outlives the Jacobian and the step it was made for while it serves, a setup counted as five cycles
 /// (preconditioner_life.hpp).
 ///
-/// Inexact solves are Newton's business: what they leave shows in its contraction. An error that PETSc reports is a
+/// Inexact solves are Newton's business: what they leave shows in its contraction, and its last solves are told which
+/// part of their right-hand sides they may leave (newton_monitor). An error that PETSc reports is a
 /// std::runtime_error on the process where it does.
 struct petsc_blocks {
     class real {
@@ -343,7 +286,8 @@ struct petsc_blocks {
         bool factor_shifted(const Mass& mass, const petsc_matrix& J, double shift) {
             return system_->set(detail::petsc_mass(mass), J, shift);
         }
-        void solve(double* x) { system_->solve(x); }
+        void solve(double* x) { system_->solve(x, 0); }
+        void solve_leaving(double part, double* x) { system_->solve(x, part); }
 
       private:
         std::unique_ptr<detail::petsc_single> system_;  // PETSc's shells refer to it
@@ -355,7 +299,8 @@ struct petsc_blocks {
         bool factor_shifted(const Mass& mass, const petsc_matrix& J, double re, double im) {
             return system_->set(detail::petsc_mass(mass), J, re, im);
         }
-        void solve(double* x, double* y) { system_->solve(x, y); }
+        void solve(double* x, double* y) { system_->solve(x, y, 0); }
+        void solve_leaving(double part, double* x, double* y) { system_->solve(x, y, part); }
 
       private:
         std::unique_ptr<detail::petsc_pair> system_;

@@ -52,7 +52,9 @@ concept has_sparsity = requires(Problem& p, std::remove_cvref_t<decltype(p.spars
 /// Optional: a member type `linear_solver` names the solvers for shift M - J to use instead of the built-in
 /// ones: a type with members `real` and `complex`, each constructible from n, with factor_shifted(mass, J,
 /// shift) or factor_shifted(mass, J, re, im) returning false for a singular or non-finite matrix, and
-/// solve(x) or solve(re, im) in place on n contiguous numbers.
+/// solve(x) or solve(re, im) in place on n contiguous numbers. Solvers that iterate may have solve_leaving(part, x) and
+/// solve_leaving(part, re, im) as well: then the last solves of Newton's iteration are told which part of their
+/// right-hand side they may leave, 0 for as little as usual.
 template <class Problem>
 concept has_linear_solver = requires {
     typename Problem::linear_solver::real;

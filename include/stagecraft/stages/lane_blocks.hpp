@@ -64,6 +64,7 @@ class lane_blocks {
         return lu_.factor();
     }
 
+    static constexpr bool inexact = false;
     template <class System>
     void solve(const System&, Scalar* x) {
         std::array<Scalar, N> zero{};

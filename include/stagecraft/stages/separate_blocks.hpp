@@ -30,17 +30,18 @@ class separate_blocks {
         return true;
     }
 
+    /// Its solvers iterate: they have solve_leaving(part, x), which may leave that part of a right-hand side.
+    static constexpr bool inexact = requires(typename Blocks::real & block, Scalar* x, Scalar part) {
+        block.solve_leaving(part, x);
+    };
     /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
     template <class System>
     void solve(const System& system, Scalar* x) {
-        for (auto& block : real_) {
-            solve_together(system, [&] { block.solve(x); });
-            x += n_;
-        }
-        for (auto& block : complex_) {
-            solve_together(system, [&] { block.solve(x, x + n_); });
-            x += 2 * n_;
-        }
+        each(system, x, [](auto& block, auto*... parts) { block.solve(parts...); });
+    }
+    template <class System>
+    void solve_leaving(const System& system, Scalar* x, const Scalar& part) requires inexact {
+        each(system, x, [&](auto& block, auto*... parts) { block.solve_leaving(part, parts...); });
     }
 
     /// Solves with the first block alone: the real one (y is not touched), else the first complex one for x
@@ -78,6 +79,18 @@ class separate_blocks {
     }
 
   private:
+    template <class System, class Solve>
+    void each(const System& system, Scalar* x, Solve&& solve) {
+        for (auto& block : real_) {
+            solve_together(system, [&] { solve(block, x); });
+            x += n_;
+        }
+        for (auto& block : complex_) {
+            solve_together(system, [&] { solve(block, x, x + n_); });
+            x += 2 * n_;
+        }
+    }
+
     int n_;
     std::vector<typename Blocks::real> real_;
     std::vector<typename Blocks::complex> complex_;

@@ -134,7 +134,8 @@ class transformed_stages {
                                  const vector& weights, const newton_limits<Scalar>& limits, StageMatrix& Z,
                                  long& solves) {
         const int s = stages();
-        newton_monitor<Scalar> monitor(limits);
+        std::conditional_t<blocks_type::inexact, inexact_newton_monitor<Scalar>, newton_monitor<Scalar>>
+            monitor(limits);
         set_shifts(h);
         if (!untransformed()) mix(T_inverse_.data(), Z.data(), W_.data());
         while (monitor.may_go_on()) {
@@ -144,7 +145,12 @@ class transformed_stages {
                 D_.col(i) = fi_;
             }
             residual(system.mass(), Z, h);
-            system.measure(work::solve, [&] { blocks_.solve(system, F_.data()); });
+            if constexpr (blocks_type::inexact) {
+                const Scalar part = monitor.may_leave(norm(F_, weights, system.sums()));
+                system.measure(work::solve, [&] { blocks_.solve_leaving(system, F_.data(), part); });
+            } else {
+                system.measure(work::solve, [&] { blocks_.solve(system, F_.data()); });
+            }
             ++solves;
             if (monitor.over(add_increment(Z, weights, system.sums()))) break;
         }
