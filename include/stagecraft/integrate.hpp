@@ -32,6 +32,15 @@ struct result {
     bool ok() const { return status == status::success; }
 };
 
+/// Results are not printed by <<.
+template <class Stream, class Vector>
+requires requires(Stream& out) { out << ""; }
+Stream& operator<<(Stream& out, const result<Vector>&) {
+    static_assert(detail::never<Vector>,
+                  "write print(std::cout, r) of stagecraft/report_text.hpp, or print r.status, r.t and r.y");
+    return out;
+}
+
 namespace detail {
 
 template <class Derived>
@@ -110,10 +119,6 @@ inline constexpr bool is_checkpoint = false;
 template <class Vector>
 inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
 
-/// What options with tolerances under the names that other programs give them are taken for.
-struct other_options {
-    double tol = 0, reltol = 0, rel_tol = 0, rtol = 0, abstol = 0, abs_tol = 0, atol = 0;
-};
 template <class Scalar>
 void take_options(const options<Scalar>&);
 /// What may be meant for an observer where the options have been left out.
@@ -128,7 +133,9 @@ struct call_of_integrate {
     static constexpr bool say() {
         static_assert(
             sizeof(T) == 0,
-            "integrate(method, problem, y0, t0, t1, options, observer): options have no such name, or "
+            "integrate(method, problem, y0, t0, t1, options, observer), with a checkpoint in place of y0, "
+            "t0: "
+            "t0 and t1 are numbers; options have no such name, or "
             "one with a value of another type: {.rtol, .atol, .atol_components, .fixed_step, .initial_step, "
             ".min_step, .max_step, .control, .continuous, .jumps, .max_steps, .newton_iterations, "
             ".newton_factor}");
@@ -199,8 +206,8 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                   "as `void operator()(double t, const Vector& y, Vector& f) const` with Vector the type "
                   "of y0 (of fixed size if that is), or as problem(t, y) and return it");
     static_assert(given::writes_through,
-                  "integrate: the problem takes f by value, what it writes is lost: write `Vector& f` or "
-                  "`auto& f`");
+                  "integrate: the problem takes f by value, or const, and what it writes is lost: write "
+                  "`Vector& f` or `auto& f`");
     static_assert(given::band_known,
                   "integrate: the problem has bandwidth(): include stagecraft/linear/banded_blocks.hpp");
     static_assert(given::same_size, "integrate: the problem returns a vector of another size than y0");
@@ -216,6 +223,18 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                   "integrate: problem.jacobian must be a member function `void jacobian(double t, const "
                   "Vector& y, Matrix& J) const`, Vector the type of y0, Matrix n x n of the same sizes "
                   "(at compile time); a banded_matrix with bandwidth(), the type of sparsity() with that");
+    static_assert(given::index_usable,
+                  "integrate: problem.index must be a member function `auto index() const` that returns the "
+                  "index of every component, as a std::array<int, n> or a std::vector<int>");
+    static_assert(given::band_usable,
+                  "integrate: problem.bandwidth must be a member function `stagecraft::bandwidth bandwidth() "
+                  "const`, which returns {lower, upper}");
+    static_assert(given::solver_usable,
+                  "integrate: Problem::linear_solver must be a type with member types `real` and `complex`: "
+                  "`using linear_solver = stagecraft::krylov_blocks;`, say");
+    static_assert(given::constancy_usable,
+                  "integrate: problem.constant_jacobian must be a member function `bool constant_jacobian() "
+                  "const`");
     static_assert(given::lower_case,
                   "integrate: members of the problem are called jacobian, mass, index, bandwidth and "
                   "sparsity, without a capital");
@@ -307,13 +326,17 @@ requires(!detail::is_checkpoint<State>) result<Eigen::VectorXd> integrate(const 
     return {};
 }
 
-/// Tolerances under the names that other programs give them.
+/// Options under the names that other programs give them, or with values of other types.
 template <class Method, class Problem, class Observer = no_observer>
 result<Eigen::VectorXd> integrate(const Method&, Problem&&, detail::anything, detail::anything,
-                                  detail::anything, const detail::other_options&, Observer&& = {}) {
-    static_assert(detail::never<Method>,
-                  "integrate: options have no tol, reltol, rel_tol, abstol or abs_tol; their tolerances are "
-                  "rtol (relative) and atol (absolute): {.rtol = 1e-6, .atol = 1e-9}");
+                                  detail::anything, const detail::misnamed_options&, Observer&& = {}) {
+    static_assert(
+        detail::never<Method>,
+        "integrate: options have no tol, reltol, rel_tol, abstol or abs_tol; their tolerances are "
+        "rtol (relative) and atol (absolute): {.rtol = 1e-6, .atol = 1e-9}. Their other names are, in "
+        "this order, atol_components (an Eigen::VectorXd), fixed_step, initial_step, min_step, "
+        "max_step, control (of step_control), continuous, jumps, max_steps, newton_iterations, "
+        "newton_factor");
     return {};
 }
 
@@ -340,8 +363,23 @@ requires detail::misplaced_observer<std::remove_cvref_t<Observer>> result<Eigen:
     return {};
 }
 
-/// Options of names that there are not.
+/// Several observers, one after the other.
+template <class Method, class Problem, class First, class Second, class... More>
+result<Eigen::VectorXd> integrate(const Method&, Problem&&, detail::anything, detail::anything,
+                                  detail::anything, const options<double>&, const First&, const Second&,
+                                  const More&...) {
+    static_assert(detail::never<Method>,
+                  "integrate: several observers are given as one, observers(a, b), of "
+                  "stagecraft/observe/observers.hpp");
+    return {};
+}
+
+/// Options of names that there are not, or times that are none.
 result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
-                                  detail::anything, detail::anything, detail::anything, ...);
+                                  detail::anything, detail::anything, const detail::misnamed_options&);
+result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
+                                  detail::anything, detail::anything);
+result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
+                                  detail::anything, ...);
 
 }  // namespace stagecraft

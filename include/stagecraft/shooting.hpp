@@ -333,6 +333,9 @@ auto shooting(const Method& method, two_point_problem<Rhs, Conditions> problem, 
 
 /// Another first argument, or options of names that there are not.
 shooting_result<Eigen::VectorXd> shooting(detail::refused_call<detail::call_of_shooting>, detail::anything,
+                                          detail::anything, detail::anything, detail::anything,
+                                          const detail::misnamed_options&);
+shooting_result<Eigen::VectorXd> shooting(detail::refused_call<detail::call_of_shooting>, detail::anything,
                                           detail::anything = 0, detail::anything = 0, detail::anything = 0,
                                           ...);
 

@@ -44,4 +44,12 @@ constexpr const char* name(status s) {
     return "unknown";
 }
 
+/// Prints it as a word.
+template <class Stream>
+requires requires(Stream& out) { out << ""; }
+Stream& operator<<(Stream& out, status s) {
+    out << name(s);
+    return out;
+}
+
 }  // namespace stagecraft

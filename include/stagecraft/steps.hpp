@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <type_traits>
@@ -163,5 +164,23 @@ step_range<Method, Problem, typename Derived::PlainObject> steps(
     const options<typename Derived::Scalar>& o, Correction&& correction) {
     return {method, std::forward<Problem>(problem), y0, t0, t1, o, std::forward<Correction>(correction)};
 }
+
+namespace detail {
+struct call_of_steps {
+    template <class T>
+    static constexpr bool say() {
+        static_assert(never<T>,
+                      "steps(method, problem, y0, t0, t1, options): y0 is a column vector of Eigen's, t0 and "
+                      "t1 are numbers, and options have the names that they have for integrate()");
+        return true;
+    }
+};
+}  // namespace detail
+
+/// Options of names that there are not, or other arguments.
+std::initializer_list<result<Eigen::VectorXd>> steps(detail::refused_call<detail::call_of_steps>,
+                                                     detail::anything, detail::anything, detail::anything,
+                                                     detail::anything, const detail::misnamed_options&);
+std::initializer_list<result<Eigen::VectorXd>> steps(detail::refused_call<detail::call_of_steps>, ...);
 
 }  // namespace stagecraft

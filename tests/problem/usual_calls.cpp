@@ -103,3 +103,10 @@ BOOST_AUTO_TEST_CASE(a_method_without_embedded_weights_is_refused_with_what_help
     const auto why = message([] { sc::integrate(sc::lobatto_iiia(3), circle, Vector2d(0, 1), 0, 1); });
     BOOST_TEST(has(why, "step_doubling(method)"));
 }
+
+BOOST_AUTO_TEST_CASE(a_status_is_printed_as_a_word) {
+    std::ostringstream out;
+    out << sc::integrate(sc::radau_iia<3>(), circle, Vector2d(0, 1), 0, 1).status << ", "
+        << sc::status::stopped;
+    BOOST_TEST(out.str() == "success, stopped");
+}

@@ -111,6 +111,9 @@ auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Condi
 
 /// Another first argument, or options of names that there are not.
 std::vector<continuation_point<Eigen::VectorXd>> continuation(
+    detail::refused_call<detail::call_of_continuation>, detail::anything, detail::anything, detail::anything,
+    detail::anything, const detail::misnamed_options&);
+std::vector<continuation_point<Eigen::VectorXd>> continuation(
     detail::refused_call<detail::call_of_continuation>, detail::anything = 0, detail::anything = 0,
     detail::anything = 0, detail::anything = 0, ...);
 

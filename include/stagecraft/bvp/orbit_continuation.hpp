@@ -163,6 +163,9 @@ std::vector<orbit_point<Vector>> orbit_continuation(
 
 /// Another first argument, no guess of the period, or options of names that there are not.
 std::vector<orbit_point<Eigen::VectorXd>> orbit_continuation(
+    detail::refused_call<detail::call_of_orbit_continuation>, detail::anything, detail::anything,
+    const detail::misnamed_options&);
+std::vector<orbit_point<Eigen::VectorXd>> orbit_continuation(
     detail::refused_call<detail::call_of_orbit_continuation>, detail::anything = 0, detail::anything = 0,
     ...);
 

@@ -240,6 +240,9 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
 
 /// Another first argument, no guess of the period, or options of names that there are not.
 orbit_result<Eigen::VectorXd> periodic_orbit(detail::refused_call<detail::call_of_periodic_orbit>,
+                                             detail::anything, detail::anything,
+                                             const detail::misnamed_options&);
+orbit_result<Eigen::VectorXd> periodic_orbit(detail::refused_call<detail::call_of_periodic_orbit>,
                                              detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft

@@ -138,6 +138,13 @@ requires(!detail::is_two_point<Rhs>) bvp_result<Eigen::VectorXd, Eigen::VectorXd
 
 /// Another first argument, or options of names that there are not.
 bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
+                                                       detail::anything, detail::anything, detail::anything,
+                                                       detail::anything, const detail::misnamed_options&);
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
+                                                       detail::anything, detail::anything, detail::anything,
+                                                       detail::anything, detail::anything,
+                                                       const detail::misnamed_options&);
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
                                                        detail::anything = 0, detail::anything = 0,
                                                        detail::anything = 0, detail::anything = 0, ...);
 

@@ -423,4 +423,11 @@ transformed_tableau<double, S> gauss() {
     return t;
 }
 
+/// A number of stages in parentheses is for stagecraft/families.hpp.
+template <class Never = void>
+transformed_tableau<double> gauss(...) {
+    static_assert(detail::never<Never>, "the number of stages stands in angle brackets, gauss<3>(), or include stagecraft/families.hpp for gauss(3)");
+    return {};
+}
+
 }  // namespace stagecraft

@@ -121,4 +121,11 @@ tableau<double, S> lobatto_iiia() {
     return t;
 }
 
+/// A number of stages in parentheses is for stagecraft/families.hpp.
+template <class Never = void>
+tableau<double> lobatto_iiia(...) {
+    static_assert(detail::never<Never>, "the number of stages stands in angle brackets, lobatto_iiia<3>(), or include stagecraft/families.hpp for lobatto_iiia(3)");
+    return {};
+}
+
 }  // namespace stagecraft

@@ -121,4 +121,11 @@ tableau<double, S> lobatto_iiib() {
     return t;
 }
 
+/// A number of stages in parentheses is for stagecraft/families.hpp.
+template <class Never = void>
+tableau<double> lobatto_iiib(...) {
+    static_assert(detail::never<Never>, "the number of stages stands in angle brackets, lobatto_iiib<3>(), or include stagecraft/families.hpp for lobatto_iiib(3)");
+    return {};
+}
+
 }  // namespace stagecraft

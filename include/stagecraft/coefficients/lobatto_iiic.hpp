@@ -225,4 +225,11 @@ transformed_tableau<double, S> lobatto_iiic() {
     return t;
 }
 
+/// A number of stages in parentheses is for stagecraft/families.hpp.
+template <class Never = void>
+transformed_tableau<double> lobatto_iiic(...) {
+    static_assert(detail::never<Never>, "the number of stages stands in angle brackets, lobatto_iiic<3>(), or include stagecraft/families.hpp for lobatto_iiic(3)");
+    return {};
+}
+
 }  // namespace stagecraft

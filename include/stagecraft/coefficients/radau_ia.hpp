@@ -251,4 +251,11 @@ transformed_tableau<double, S> radau_ia() {
     return t;
 }
 
+/// A number of stages in parentheses is for stagecraft/families.hpp.
+template <class Never = void>
+transformed_tableau<double> radau_ia(...) {
+    static_assert(detail::never<Never>, "the number of stages stands in angle brackets, radau_ia<3>(), or include stagecraft/families.hpp for radau_ia(3)");
+    return {};
+}
+
 }  // namespace stagecraft

@@ -423,4 +423,11 @@ transformed_tableau<double, S> radau_iia() {
     return t;
 }
 
+/// A number of stages in parentheses is for stagecraft/families.hpp.
+template <class Never = void>
+transformed_tableau<double> radau_iia(...) {
+    static_assert(detail::never<Never>, "the number of stages stands in angle brackets, radau_iia<3>(), or include stagecraft/families.hpp for radau_iia(3)");
+    return {};
+}
+
 }  // namespace stagecraft

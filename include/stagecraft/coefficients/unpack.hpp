@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft::coefficients {

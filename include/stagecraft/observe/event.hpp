@@ -57,6 +57,7 @@ struct call_of_event {
 }  // namespace detail
 
 /// Options of other names or types.
+event_function<std::nullptr_t> event(detail::refused_call<detail::call_of_event>, detail::misnamed_options);
 event_function<std::nullptr_t> event(detail::refused_call<detail::call_of_event>, ...);
 
 /// An event that took place.
@@ -379,10 +380,20 @@ event_watch<Vector> events(event_function<Functions>... list) {
         return event_watch<Vector>({});
 }
 
-/// Without the type of the state it does not compile.
+/// Without the type of the state it does not compile, nor without event().
 template <class First, class... Functions>
-auto events(event_function<First>, event_function<Functions>...) {
-    static_assert(sizeof(First) == 0, "events: name the type of the state, as in events<Vector2d>(event(g))");
+event_watch<Eigen::VectorXd> events(event_function<First>, event_function<Functions>...) {
+    static_assert(detail::never<First>,
+                  "events: name the type of the state, as in events<Vector2d>(event(g))");
+    return event_watch<Eigen::VectorXd>({});
+}
+template <class Vector = Eigen::VectorXd, class First, class... Functions>
+requires(!requires(const First& e) { e.options; }) event_watch<Vector> events(const First&,
+                                                                              const Functions&...) {
+    static_assert(
+        detail::never<First>,
+        "events: write events<Vector2d>(event(g)), with the type of the state and event() around g");
+    return event_watch<Vector>({});
 }
 
 }  // namespace stagecraft

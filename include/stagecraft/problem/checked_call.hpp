@@ -64,11 +64,12 @@ struct passed_by_reference : Vector {
 template <class Problem, class Vector, class... Others>
 concept takes_copy = std::is_invocable_v<Problem&, const Others&..., Vector> &&
     !std::is_invocable_v<Problem&, const Others&..., passed_by_reference<Vector>&>;
-/// What a callable writes into its last argument, a Vector, reaches the caller.
+/// What a callable writes into its last argument, a Vector, reaches the caller: that is neither a copy nor const.
 template <class Problem, class Vector, class... Others>
 concept writes_into =
     !std::is_same_v<std::remove_cv_t<typename decltype(output_parameter<std::remove_cv_t<Problem>>())::type>,
                     Vector> &&
+    !std::is_same_v<typename decltype(output_parameter<std::remove_cv_t<Problem>>())::type, const Vector&> &&
     !takes_copy<Problem, Vector, Others...>;
 
 /// Problem's jacobian(t, y, J) takes J by value: what it writes is lost, and J stays zero.
@@ -153,6 +154,15 @@ struct checked_call {
         !detail::has_member_named<Problem, detail::sparsity_member> || has_sparsity<Problem>;
     static constexpr bool mass_usable =
         !detail::has_member_named<Problem, detail::mass_member> || has_mass<Problem>;
+    static constexpr bool index_usable =
+        !detail::has_member_named<Problem, detail::index_member> || has_index<Problem>;
+    static constexpr bool band_usable =
+        !detail::has_member_named<Problem, detail::bandwidth_member> || has_bandwidth<Problem>;
+    static constexpr bool solver_usable =
+        !detail::has_member_named<Problem, detail::linear_solver_member> || has_linear_solver<Problem>;
+    static constexpr bool constancy_usable =
+        !detail::has_member_named<Problem, detail::constant_jacobian_member> ||
+        has_constant_jacobian<Problem>;
     static constexpr bool jacobian_usable = [] {
         if constexpr (has_matrix<Problem> || !band_known || !pattern_known)
             return true;  // checked_capabilities says what is wrong with others
@@ -181,6 +191,7 @@ struct checked_call {
 
     static constexpr bool good = column && const_enough && callable && writes_through && band_known &&
                                  pattern_usable && pattern_known && mass_usable && jacobian_usable &&
+                                 index_usable && band_usable && solver_usable && constancy_usable &&
                                  lower_case;
 };
 

@@ -273,6 +273,9 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
 
 /// Other arguments.
 gradient_result<Eigen::VectorXd, Eigen::VectorXd> adjoint_gradient(
+    detail::refused_call<detail::call_of_adjoint_gradient>, detail::anything, detail::anything,
+    detail::anything, detail::anything, detail::anything, detail::anything, const detail::misnamed_options&);
+gradient_result<Eigen::VectorXd, Eigen::VectorXd> adjoint_gradient(
     detail::refused_call<detail::call_of_adjoint_gradient>, detail::anything, detail::anything = 0,
     detail::anything = 0, detail::anything = 0, detail::anything = 0, detail::anything = 0, ...);
 

@@ -156,6 +156,9 @@ auto sensitivities(
 
 /// Other arguments.
 sensitivity_result<Eigen::VectorXd, Eigen::MatrixXd> sensitivities(
+    detail::refused_call<detail::call_of_sensitivities>, detail::anything, detail::anything, detail::anything,
+    detail::anything, detail::anything, const detail::misnamed_options&);
+sensitivity_result<Eigen::VectorXd, Eigen::MatrixXd> sensitivities(
     detail::refused_call<detail::call_of_sensitivities>, detail::anything, detail::anything = 0,
     detail::anything = 0, detail::anything = 0, detail::anything = 0, ...);
 

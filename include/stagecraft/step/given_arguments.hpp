@@ -58,6 +58,10 @@ struct given_arguments {
                           pattern_usable = unseen || check::pattern_usable,
                           mass_usable = unseen || check::mass_usable,
                           jacobian_usable = unseen || check::jacobian_usable,
+                          index_usable = unseen || check::index_usable,
+                          band_usable = unseen || check::band_usable,
+                          solver_usable = unseen || check::solver_usable,
+                          constancy_usable = unseen || check::constancy_usable,
                           lower_case = unseen || check::lower_case;
     /// The problem is generic and will be differentiated automatically, in these numbers. integrate() calls it with them
     /// before anybody else does, so that what does not compile in it is said from there.

@@ -103,7 +103,14 @@ inline std::string coefficient_header(family f, int most,
            " <= S && S <= " + std::to_string(most) + ", \"" + id + ": generated for " + range +
            "; see stagecraft/tableaux/rounded.hpp for more\");\n    " + type +
            " t;\n    coefficients::unpack<coefficients::" + id +
-           "<S>>(t);\n    return t;\n}\n\n}  // namespace stagecraft\n";
+           "<S>>(t);\n    return t;\n}\n\n"
+           "/// A number of stages in parentheses is for stagecraft/families.hpp.\n"
+           "template <class Never = void>\n" +
+           type.substr(0, type.find(',')) + "> " + id +
+           "(...) {\n    static_assert(detail::never<Never>, \"the number of stages stands in angle "
+           "brackets, " +
+           id + "<3>(), or include stagecraft/families.hpp for " + id +
+           "(3)\");\n    return {};\n}\n\n}  // namespace stagecraft\n";
 }
 
 }  // namespace stagecraft::tableaux

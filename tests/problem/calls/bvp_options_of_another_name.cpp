@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: options have no other names than {.rtol, .atol
-// lines: 14
+// lines: 11
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: the path begins at p = from
-// lines: 14
+// lines: 11
 #include <stagecraft/bvp/continuation.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 

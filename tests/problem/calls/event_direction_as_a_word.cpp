@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: direction is crossing::both
-// lines: 14
+// lines: 11
 #include <stagecraft/observe/event.hpp>
 
 using Eigen::Vector2d, stagecraft::event, stagecraft::events;

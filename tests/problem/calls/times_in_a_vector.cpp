@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSL-1.0
+// says: t0 and t1 are numbers
+// lines: 11
+#include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
+
+using Eigen::Vector2d;
+
+const auto problem = [](double, const Vector2d& y, Vector2d& f) { f = -y; };
+
+auto run() {
+    return stagecraft::integrate(stagecraft::radau_iia<2>(), problem, Vector2d(1, 1), Vector2d(0, 1));
+}
