@@ -106,8 +106,7 @@ BOOST_AUTO_TEST_CASE(the_error_of_what_is_no_solution_is_not_known) {
     }
 }
 
-// x_1(0) = c_1, x_1(T) = c_2, T = pi (1 - 10^-k): 1 / kappa_1 = sqrt(1 - |cos T|), 1 / kappa_2 = |sin T|. Written
-// with pi - T, where nothing cancels.
+// x_1(0) = c_1, x_1(T) = c_2, T = pi (1 - 10^-k): 1/kappa_1^2 = 1 - |cos T|, 1/kappa_2 = |sin T|, by pi - T.
 BOOST_AUTO_TEST_CASE(near_resonance_runs_end_and_the_condition_numbers_are_known) {
     const double beyond = 1.2246467991473532e-16, eps = std::numeric_limits<double>::epsilon();
     for (const double tolerance : {1e-6, 1e-10})
@@ -119,8 +118,11 @@ BOOST_AUTO_TEST_CASE(near_resonance_runs_end_and_the_condition_numbers_are_known
                 BOOST_TEST_CONTEXT("k = " << k << ", c = " << r.alpha << ", " << r.beta << ", rtol "
                                           << tolerance << ": " << word(answer.status)) {
                     BOOST_TEST(answer.report.meshes <= 12);
-                    BOOST_TEST(std::abs(answer.conditioning.kappa1 / kappa1 - 1) < 1e-5 + 20 * eps * kappa1);
-                    BOOST_TEST(std::abs(answer.conditioning.kappa2 / kappa2 - 1) < 1e-5 + 20 * eps * kappa1);
+                    // Gauss methods of five stages turn by (5!)^2/(10! 11!) h^11 too little in a step.
+                    const double h = T / answer.report.intervals,
+                                 off = 20 * eps + 1e-10 * T * std::pow(h, 10);
+                    BOOST_TEST(std::abs(answer.conditioning.kappa1 / kappa1 - 1) < 5e-6 + off * kappa1);
+                    BOOST_TEST(std::abs(answer.conditioning.kappa2 / kappa2 - 1) < 5e-6 + off * kappa1);
                     const bool ill = answer.status == sc::bvp_status::ill_conditioned;
                     const bool singular = answer.status == sc::bvp_status::singular ||
                                           answer.status == sc::bvp_status::not_isolated;
@@ -130,8 +132,7 @@ BOOST_AUTO_TEST_CASE(near_resonance_runs_end_and_the_condition_numbers_are_known
                     if (!answer.ok()) continue;
                     const double c = (r.beta + r.alpha * std::cos(gap)) / std::sin(gap);
                     double worst = 0;
-                    for (double t : {0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, T}) {
-                        if (t > T) continue;
+                    for (const double t : {0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 2.5, 2.8, T}) {
                         const double exact = r.alpha * std::cos(t) + c * std::sin(t);
                         worst = std::max(worst, std::abs(answer.y(t)[0] - exact) / (1 + std::abs(exact)));
                     }
@@ -183,29 +184,29 @@ BOOST_AUTO_TEST_CASE(singular_iterates_say_nothing_of_nonlinear_problems) {
                 BOOST_TEST((!r.ok() || left < 1));
             }
     // The pendulum's solutions of period 8 have every phase. With differences M is regular by their errors.
-    const auto swing = [](double t) {
-        return Vector2d(2 * std::cos(pi * t / 4), -pi / 2 * std::sin(pi * t / 4));
-    };
     const auto pendulum = [](const auto&, const auto& y, auto& f) {
         using std::sin;
         f[0] = y[1];
         f[1] = -sin(y[0]);
     };
-    for (double tolerance = 1e-3; tolerance > 2e-13; tolerance /= 1.7) {
-        const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(pendulum, ends{0, 0, 1}), 0.0, 8.0, swing,
-                                     {.rtol = tolerance});
-        const bool family = r.status == sc::bvp_status::not_isolated && r.kernel == 1;
-        BOOST_TEST((family || r.status == sc::bvp_status::ill_conditioned));
-        BOOST_TEST(std::abs(r.y(3.0)[0]) + std::abs(r.y(3.0)[1]) > 1);
-    }
-    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
-        const auto blurred = sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{6}, ends{0, 0, 1}), 0.0,
-                                           8.0, swing, {.rtol = tolerance});
-        BOOST_TEST(!blurred.ok());
-    }
+    const auto swing = [](double most) {
+        return [=](double t) -> Vector2d {
+            return most * Vector2d(std::cos(pi * t / 4), -pi / 4 * std::sin(pi * t / 4));
+        };
+    };
+    for (const double most : {2.0, 1.94})
+        for (double tolerance = 1e-3; tolerance > 2e-13; tolerance /= 1.7) {
+            const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(pendulum, ends{0, 0, 1}), 0.0, 8.0,
+                                         swing(most), {.rtol = tolerance});
+            const bool family = r.status == sc::bvp_status::not_isolated && r.kernel == 1;
+            BOOST_TEST((family || r.status == sc::bvp_status::ill_conditioned));
+            BOOST_TEST(std::abs(r.y(3.0)[0]) + std::abs(r.y(3.0)[1]) > 1);
+        }
+    const auto blurred = sc::two_point(oscillator{6}, ends{0, 0, 1});
+    for (const double tolerance : {1e-4, 1e-7, 1e-10})
+        BOOST_TEST(!sc::solve_bvp(sc::gauss<5>(), blurred, 0.0, 8.0, swing(2), {.rtol = tolerance}).ok());
 }
 
-// v = u'/e is of size 1e14 and as exact as u.
 // Damping alone ends before iterates at which the equations are singular, on every mesh. The values are those of
 // scipy.integrate.solve_bvp with tol = 1e-8.
 BOOST_AUTO_TEST_CASE(newtons_iteration_gets_past_singular_iterates) {
@@ -220,6 +221,7 @@ BOOST_AUTO_TEST_CASE(newtons_iteration_gets_past_singular_iterates) {
     }
 }
 
+// v = u'/e is of size 1e14 and as exact as u.
 BOOST_AUTO_TEST_CASE(large_components_are_not_singular) {
     const auto f = [](const auto&, const auto& y, auto& out) {
         out[0] = y[1] / 1e14;

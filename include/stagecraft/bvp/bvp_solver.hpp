@@ -115,7 +115,8 @@ class bvp_solver {
                 continue;
             }
             if (!o_.adapt ||
-                (error_ <= o_.rtol && (few ? settled() && regular_.resolved() : settled() || confirmed()))) {
+                (error_ <= o_.rtol && (few ? settled() && regular_.resolved() : settled() || confirmed()) &&
+                 !coincident())) {
                 accept();
                 if (!few || result_.ok()) return;
             }
@@ -252,6 +253,10 @@ class bvp_solver {
         ++result_.report.factorisations;
         equations_type finer(equations_.method(), system_, mass_);
         return confirms_condition(finer, estimate_.on(halved(x_.t), x_), *rule_, floor_, last_kappa_);
+    }
+    /// Is it by chance that the condition number stays, which has grown to what the errors of a nonlinear x may make of it?
+    bool coincident() const {
+        return vanishes_ && checks_ <= 6 && !newton_.linear() && last_kappa_ * error_ > Scalar(1);
     }
     Scalar relative_kappa() { return conditioning_.fundamental(), conditioning_.relative(floor_); }
 
