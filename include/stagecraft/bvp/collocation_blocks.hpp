@@ -98,14 +98,14 @@ class collocation_blocks {
                  const Rho& rho, Z&& z) {
         const auto a = block(i);
         const int q = slopes();
-        for (int c = 0; c < n(); ++c) {
-            for (int k = 0; k < q; ++k) x[k] -= a(k, q + c) * left[c];
-            for (int k = 0; k < q; ++k) x[k] -= a(k, q + n() + c) * right[c];
-        }
-        for (int c = 0; c < np(); ++c)
-            for (int k = 0; k < q; ++k) x[k] -= a(k, q + 2 * n() + c) * p[c];
+        Eigen::Map<Eigen::Matrix<Scalar, slopes_at_compile_time, 1>> of_slopes(x.data(), q);
+        const auto remove = [&](int c, const Scalar& value) {
+            of_slopes -= value * a.col(q + c).template head<slopes_at_compile_time>(q);
+        };
+        for (int c = 0; c < n(); ++c) remove(c, left[c]), remove(n() + c, right[c]);
+        for (int c = 0; c < np(); ++c) remove(2 * n() + c, p[c]);
         for (int k = q - 1; k >= 0; --k) {
-            x[k] /= a(k, k);
+            x[k] *= a(k, k);
             for (int l = 0; l < k; ++l) x[l] -= a(l, k) * x[k];
         }
         const int r = n() - m;
@@ -209,9 +209,14 @@ class collocation_blocks {
         }
     }
 
+    /// LU with row pivoting, the reciprocals of the pivots in their place. Of few rows all are combined, those above the pivot
+    /// with zeros, as loops of known length cost less.
     template <class Block>
     void eliminate(Block& a, int* pivot) const {
         using std::abs;
+        constexpr bool few = 0 < rows_at_compile_time && rows_at_compile_time <= 16;
+        constexpr int length = few ? rows_at_compile_time : Eigen::Dynamic;
+        Eigen::Matrix<Scalar, length, 1> by = Eigen::Matrix<Scalar, length, 1>::Zero(rows());
         const int q = slopes(), all = rows(), width = columns();
         for (int k = 0; k < q; ++k) {
             int p = k;
@@ -221,14 +226,15 @@ class collocation_blocks {
             pivot[k] = p;
             if (p != k)
                 for (int j = k; j < width; ++j) std::swap(a(k, j), a(p, j));
+            a(k, k) = Scalar(1) / a(k, k);
+            by[k] = Scalar(0);
             if (!usable_pivot(largest)) continue;
-            const Scalar inverse = Scalar(1) / a(k, k);
-            for (int i = k + 1; i < all; ++i) a(i, k) *= inverse;
-            for (int j = k + 1; j < width; ++j) {
-                const Scalar u = a(k, j);
-                if (u == Scalar(0)) continue;
-                for (int i = k + 1; i < all; ++i) a(i, j) -= a(i, k) * u;
-            }
+            for (int i = k + 1; i < all; ++i) a(i, k) = by[i] = a(i, k) * a(k, k);
+            const int begin = few ? 0 : k + 1, count = all - begin;
+            for (int j = k + 1; j < width; ++j)
+                if (const Scalar u = a(k, j); u != Scalar(0))
+                    a.col(j).template segment<length>(begin, count) -=
+                        u * by.template segment<length>(begin, count);
         }
     }
 

@@ -288,8 +288,10 @@ class error_estimate {
 
     template <int Nodes>
     void eliminate(const scalar& h, bool again) {
-        if (!again) elimination_.template factor<Nodes>(*rule_, equations_.mass(), h, hJ_);
-        elimination_.template solve<Nodes>(*rule_, h, hJ_, d_, g_);
+        if (again)
+            elimination_.template solve_again<Nodes>(*rule_, h, hJ_, d_, g_);
+        else
+            elimination_.template solve<Nodes>(*rule_, equations_.mass(), h, hJ_, d_, g_);
     }
 
     /// The largest integrals of g at the nodes: what the lifting removes.

@@ -204,8 +204,7 @@ class regularity {
             d_.col(k) = J_.leftCols(n).lazyProduct(u_.col(i));
             if (np > 0) d_.col(k) += J_.rightCols(np).lazyProduct(p_);
         }
-        elimination_.template factor<Nodes>(rule_, equations_.mass(), h, hJ_);
-        elimination_.template solve<Nodes>(rule_, h, hJ_, d_, g_);
+        elimination_.template solve<Nodes>(rule_, equations_.mass(), h, hJ_, d_, g_);
         combine<N, Nodes>(rule_.gauss.b.data(), m, g_.data(), n, &local(0, i), n);
         local.col(i) += u_.col(i) - u_.col(i + 1);
     }
