@@ -47,10 +47,10 @@ class error_estimate {
     int order() const { return rule_->order; }
 
     /// False where f is not finite at one of its points (place()). Errors relative to floor + |y| are looked at
-    /// as closely as `negligible` asks for.
-    bool run(const iterate& x, const scalar& floor, const scalar& negligible) {
+    /// as closely as `negligible` asks for, or only once.
+    bool run(const iterate& x, const scalar& floor, const scalar& negligible, bool closely = true) {
         const int L = x.intervals(), n = equations_.n(), m = nodes();
-        floor_ = floor, negligible_ = negligible;
+        floor_ = floor, negligible_ = negligible, passes_ = closely ? 2 : 1;
         slopes_.resize(n, m * L);
         delta_.resize(n, L);
         inner_.resize(n, L);
@@ -233,7 +233,7 @@ class error_estimate {
         collocation_slopes<Nodes>(x, i);
         interpolate_jacobians<Nodes>(i, x.h(i));
         raised_.col(i).setZero();
-        for (int pass = 0; pass < 2; ++pass) {
+        for (int pass = 0; pass < passes_; ++pass) {
             if (!defects<Nodes>(x, i)) return false;
             // Elimination costs less than sweeps as long as it has about 16 unknowns.
             const bool small = (n - M) * m <= 16;
@@ -394,6 +394,7 @@ class error_estimate {
     column ends_;
     iterate error_;
     scalar floor_{0}, negligible_{0}, place_{0};
+    int passes_ = 2;
 };
 
 }  // namespace stagecraft

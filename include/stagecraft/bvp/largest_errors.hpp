@@ -78,4 +78,12 @@ Scalar unresolved(const Equations& equations, const typename Equations::iterate&
     return worst;
 }
 
+/// Can x be within the tolerance, as far as that says? Errors at mesh points are at best the squares of those between.
+template <class Equations, class Scalar>
+bool resolves(const Equations& equations, const typename Equations::iterate& x, const Scalar& floor,
+              const Scalar& rtol) {
+    using std::sqrt;
+    return unresolved(equations, x, floor) <= sqrt(rtol);
+}
+
 }  // namespace stagecraft::detail
