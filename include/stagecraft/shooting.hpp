@@ -311,10 +311,10 @@ struct call_of_shooting {
 /// Cost of a Newton step: an integration from a to b with n sensitivities, and one or more without. The error is
 /// not estimated: solve_bvp is the solver to use, and this the one to compare with, or for an f that jumps.
 /// Bad arguments throw std::invalid_argument, which names the argument.
-template <class Method, class Rhs, class Conditions, class Scalar, class Guess>
-requires detail::runnable_method<Method>
-auto shooting(const Method& method, two_point_problem<Rhs, Conditions> problem, Scalar a,
-              std::type_identity_t<Scalar> b, const Guess& guess,
+template <detail::runnable_method Method, class Rhs, class Conditions, class Guess,
+          class Scalar = detail::scalar_of_method<Method>>
+auto shooting(const Method& method, two_point_problem<Rhs, Conditions> problem,
+              std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
               const shooting_options<std::type_identity_t<Scalar>>& o = {}) {
     using vector = decltype(detail::guess_value(guess, a));
     const auto demand = [](bool good, const char* what) {
