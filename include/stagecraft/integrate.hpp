@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <initializer_list>
+#include <iosfwd>
 #include <type_traits>
 #include <utility>
 
@@ -33,9 +34,8 @@ struct result {
 };
 
 /// Results are not printed by <<.
-template <class Stream, class Vector>
-requires requires(Stream& out) { out << ""; }
-Stream& operator<<(Stream& out, const result<Vector>&) {
+template <class Traits, class Vector>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, const result<Vector>&) {
     static_assert(detail::never<Vector>,
                   "write print(std::cout, r) of stagecraft/report_text.hpp, or print r.status, r.t and r.y");
     return out;

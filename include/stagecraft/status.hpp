@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <iosfwd>
+
 namespace stagecraft {
 
 /// Why a run ended. Everything but `success` and `event` leaves the result at the last accepted state.
@@ -45,11 +47,9 @@ constexpr const char* name(status s) {
 }
 
 /// Prints it as a word.
-template <class Stream>
-requires requires(Stream& out) { out << ""; }
-Stream& operator<<(Stream& out, status s) {
-    out << name(s);
-    return out;
+template <class Traits>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, status s) {
+    return out << name(s);
 }
 
 }  // namespace stagecraft

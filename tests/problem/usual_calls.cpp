@@ -110,3 +110,9 @@ BOOST_AUTO_TEST_CASE(a_status_is_printed_as_a_word) {
         << sc::status::stopped;
     BOOST_TEST(out.str() == "success, stopped");
 }
+
+BOOST_AUTO_TEST_CASE(a_generic_right_hand_side_may_fill_f_with_commas) {
+    const auto commas = [](const auto&, const auto& y, auto& f) { f << y[1], -y[0]; };
+    const auto r = sc::integrate(sc::radau_iia<3>(), commas, Vector2d(0, 1), 0, 1);
+    BOOST_TEST(r.y[0] == std::sin(1.0), boost::test_tools::tolerance(1e-5));
+}
