@@ -112,8 +112,8 @@ class bvp_solver {
                 continue;
             }
             if (!o_.adapt ||
-                (error_ <= o_.rtol && (few ? settled() && regular_.resolved() : settled() || confirmed()) &&
-                 !coincident())) {
+                (error_ <= o_.rtol && converged() &&
+                 (few ? settled() && regular_.resolved() : settled() || confirmed()) && !coincident())) {
                 accept();
                 if (!few || result_.ok()) return;
             }
@@ -129,7 +129,7 @@ class bvp_solver {
             least = std::min(least, error_);
             mesh_choice<equations_type> choice(equations_, estimate_, x_, o_);
             const bool spread = rough() && idle < 2;  // where spreading has stopped to help, errors decide
-            const auto next = error_ <= o_.rtol ? halved(x_.t)
+            const auto next = error_ <= o_.rtol ? choice.resolving(halved(x_.t))
                               : spread          ? choice.spread()
                                                 : choice.refined(error_, floor_, idle > 0);
             if (static_cast<int>(next.size()) - 1 > o_.max_intervals) {
@@ -235,13 +235,14 @@ class bvp_solver {
     /// linear problem does not depend on x: it is enough that its fundamental solutions are known to some digits.
     bool settled() {
         const Scalar kappa = relative_kappa(), last = last_kappa_;
+        const bool unknown = regular_.unknown(floor_, newton_.linear() ? Scalar(0) : error_),
+                   stays = kappa < 2 * last && last < 2 * kappa;
         if (last < Scalar(0)) first_kappa_ = kappa;
         last_kappa_ = kappa;
-        const bool unknown = regular_.unknown(floor_), stays = kappa < 2 * last && last < 2 * kappa;
-        vanishes_ = regular_.resolved() && kappa > 10 * first_kappa_;
+        vanishes_ = unknown || (regular_.resolved() && kappa > 10 * first_kappa_);
         return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100 ||
                              (newton_.linear() && regular_.doubt() < Scalar(1e-5)))) ||
-               !o_.adapt || ++checks_ > 6 ||
+               !o_.adapt || (!regular_.turns() && ++checks_ > 6) ||
                kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000;
     }
     /// Where fast modes leave fundamental solutions unresolved, the mesh halved says whether the condition number stays: of a
@@ -257,7 +258,6 @@ class bvp_solver {
         return vanishes_ && checks_ <= 6 && !newton_.linear() && last_kappa_ * error_ > Scalar(1);
     }
     Scalar relative_kappa() { return conditioning_.fundamental(), conditioning_.relative(floor_); }
-
     /// Is an error that stays what rounding leaves, and no mesh will make it less?
     bool hopeless(const Scalar& error) {
         if (is_singular()) return true;
@@ -274,7 +274,7 @@ class bvp_solver {
             if (!solved() || !equations_.linearise(x_)) return false;
             conditioning_.forget();
             const auto values = largest_answers(Scalar(0));
-            if (kappa_ > 2 * before || before > 2 * kappa_) return end_in_family(values, kappa_ / 1000), true;
+            if (kappa_ > 2 * before || before > 2 * kappa_) return end_in_family(values), true;
         }
         return end_by_rounding(), true;
     }
@@ -285,7 +285,9 @@ class bvp_solver {
         kappa_ = conditioning_.norm(least, values);
         return values;
     }
-    void end_in_family(const std::vector<Scalar>& answers, const Scalar& least) {
+    /// The kernel's dimension is the number of answers above kappa_ / 1000, or above `least`.
+    void end_in_family(const std::vector<Scalar>& answers, Scalar least = Scalar(0)) {
+        if (!(least > Scalar(0))) least = kappa_ / 1000;
         result_.kernel = static_cast<int>(
             std::count_if(answers.begin(), answers.end(), [&](const Scalar& v) { return v >= least; }));
         const std::string which = dependent_condition(equations_.conditions());
@@ -298,22 +300,24 @@ class bvp_solver {
         const Scalar least = Scalar(1) / (1000 * std::numeric_limits<Scalar>::epsilon());
         conditioning_.fundamental();
         rounding_ = conditioning_.rounding(floor_);
-        const auto answers = largest_answers(std::min(Scalar(1000 * o_.rtol), Scalar(1)) * least);
-        if (kappa_ < least) return false;
+        auto answers = largest_answers(std::min(Scalar(1000 * o_.rtol), Scalar(1)) * least);
+        const bool large = !(kappa_ < least);
+        if (!large && equations_.replaced_pivots() == 0) return false;
         // Of components as large as that, rounding errors may be as small as of others.
-        if (converged() && error_ <= o_.rtol && relative_kappa() < least &&
-            regular_.rounding(floor_) < Scalar(1) / 10000)
+        if ((!large || (converged() && error_ <= o_.rtol && relative_kappa() < least &&
+                        regular_.rounding(floor_) < Scalar(1) / 10000)) &&
+            !regular_.contradicted())
             return false;
+        if (!large) answers = largest_answers(Scalar(0));
         const std::string which = dependent_condition(equations_.conditions());
         const bool of_iterate = !converged() && regular_.nonlinear(guess_size_);
         if (which.empty() && !of_iterate && regular_.grows(floor_))
             return end(bvp_status::ill_conditioned, "kappa1 exceeds 1/(1000 epsilon): solutions grow"), true;
-        if (solved()) return end_in_family(answers, least), true;
+        if (solved()) return end_in_family(answers, large ? least : Scalar(0)), true;
         failure_ = which.empty() ? "M is singular to rounding" : which;
         if (of_iterate) return false;
         return end(bvp_status::singular, failure_), true;
     }
-
     /// With M singular: does x solve the equations, at a size that is not 1 / epsilon?
     bool solved() {
         using std::sqrt;
@@ -322,10 +326,8 @@ class bvp_solver {
     }
     void accept() {
         if (is_singular()) return;
-        if (vanishes_ && checks_ > 6) {
-            const auto values = largest_answers(Scalar(0));  // sets kappa_
-            return end_in_family(values, kappa_ / 1000);
-        }
+        if (vanishes_ && !o_.adapt) return end(bvp_status::tolerance_not_met, "the mesh does not show M");
+        if (vanishes_ && checks_ > 6) return end_in_family(largest_answers(Scalar(0)));
         if (regular_.hidden(floor_, guess_size_))
             return end(bvp_status::ill_conditioned, "M is no larger than the errors of differences of f");
         // Every rounding error counts as large as it may be: what they come to is mostly less than a tenth of that.
@@ -336,7 +338,6 @@ class bvp_solver {
         if (error_ <= o_.rtol) return end(bvp_status::success, "");
         end(bvp_status::tolerance_not_met, "the error on the given mesh exceeds the tolerance");
     }
-
     void end_by_rounding() { end(bvp_status::ill_conditioned, "rounding errors exceed the tolerance"); }
     void end(bvp_status status, const std::string& message) {
         result_.status = status;
@@ -348,7 +349,6 @@ class bvp_solver {
                    last = t == x_.t.back() && c[c.size() - 1] == Scalar(1);
         end(bvp_status::non_finite, not_finite_at(t, first || last));
     }
-
     void finish() {
         auto& r = result_.report;
         r.intervals = x_.intervals();

@@ -117,6 +117,19 @@ class collocation_equations {
         return differ(system_.conditions_jacobian().topRows(n() + np()), conditions_);
     }
 
+    /// The Jacobian in the middle node of interval i at x, less that of the factors; the same of the conditions.
+    auto change_of_jacobian(const iterate& x, int i) {
+        const int j = s() / 2, width = n() + np();
+        set_stage(x, i, j);
+        const Scalar t = x.t[i] + method_.c[j] * x.h(i);
+        system_.f(t, stage_, x.p);
+        return (system_.jacobian(t).topRows(n()) - J_.middleCols((i * s() + j) * width, width)).eval();
+    }
+    auto change_of_conditions(const iterate& x) {
+        system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
+        return (system_.conditions_jacobian().topRows(n() + np()) - conditions_).eval();
+    }
+
     /// The correction that removes the residuals last evaluated, with the factors last computed.
     void solve(const iterate& x, iterate& d) { solve(x, rho_, gamma_, beta_, d); }
 
@@ -151,6 +164,8 @@ class collocation_equations {
     auto right_block(int i) { return blocks_.condensed(i).middleCols(n(), n()); }
     /// The block E.
     auto left_block(int i) { return blocks_.condensed(i).leftCols(n()); }
+    /// The block P.
+    auto parameter_block(int i) { return blocks_.condensed(i).rightCols(np()); }
     const matrix& conditions() const { return conditions_; }
     const column& boundary_residual() const { return beta_; }
     /// The largest residual last evaluated, of slopes, continuity and conditions.

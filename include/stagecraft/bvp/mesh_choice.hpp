@@ -77,7 +77,6 @@ class mesh_choice {
     /// share of the variation of y and of the length for every interval, and the ends resolved.
     std::vector<Scalar> spread() {
         using std::abs;
-        using std::sqrt;
         const int L = x_.intervals(), n = equations_.n(), s = equations_.s();
         std::vector<Scalar> part(static_cast<std::size_t>(L)), variation(part);
         for (int i = 0; i < L; ++i) part[i] = Scalar(1) / Scalar(L);
@@ -92,8 +91,14 @@ class mesh_choice {
             if (!(all > Scalar(0)) || !(all - all == Scalar(0))) continue;
             for (int i = 0; i < L; ++i) part[i] += variation[i] / (all * Scalar(n));
         }
-        auto mesh = equidistributed(x_.t, mesh_density(x_.t, part, Scalar(5)), std::max(16, 3 * L / 2),
-                                    o_.fixed_points);
+        return resolving(equidistributed(x_.t, mesh_density(x_.t, part, Scalar(5)), std::max(16, 3 * L / 2),
+                                         o_.fixed_points));
+    }
+
+    /// A mesh with points added where layers may be, whether y has them or not: at the ends, and inside.
+    std::vector<Scalar> resolving(std::vector<Scalar> mesh) {
+        using std::sqrt;
+        const int L = x_.intervals(), s = equations_.s();
         mesh = graded(mesh, x_.t.front(), reach(0, 0));
         mesh = graded(mesh, x_.t.back(), reach(L - 1, s - 1));
         // Layers inside are where modes that grow turn into modes that decay.

@@ -11,6 +11,7 @@
 #include <stagecraft/bvp/conditioning.hpp>
 #include <stagecraft/bvp/lifting_elimination.hpp>
 #include <stagecraft/bvp/lifting_rule.hpp>
+#include <stagecraft/bvp/missed_phase.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {
@@ -29,18 +30,25 @@ class regularity {
     using column = typename Equations::column;
     using matrix = typename Equations::matrix;
     using rule = typename Equations::rule;
+    static constexpr int N = wide::RowsAtCompileTime;
 
     regularity(Equations& equations, conditioning_of<Equations>& conditioning, iterate& x, const rule& r)
         : equations_(equations), conditioning_(conditioning), x_(x), rule_(r) {}
 
-    /// Are the local errors small, and what they make of u not small beside it?
-    bool unknown(const scalar& floor) {
+    /// Are the local errors small, and what they make of u not small beside it? `error` is that of x, relative, where f or r
+    /// are nonlinear and M changes with x, else 0.
+    bool unknown(const scalar& floor, const scalar& error = scalar(0)) {
+        turns_ = missed_phase(equations_, x_, rule_.order) > scalar(1) / 1000;
         choose(floor);
         resolved_ = true;
         doubt_.reset();
-        // M could then be singular only by errors of the mesh of some per cent, which are seen in x as well.
-        return !(answer_ < scalar(30)) && !(doubt() < scalar(1) / 4) && resolved_;
+        if (answer_ * error > scalar(1) / 100 && !(of_other(error) < scalar(1) / 100)) return true;
+        // M could else be singular only by errors of the mesh of some per cent, which are seen in x as well.
+        return (turns_ || !(answer_ < scalar(30))) && !(doubt() < scalar(1) / 4) && (turns_ || resolved_);
     }
+    /// Did unknown() see modes that turn between both ends, neither growing nor decaying by much, by an angle that the mesh
+    /// does not show? What the conditions say of them, it does not show either.
+    bool turns() const { return turns_; }
     /// Were they small, when unknown() looked?
     bool resolved() const { return resolved_; }
 
@@ -67,6 +75,17 @@ class regularity {
         typename Equations::parameters shift(equations_.np());
         const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
         return share(e, shift);
+    }
+
+    /// Do the answers to the conditions leave their equations, every row beside its largest terms, by more than rounding does?
+    /// Of a singular M elimination makes a regular one of its rounding errors, whose answers leave the condition that they
+    /// are for as it was. Of an M that only answers much, in whatever units, they do not.
+    bool contradicted() {
+        using std::sqrt;
+        conditioning_.fundamental();
+        for (int k = 0; k < equations_.n() + equations_.np(); ++k)
+            if (!(left_over(k) < sqrt(std::numeric_limits<scalar>::epsilon()))) return true;
+        return false;
     }
 
     /// Is u large because solutions grow from one end to the other, rounding errors leaving it what it is? M is regular then.
@@ -123,6 +142,60 @@ class regularity {
     }
 
   private:
+    /// What becomes of u, relative to it, where y and p change by `error`, to sides of their own in each eighth.
+    scalar of_other(const scalar& error) {
+        using std::abs;
+        const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
+        iterate other = x_, e;
+        for (Eigen::Index i = 0; i <= L; ++i)
+            for (int c = 0; c < n; ++c)
+                other.y(c, i) += error * scale_[c] * sign(static_cast<int>(8 * i / (L + 1)) * n + c);
+        for (int k = 0; k < np; ++k) other.p[k] += error * (1 + abs(other.p[k])) * sign(k);
+        wide local(n, L);
+        for (int i = 0; i < L; ++i) {
+            const auto change = equations_.change_of_jacobian(other, i);
+            local.col(i) =
+                x_.h(i) * (change.leftCols(n) * (u_.col(i) + u_.col(i + 1)) / 2 + change.rightCols(np) * p_);
+        }
+        column ends(2 * n + np);
+        ends << u_.col(0), u_.col(L), p_;
+        equations_.solve(x_, wide::Zero(n, equations_.s() * L), local,
+                         column(equations_.change_of_conditions(other) * ends), e);
+        return share(e.y, e.p);
+    }
+
+    /// What the answer to condition k leaves of its equations.
+    scalar left_over(int k) {
+        using std::abs;
+        const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
+        const wide& u = conditioning_.response(k);
+        const column p = conditioning_.parameters().col(k), most = u.cwiseAbs().rowwise().maxCoeff();
+        column ends(2 * n + np), sizes(2 * n + np), left(n), terms(n);
+        ends << u.col(0), u.col(L), p;
+        sizes << most, most, p.cwiseAbs();
+        scalar worst(0);
+        const auto look = [&](const scalar& rest, const scalar& of) {
+            if (of > scalar(0) && !(abs(rest / of) <= worst)) worst = abs(rest / of);
+        };
+        const auto& B = equations_.conditions();
+        for (int r = 0; r < n + np; ++r) {
+            const scalar unit(r == k ? 1 : 0);
+            look(B.row(r).dot(ends) - unit, B.row(r).cwiseAbs().dot(sizes) + unit);
+        }
+        left.setZero(), terms.setZero();
+        for (int i = 0; i < L; ++i) {
+            const auto E = equations_.left_block(i), F = equations_.right_block(i);
+            const auto P = equations_.parameter_block(i);
+            left = left.cwiseMax((E * u.col(i) + F * u.col(i + 1) + P * p).cwiseAbs()).eval();
+            terms =
+                terms.cwiseMax(E.cwiseAbs() * u.col(i).cwiseAbs() + F.cwiseAbs() * u.col(i + 1).cwiseAbs())
+                    .eval();
+            terms = terms.cwiseMax(P.cwiseAbs() * p.cwiseAbs()).eval();
+        }
+        for (int c = 0; c < n; ++c) look(left[c], terms[c]);
+        return worst;
+    }
+
     scalar find_doubt() {
         if (std::decay_t<decltype(equations_.mass())>::identity) {
             const scalar bound = answer_ * local_bound();
@@ -174,8 +247,7 @@ class regularity {
         using std::pow;
         using std::sqrt;
         const int n = equations_.n(), s = equations_.s(), width = n + equations_.np(), order = rule_.order;
-        scalar constant(1), sum(0);
-        for (int k = 1; k <= order / 2; ++k) constant *= scalar(k) / scalar((4 * k - 2) * 2 * (2 * k + 1));
+        scalar sum(0);
         for (int i = 0; i < x_.intervals(); ++i) {
             const auto all = equations_.jacobians(i);
             const Eigen::Matrix<scalar, N, N> J = x_.h(i) * all.middleCols((s / 2) * width, n);
@@ -185,7 +257,7 @@ class regularity {
                     return std::numeric_limits<scalar>::infinity();
             sum += pow(sqrt(scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff())), scalar(order + 1));
         }
-        return constant * sum;
+        return gauss_error_constant<scalar>(order) * sum;
     }
 
     /// u at the end of interval i by the collocation that lifts, with the Jacobians between the nodes by interpolation, less
@@ -253,8 +325,7 @@ class regularity {
     conditioning_of<Equations>& conditioning_;
     iterate& x_;
     const rule& rule_;
-    static constexpr int N = wide::RowsAtCompileTime, S = Equations::stages,
-                         W = added<N, Equations::parameters::RowsAtCompileTime>,
+    static constexpr int S = Equations::stages, W = added<N, Equations::parameters::RowsAtCompileTime>,
                          NW = N > 0 && W > 0 ? N *W : Eigen::Dynamic, usual_nodes = S > 0 ? S + 2 : 0;
 
     wide u_, hJ_, d_, g_;
@@ -263,7 +334,7 @@ class regularity {
     column p_, size_, scale_;
     scalar answer_{0};
     std::optional<scalar> doubt_;
-    bool resolved_ = false;
+    bool resolved_ = false, turns_ = false;
 };
 
 /// Is M of a linear problem known on the mesh of x as well, where `finer` are its equations, and its relative condition number

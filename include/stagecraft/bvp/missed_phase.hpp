@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace stagecraft::detail {
+
+/// (k!)^2/((2 k)! (2 k + 1)!), order being 2 k: of y' = z y the Gauss method of k stages misses that times z^(2 k + 1).
+template <class Scalar>
+Scalar gauss_error_constant(int order) {
+    Scalar constant(1);
+    for (int k = 1; k <= order / 2; ++k) constant *= Scalar(k) / Scalar((4 * k - 2) * 2 * (2 * k + 1));
+    return constant;
+}
+
+/// The eigenvalues of J, those of a 2 x 2 matrix left out where they are real.
+template <class Square>
+std::vector<std::complex<typename Square::Scalar>> turning_modes(const Square& J) {
+    using std::sqrt;
+    if constexpr (Square::RowsAtCompileTime == 2) {
+        const auto half = (J(0, 0) - J(1, 1)) / 2;
+        const typename Square::Scalar mean = J.trace() / 2, d = half * half + J(0, 1) * J(1, 0);
+        if (d < 0) return {{mean, sqrt(-d)}};
+        return {};
+    } else {
+        const Eigen::EigenSolver<Square> solver(J, false);
+        const auto& z = solver.eigenvalues();
+        return {z.data(), z.data() + z.size()};
+    }
+}
+
+/// The angles that a method of this order misses of the modes exp(i w t) of f_y, from one end to the other: in an interval
+/// those of Gauss methods miss gauss_error_constant (h w)^(order + 1). 0 where the modes that turn grow or decay, or mass()
+/// stands before y'.
+template <class Equations, class Iterate>
+auto missed_phase(const Equations& equations, const Iterate& x, int order) {
+    using std::abs;
+    using std::pow;
+    using std::sqrt;
+    using scalar = std::decay_t<decltype(x.t[0])>;
+    constexpr int N = Equations::wide::RowsAtCompileTime;
+    if (!std::decay_t<decltype(equations.mass())>::identity) return scalar(0);
+    const int n = equations.n(), width = n + equations.np();
+    const scalar constant = gauss_error_constant<scalar>(order), power(order + 1),
+                 parts(1000 * x.intervals());
+    scalar angle(0), growth(0);
+    for (int i = 0; i < x.intervals(); ++i) {
+        const Eigen::Matrix<scalar, N, N> J =
+            x.h(i) * equations.jacobians(i).middleCols(equations.s() / 2 * width, n);
+        const scalar most = sqrt(scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff()));
+        if (!(constant * pow(most, power) * parts > scalar(1))) continue;
+        scalar least = std::numeric_limits<scalar>::infinity(), turned(0);
+        for (const auto& z : turning_modes(J)) {
+            if (!(z.imag() > scalar(0) && abs(z.real()) < z.imag() &&
+                  constant * pow(z.imag(), power) * parts > scalar(1)))
+                continue;
+            turned = std::max(turned, scalar(z.imag()));
+            least = std::min(least, scalar(abs(z.real())));
+        }
+        if (!(turned > scalar(0))) continue;
+        angle += std::min(scalar(constant * pow(turned, power)), scalar(1));
+        growth += least;
+    }
+    return growth < scalar(10) ? angle : scalar(0);
+}
+
+}  // namespace stagecraft::detail
