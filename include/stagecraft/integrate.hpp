@@ -134,8 +134,7 @@ struct call_of_integrate {
         static_assert(
             sizeof(T) == 0,
             "integrate(method, problem, y0, t0, t1, options, observer), with a checkpoint in place of y0, "
-            "t0: "
-            "t0 and t1 are numbers; options have no such name, or "
+            "t0: t0 and t1 are numbers; options have no such name, or "
             "one with a value of another type: {.rtol, .atol, .atol_components, .fixed_step, .initial_step, "
             ".min_step, .max_step, .control, .continuous, .jumps, .max_steps, .newton_iterations, "
             ".newton_factor}");

@@ -106,28 +106,19 @@ class collocation_equations {
             return !((now - before).cwiseAbs().maxCoeff() <= same * before.cwiseAbs().maxCoeff());
         };
         for (int i = 0; i < x.intervals(); ++i) {
-            const int j = i % s(), width = n() + np();
-            set_stage(x, i, j);
-            const Scalar t = x.t[i] + method_.c[j] * x.h(i);
-            system_.f(t, stage_, x.p);
-            if (differ(system_.jacobian(t).topRows(n()), J_.middleCols((i * s() + j) * width, width)))
-                return true;
+            const int j = i % s();
+            if (differ(jacobian_at(x, i, j).topRows(n()), factored_jacobian(i, j))) return true;
         }
-        system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
-        return differ(system_.conditions_jacobian().topRows(n() + np()), conditions_);
+        return differ(conditions_jacobian_at(x).topRows(n() + np()), conditions_);
     }
 
     /// The Jacobian in the middle node of interval i at x, less that of the factors; the same of the conditions.
     auto change_of_jacobian(const iterate& x, int i) {
-        const int j = s() / 2, width = n() + np();
-        set_stage(x, i, j);
-        const Scalar t = x.t[i] + method_.c[j] * x.h(i);
-        system_.f(t, stage_, x.p);
-        return (system_.jacobian(t).topRows(n()) - J_.middleCols((i * s() + j) * width, width)).eval();
+        const int j = s() / 2;
+        return (jacobian_at(x, i, j).topRows(n()) - factored_jacobian(i, j)).eval();
     }
     auto change_of_conditions(const iterate& x) {
-        system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
-        return (system_.conditions_jacobian().topRows(n() + np()) - conditions_).eval();
+        return (conditions_jacobian_at(x).topRows(n() + np()) - conditions_).eval();
     }
 
     /// The correction that removes the residuals last evaluated, with the factors last computed.
@@ -176,6 +167,21 @@ class collocation_equations {
     int replaced_pivots() const { return replaced_; }
 
   private:
+    /// The Jacobian at x in node j of interval i, that of the factors there, and at x that of the conditions.
+    const auto& jacobian_at(const iterate& x, int i, int j) {
+        set_stage(x, i, j);
+        const Scalar t = x.t[i] + method_.c[j] * x.h(i);
+        system_.f(t, stage_, x.p);
+        return system_.jacobian(t);
+    }
+    auto factored_jacobian(int i, int j) const {
+        const int width = n() + np();
+        return J_.middleCols((i * s() + j) * width, width);
+    }
+    const auto& conditions_jacobian_at(const iterate& x) {
+        system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
+        return system_.conditions_jacobian();
+    }
     void set_stage(const iterate& x, int i, int j) {
         const Scalar *Z = &x.Z(0, i * s()), *y = &x.y(0, i);
         const int size = n(), count = s();

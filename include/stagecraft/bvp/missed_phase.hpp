@@ -36,6 +36,23 @@ std::vector<std::complex<typename Square::Scalar>> turning_modes(const Square& J
     }
 }
 
+/// h f_y in the middle of interval i of x.
+template <class Equations, class Iterate>
+auto middle_jacobian(const Equations& equations, const Iterate& x, int i) {
+    using scalar = std::decay_t<decltype(x.t[0])>;
+    constexpr int N = Equations::wide::RowsAtCompileTime;
+    const int n = equations.n(), width = n + equations.np();
+    return Eigen::Matrix<scalar, N, N>(x.h(i) *
+                                       equations.jacobians(i).middleCols(equations.s() / 2 * width, n));
+}
+
+/// No eigenvalue of J is larger: from J^2, which is no larger than it need be where J holds q' = v and fast forces.
+template <class Square>
+auto largest_rate(const Square& J) {
+    using std::sqrt;
+    return sqrt(typename Square::Scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff()));
+}
+
 /// The angles that a method of this order misses of the modes exp(i w t) of f_y, from one end to the other: in an interval
 /// those of Gauss methods miss gauss_error_constant (h w)^(order + 1). 0 where the modes that turn grow or decay, or mass()
 /// stands before y'.
@@ -43,18 +60,14 @@ template <class Equations, class Iterate>
 auto missed_phase(const Equations& equations, const Iterate& x, int order) {
     using std::abs;
     using std::pow;
-    using std::sqrt;
     using scalar = std::decay_t<decltype(x.t[0])>;
-    constexpr int N = Equations::wide::RowsAtCompileTime;
     if (!std::decay_t<decltype(equations.mass())>::identity) return scalar(0);
-    const int n = equations.n(), width = n + equations.np();
     const scalar constant = gauss_error_constant<scalar>(order), power(order + 1),
                  parts(1000 * x.intervals());
     scalar angle(0), growth(0);
     for (int i = 0; i < x.intervals(); ++i) {
-        const Eigen::Matrix<scalar, N, N> J =
-            x.h(i) * equations.jacobians(i).middleCols(equations.s() / 2 * width, n);
-        const scalar most = sqrt(scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff()));
+        const auto J = middle_jacobian(equations, x, i);
+        const scalar most = largest_rate(J);
         if (!(constant * pow(most, power) * parts > scalar(1))) continue;
         scalar least = std::numeric_limits<scalar>::infinity(), turned(0);
         for (const auto& z : turning_modes(J)) {

@@ -245,17 +245,16 @@ class regularity {
     /// methods are (k!)^2/((2 k)! (2 k + 1)!) z^(2 k + 1) for y' = z y.
     scalar local_bound() const {
         using std::pow;
-        using std::sqrt;
         const int n = equations_.n(), s = equations_.s(), width = n + equations_.np(), order = rule_.order;
         scalar sum(0);
         for (int i = 0; i < x_.intervals(); ++i) {
             const auto all = equations_.jacobians(i);
-            const Eigen::Matrix<scalar, N, N> J = x_.h(i) * all.middleCols((s / 2) * width, n);
+            const auto J = middle_jacobian(equations_, x_, i);
             const scalar most = J.cwiseAbs().maxCoeff();
             for (int j = 0; j < s; ++j)
                 if ((x_.h(i) * all.middleCols(j * width, n) - J).cwiseAbs().maxCoeff() > most / 2)
                     return std::numeric_limits<scalar>::infinity();
-            sum += pow(sqrt(scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff())), scalar(order + 1));
+            sum += pow(largest_rate(J), scalar(order + 1));
         }
         return gauss_error_constant<scalar>(order) * sum;
     }

@@ -188,7 +188,7 @@ class shifted_operator {
 ///     using linear_solver = stagecraft::krylov_blocks;
 ///
 /// Inexact solves are Newton's business: what they leave shows in its contraction, and its last solves are told which
-/// part of their right-hand sides they may leave (newton_monitor).
+/// part of their right-hand sides they may leave (inexact_newton_monitor).
 struct krylov_blocks {
     class real {
       public:

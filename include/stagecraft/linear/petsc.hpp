@@ -276,7 +276,7 @@ class petsc_single {
 /// (preconditioner_life.hpp).
 ///
 /// Inexact solves are Newton's business: what they leave shows in its contraction, and its last solves are told which
-/// part of their right-hand sides they may leave (newton_monitor). An error that PETSc reports is a
+/// part of their right-hand sides they may leave (inexact_newton_monitor). An error that PETSc reports is a
 /// std::runtime_error on the process where it does.
 struct petsc_blocks {
     class real {

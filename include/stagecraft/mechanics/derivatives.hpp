@@ -33,10 +33,6 @@ Eigen::Matrix<Dual, N, 1> variables(const Eigen::Matrix<S, N, 1>& x) {
     return result;
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// F - M a in dual numbers, with the acceleration a held fixed.
 template <class Dual, class S, class Model>
 coordinate_vector<Dual, Model> balance(const Model& model, const coordinate_vector<Dual, Model>& q,
