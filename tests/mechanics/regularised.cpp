@@ -168,7 +168,7 @@ pace pace_of(const Problem& problem, const Vector& q, const Vector& v, double t1
     std::vector<double> h;
     double last = 0;
     const auto keep = [&](double t, const Eigen::VectorXd&) {
-        if (t > last) h.push_back(t - last);
+        if (t > t1 / 20) h.push_back(t - last);  // before it the layer at the start chooses them
         last = t;
     };
     const Eigen::VectorXd y0 = problem.initial_state(q, v);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(steps_of_principal_damping_do_not_go_up_and_down) {
         const pace limit = pace_of(index_2(model), q, v, t1);
         for (const double eps : {1e-4, 1e-6, 1e-8}) {
             const pace damped = pace_of(principal_damping(model, eps, c, c), q, v, t1);
-            BOOST_TEST(damped.swings <= limit.swings + 1);  // one may be that of the first steps' layer
+            BOOST_TEST(damped.swings <= limit.swings + 1);
             BOOST_TEST(damped.attempts <= limit.attempts * 11 / 10);
         }
     };
