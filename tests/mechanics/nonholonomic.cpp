@@ -2,7 +2,10 @@
 #define BOOST_TEST_MODULE nonholonomic
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <complex>
 #include <stagecraft/mechanics/holonomic.hpp>
+#include <stagecraft/mechanics/lagrangian.hpp>
+#include <stagecraft/mechanics/regularised.hpp>
 
 #include <problems/thesis/nonholonomic.hpp>
 #include <problems/thesis/solve.hpp>
@@ -73,6 +76,87 @@ BOOST_AUTO_TEST_CASE(forces_may_depend_on_time) {
     const vector reduced = run(index_reduced(steered_edge()), start, 3, 1e-10).path.back().y;
     BOOST_TEST((reduced - r.path.back().y.head(6)).norm() < 1e-6);
     BOOST_TEST(drift(steered_edge(), r) > 1e-2);  // the torque does work
+}
+
+namespace {
+
+// An upright wheel of radius r that rolls without slip at (x, y) in the direction theta while a motor turns it by
+// spin(t) = w + a cos(nu t); q = (x, y, theta, phi).
+const double r_wheel = 0.4, m_wheel = 3, J_wheel = 0.24, w = 2, a = 1.5, nu = 3;
+auto driven_wheel() {
+    const auto T = [](const auto&, const auto& v) {
+        return 0.5 * (m_wheel * (v[0] * v[0] + v[1] * v[1]) + 0.1 * v[2] * v[2] + J_wheel * v[3] * v[3]);
+    };
+    const auto V = [](const auto& q) { return 0 * q[0]; };
+    const auto rolling_and_spin = [](const auto& q, const auto& t) {
+        using std::cos;
+        using std::sin;
+        using S = std::decay_t<decltype(t)>;
+        Eigen::Matrix<S, 3, 5> Gb = Eigen::Matrix<S, 3, 5>::Constant(S(0));
+        Gb(0, 0) = Gb(1, 1) = Gb(2, 3) = S(1);
+        Gb(0, 3) = S(-r_wheel) * S(cos(q[2]));
+        Gb(1, 3) = S(-r_wheel) * S(sin(q[2]));
+        Gb(2, 4) = S(-w) - S(a) * S(cos(S(nu) * t));
+        return Gb;
+    };
+    return lagrangian<4, 3>(T, V, rolling_and_spin);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_driven_wheel_takes_the_path_and_the_torque_of_its_spin) {
+    using vector4 = Eigen::Vector4d;
+    const double turn = 0.7, t = 4;
+    const vector4 q(0, 0, 0, 0), v(r_wheel * (w + a), 0, turn, w + a);
+    // x' + i y' = r spin(t) exp(i turn t), an elementary integral.
+    const auto arc = [&](double rate) {
+        return std::complex<double>(std::sin(rate * t), 1 - std::cos(rate * t)) / rate;
+    };
+    const std::complex<double> place = r_wheel * (w * arc(turn) + a / 2 * (arc(turn + nu) + arc(turn - nu)));
+    const vector4 end(place.real(), place.imag(), turn * t, w * t + a / nu * std::sin(nu * t));
+    const double spin = w + a * std::cos(nu * t), faster = -a * nu * std::sin(nu * t), c = std::cos(turn * t),
+                 s = std::sin(turn * t);
+    const vector3 force = -vector3(m_wheel * r_wheel * (faster * c - spin * turn * s),
+                                   m_wheel * r_wheel * (faster * s + spin * turn * c),
+                                   (J_wheel + m_wheel * r_wheel * r_wheel) * faster);
+    const auto check = [&](const auto& problem, double of_q, double of_force) {
+        using state = Eigen::Matrix<double, std::decay_t<decltype(problem)>::size, 1>;
+        const vector y = run(problem, problem.initial_state(q, v), t, 1e-11).path.back().y;
+        BOOST_TEST((y.head(4) - end).norm() < of_q);
+        BOOST_TEST((problem.multiplier(state(y), t) - force).norm() < of_force);
+    };
+    check(index_2(driven_wheel()), 1e-9, 1e-6);
+    check(index_reduced(driven_wheel()), 1e-9, 1e-8);
+    check(index_reduced(driven_wheel(), 2.0), 1e-9, 1e-8);
+    check(regularised(driven_wheel(), 1e-7, 1, 1, 1), 1e-4, 1e-4);
+    BOOST_CHECK_THROW(index_2(driven_wheel()).initial_state(q, vector4(1, 0, 0, w + a)),
+                      std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_pendulum_whose_suspension_falls_circles_evenly) {
+    // The suspension is at (0, -9.81 t^2/2) and takes the weight away: the bob circles about it with the speed that it
+    // has, and the rod's force is that of this circle.
+    using vector2 = Eigen::Vector2d;
+    const double length = 0.8, mass = 2, omega = 3, t = 2;
+    const auto T = [=](const auto&, const auto& v) { return 0.5 * mass * v.squaredNorm(); };
+    const auto V = [=](const auto& q) { return mass * 9.81 * q[1]; };
+    const auto rod = [=](const auto& q, const auto& time) {
+        const auto y = q[1] + 0.5 * 9.81 * time * time;
+        return q[0] * q[0] + y * y - length * length;
+    };
+    const auto model = lagrangian<2, 1>(T, V, rod);
+    const vector2 q(0, -length), v(omega * length, 0),
+        end(length * std::sin(omega * t), -length * std::cos(omega * t) - 0.5 * 9.81 * t * t);
+    const auto check = [&](const auto& problem) {
+        using state = Eigen::Matrix<double, std::decay_t<decltype(problem)>::size, 1>;
+        const vector y = run(problem, problem.initial_state(q, v), t, 1e-11).path.back().y;
+        BOOST_TEST((y.head(2) - end).norm() < 1e-7);
+        BOOST_TEST(std::abs(2 * problem.multiplier(state(y), t)[0] - mass * omega * omega) < 1e-4);
+    };
+    check(index_2(model));
+    check(index_3(model));
+    check(stabilised_index_2(model));
+    check(baumgarte(model, 10, 10));
 }
 
 BOOST_AUTO_TEST_CASE(the_chaplygin_sleigh_keeps_its_energy_and_straightens) {
