@@ -302,6 +302,10 @@ BOOST_AUTO_TEST_CASE(section_2_4_steps_without_the_scaled_norm) {
         s.problem.flags[10] = s.problem.flags[11] = flag;
         return static_cast<double>(solve(s, {.tolerance = tolerance}).report.steps);
     };
-    BOOST_TEST(steps(1e-6, 1) > 5 * steps(1e-6, 2));
-    BOOST_CHECK_THROW(steps(1e-10, 1), std::runtime_error);
+    // 92 -> 702 steps when this was first measured; 102 -> 702 now.
+    const double scaled = steps(1e-6, 2), plain = steps(1e-6, 1);
+    BOOST_TEST((scaled > 85 && scaled < 115));
+    BOOST_TEST((plain > 630 && plain < 780));
+    BOOST_CHECK_THROW(steps(1e-10, 1), std::runtime_error);  // 864 steps with the flags
+    BOOST_TEST(steps(1e-10, 2) < 950);
 }
