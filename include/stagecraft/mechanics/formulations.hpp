@@ -9,6 +9,7 @@
 
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
+#include <stagecraft/mechanics/free_motion.hpp>
 #include <stagecraft/mechanics/start.hpp>
 
 namespace stagecraft {
@@ -210,6 +211,19 @@ requires(!holonomic_model<Model>) index_reduced_ode<Model, double> baumgarte(Mod
                   "baumgarte: the model has constraints of velocity only, G v = 0, no g(q): take "
                   "index_reduced(model, r), by which G v decays as exp(-r t)");
     return index_reduced<double>(std::move(model));
+}
+
+/// Without constraints there is nothing to choose a formulation for.
+template <class Scalar = double, free_model Model>
+free_motion_ode<Model, Scalar> index_2(Model model) {
+    static_assert(detail::never<Model>, "index_2: the model has no constraints: take free_motion(model)");
+    return free_motion_ode<Model, Scalar>(std::move(model));
+}
+template <class Scalar = double, free_model Model, class... Rate>
+free_motion_ode<Model, double> index_reduced(Model model, const Rate&...) {
+    static_assert(detail::never<Model>,
+                  "index_reduced: the model has no constraints: take free_motion(model)");
+    return free_motion_ode<Model, double>(std::move(model));
 }
 
 }  // namespace stagecraft

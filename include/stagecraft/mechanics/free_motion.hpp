@@ -2,21 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <concepts>
 #include <utility>
 
 #include <stagecraft/mechanics/consistent_multiplier.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
 
 namespace stagecraft {
-
-/// A mechanical model without constraints, M(q) q'' = F(q, q'): as `mechanical_model`, without G and `constraints`.
-template <class Model>
-concept free_model = Model::coordinates >
-0 && !requires { Model::constraints; }
-&&requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
-    { model.M(q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, Model::coordinates>>;
-};
 
 /// The ordinary differential equation q' = v, v' = M(q)^-1 F(q, v, t) in the state (q, v), for any method; implicit ones
 /// use its Jacobian. M is factored once per evaluation. Made by `free_motion`.

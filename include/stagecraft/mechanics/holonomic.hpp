@@ -143,4 +143,17 @@ requires(!holonomic_model<Model>) index_2_dae<Model, Scalar> index_3(Model model
     return index_2<Scalar>(std::move(model));
 }
 
+/// Without constraints there is nothing to choose a formulation for.
+template <class Scalar = double, free_model Model>
+free_motion_ode<Model, Scalar> stabilised_index_2(Model model) {
+    static_assert(detail::never<Model>,
+                  "stabilised_index_2: the model has no constraints: take free_motion(model)");
+    return free_motion_ode<Model, Scalar>(std::move(model));
+}
+template <class Scalar = double, free_model Model>
+free_motion_ode<Model, Scalar> index_3(Model model) {
+    static_assert(detail::never<Model>, "index_3: the model has no constraints: take free_motion(model)");
+    return free_motion_ode<Model, Scalar>(std::move(model));
+}
+
 }  // namespace stagecraft

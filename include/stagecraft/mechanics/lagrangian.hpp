@@ -255,23 +255,38 @@ namespace detail {
 template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
 concept forces_on = std::is_invocable_v<const Q&, const Vector&, const Vector&, const double&>;
 
+/// What is to be known of the energies in a call of `lagrangian`, and of what stands beside them.
+template <int Coordinates, class Kinetic, class Potential, class... Others>
+struct given_energies {
+    using vector = Eigen::Matrix<double, Coordinates, 1>;
+    static constexpr std::size_t dual_numbers =
+        sizeof(dual_number<dual_number<double, Coordinates>, Coordinates>);
+    static constexpr bool generic = !takes_one_scalar<Kinetic> && !takes_one_scalar<Potential> &&
+                                    !(takes_one_scalar<Others> || ...),
+                          kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
+                          potential = std::is_invocable_v<const Potential&, const vector&>,
+                          on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
+                          usable = kinetic && potential && on_the_stack;
+};
+
 template <int Coordinates, class Kinetic, class Potential, class Forces>
 auto free_energies(Kinetic T, Potential V, Forces Q) {
-    using vector = Eigen::Matrix<double, Coordinates, 1>;
-    static_assert(!takes_one_scalar<Kinetic> && !takes_one_scalar<Potential> && !takes_one_scalar<Forces>,
+    using given = given_energies<Coordinates, Kinetic, Potential, Forces>;
+    static_assert(given::generic,
                   "lagrangian: T, V and Q must accept vectors of any scalar, as they are differentiated "
                   "automatically: [](const auto& q, const auto& v) { ... }");
-    constexpr bool kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
-                   potential = std::is_invocable_v<const Potential&, const vector&>;
-    static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
-    static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
-    using T_used = std::conditional_t<kinetic, Kinetic, refused_energy>;
-    using V_used = std::conditional_t<potential, Potential, refused_energy>;
-    using parts = lagrangian_parts<T_used, V_used, no_constraint, Forces>;
-    if constexpr (kinetic && potential)
+    static_assert(given::on_the_stack,
+                  "lagrangian: n is too large for arrays of dual numbers on the stack (24 fit by default); "
+                  "write M^-1 F by hand on Eigen::VectorXd as an ordinary differential equation");
+    static_assert(given::kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
+    static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
+    if constexpr (given::usable) {
+        using parts = lagrangian_parts<Kinetic, Potential, no_constraint, Forces>;
         return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
-    else
-        return lagrangian_energies<Coordinates, parts>(parts{T_used{}, V_used{}, {}, std::move(Q)});
+    } else {
+        using parts = lagrangian_parts<refused_energy, refused_energy, no_constraint, Forces>;
+        return lagrangian_energies<Coordinates, parts>(parts{{}, {}, {}, std::move(Q)});
+    }
 }
 
 }  // namespace detail
@@ -287,32 +302,27 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
           class Forces = no_forces>
 auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
-    static_assert(!detail::takes_one_scalar<Kinetic> && !detail::takes_one_scalar<Potential> &&
-                      !detail::takes_one_scalar<Constraint> && !detail::takes_one_scalar<Forces>,
-                  "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are "
-                  "differentiated automatically: [](const auto& q, const auto& v) { ... }");
-    using vector = Eigen::Matrix<double, Coordinates, 1>;
-    constexpr bool kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
-                   potential = std::is_invocable_v<const Potential&, const vector&>;
-    constexpr std::size_t dual_numbers = sizeof(dual_number<dual_number<double, Coordinates>, Coordinates>);
-    constexpr bool on_the_stack = detail::fits_on_the_stack(Coordinates * dual_numbers);
+    using given = detail::given_energies<Coordinates, Kinetic, Potential, Constraint, Forces>;
     static_assert(
-        on_the_stack,
-        "lagrangian<n, m>: n is too large for arrays of dual numbers on the stack (24 fit by default); "
-        "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
-        "(stagecraft/mechanics/sized_model.hpp) has any size");
+        given::generic,
+        "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are differentiated "
+        "automatically: [](const auto& q, const auto& v) { ... }");
+    static_assert(given::on_the_stack,
+                  "lagrangian: n is too large for arrays of dual numbers on the stack (24 fit by default); "
+                  "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
+                  "(stagecraft/mechanics/sized_model.hpp) has any size");
+    static_assert(given::kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
+    static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
     constexpr bool fewer = Constraints < Coordinates;
     static_assert(
         fewer,
         "lagrangian<n, m>: m must be less than n: with as many constraints as coordinates nothing "
         "moves, unless some depend on others: independent_constraints<m>(constraint, q) keeps m of them");
-    static_assert(kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
-    static_assert(potential, "lagrangian: the potential energy must be callable as V(q)");
     if constexpr (!fewer) {
         using energy = detail::refused_energy;
         using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
         return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
-    } else if constexpr (kinetic && potential && on_the_stack) {
+    } else if constexpr (given::usable) {
         using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
         using model = lagrangian_model<Coordinates, Constraints, parts>;
         constexpr bool columns = model::columns_fit, rows = model::rows_fit;

@@ -61,6 +61,14 @@ concept mechanical_model = Model::coordinates >
             { model.F(q, q, t) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
         });
 
+/// A mechanical model without constraints, M(q) q'' = F(q, q'): as `mechanical_model`, without G and `constraints`.
+template <class Model>
+concept free_model = Model::coordinates >
+0 && !requires { Model::constraints; }
+&&requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
+    { model.M(q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, Model::coordinates>>;
+};
+
 /// q, q', q'' and forces of a model; its multipliers; its state (q, q') and (q, q', lambda).
 template <class S, class Model>
 using coordinate_vector = Eigen::Matrix<S, Model::coordinates, 1>;
