@@ -29,6 +29,13 @@ struct formulation {
     int positions = 0;                                   ///< leading rows q' = v, which RADAU5 makes use of
 };
 
+/// The same motion by another way, without constraints: a problem in as many coordinates as there are degrees of
+/// freedom, and (q, v) in its states.
+struct second_way {
+    std::function<thesis::setup_of<long double>()> setup;
+    std::function<thesis::vector_of<long double>(const thesis::vector_of<long double>& y)> state;
+};
+
 struct body {
     std::string name;
     double end = 1;
@@ -40,6 +47,7 @@ struct body {
     /// The index-reduced equation and its start in long double, and lambda in a state at the end.
     std::function<thesis::setup_of<long double>()> wide;
     std::function<thesis::vector_of<long double>(const thesis::vector_of<long double>& y)> wide_multiplier;
+    second_way alone;  ///< empty where there is none
 };
 
 /// Baumgarte's alpha = beta [1/s] and the contact of the regularised form.
@@ -51,6 +59,8 @@ body double_pendulum();
 body squeezer();
 body disc();
 body chain();
+body slider_crank();
+body four_bar();
 
 namespace detail {
 
@@ -85,6 +95,21 @@ formulation projected(const Model& model, const VectorXd& q, const VectorXd& v) 
 
 }  // namespace detail
 
+/// A second way by the equation of `free_motion` in n coordinates from (q, v); `state` makes of such coordinates and
+/// their rates those of the model.
+template <int n, class Problem, class Vector, class State>
+second_way alone(const Problem& problem, const Vector& q, const Vector& v, State state) {
+    using coordinates = Eigen::Matrix<long double, n, 1>;
+    const Eigen::Matrix<long double, 2 * n, 1> y0 = problem.initial_state(
+        coordinates(q.template cast<long double>()), coordinates(v.template cast<long double>()));
+    return {[=] {
+                return thesis::setup_of<long double>{thesis::erased<long double>(problem), y0, {}};
+            },
+            [=](const auto& y) {
+                return state(coordinates(y.template head<n>()), coordinates(y.template tail<n>()));
+            }};
+}
+
 /// Every formulation of a model that starts at (q, v) and is asked for until `end`. `wide` is the same model
 /// for long double.
 template <class Model, class Wide>
@@ -94,7 +119,7 @@ body describe(std::string name, const Model& model, const Wide& wide, const Vect
     using detail::written;
     constexpr int n = Model::coordinates, m = Model::constraints;
     constexpr bool holonomic = holonomic_model<Model>;
-    body b{std::move(name), end, n, m, {}, {}, {}, {}, {}};
+    body b{std::move(name), end, n, m, {}, {}, {}, {}, {}, {}};
     const auto add = [&](formulation f, int positions) {
         f.positions = positions;
         b.formulations.push_back(std::move(f));

@@ -61,10 +61,14 @@ outcome run(const body& b, const formulation& f, const Problem& problem, double 
 
 outcome run_ours(const body& b, const formulation& f, double tolerance, int repeats) {
     switch (f.positions) {
+        case 3:
+            return run(b, f, of_second_order<3>{f.problem}, tolerance, repeats);
         case 4:
             return run(b, f, of_second_order<4>{f.problem}, tolerance, repeats);
         case 5:
             return run(b, f, of_second_order<5>{f.problem}, tolerance, repeats);
+        case 6:
+            return run(b, f, of_second_order<6>{f.problem}, tolerance, repeats);
         case 7:
             return run(b, f, of_second_order<7>{f.problem}, tolerance, repeats);
         case 16:
