@@ -29,8 +29,10 @@ inline inverse_form inverse_form_of(const nodal_polynomial& w, construction rule
             "is 0); use rounded(), the plain tableau, in place of transformed()");
     if (rule == construction::lobatto_iiic || w.family() == family::radau_ia)
         return inverse_form::first_column;
-    throw std::invalid_argument("method: " + w.name() + " has no A^-1 here (D(s) with the node 1 makes A " +
-                                "singular; other adjoint methods have no closed form)");
+    throw std::invalid_argument(
+        "method: " + w.name() + " has no A^-1 here (D(s) with the node 1 makes A " +
+        "singular; other adjoint methods have no closed form); use rounded(), the plain "
+        "tableau, in place of transformed()");
 }
 
 /// The weight of the node 0 where c_1 = 0, exactly: the integral of w / (x w'(0)).
