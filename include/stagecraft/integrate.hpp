@@ -33,11 +33,16 @@ struct result {
     bool ok() const { return status == status::success; }
 };
 
-/// Results are not printed by <<.
+/// Results and reports are not printed by <<.
 template <class Traits, class Vector>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, const result<Vector>&) {
     static_assert(detail::never<Vector>,
                   "write print(std::cout, r) of stagecraft/report_text.hpp, or print r.status, r.t and r.y");
+    return out;
+}
+template <class Traits, class Scalar>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, const report<Scalar>&) {
+    static_assert(detail::never<Scalar>, "write print(std::cout, r.report) of stagecraft/report_text.hpp");
     return out;
 }
 

@@ -38,6 +38,9 @@ concept has_member_named = finds_member_named<std::remove_cv_t<T>, Name>();
 template <class>
 inline constexpr bool never = false;
 
+/// In place of the type of a state that has not been written: the observers of it say what to write.
+struct unstated {};
+
 /// Taken for an argument by overloads that refuse a call, so that any other overload comes first.
 struct anything {
     template <class T>

@@ -17,4 +17,11 @@ requires(sizeof...(Stages) > 1) auto radau_iia_variable() {
 }
 inline auto radau_iia_variable() { return radau_iia_variable<3, 5, 7, 9>(); }
 
+/// The parentheses are missing.
+template <class... Arguments>
+auto integrate(decltype(radau_iia_variable()) (*)(), const Arguments&... arguments) {
+    static_assert(sizeof...(arguments) > 99, "integrate: write radau_iia_variable() with its parentheses");
+    return 0;
+}
+
 }  // namespace stagecraft

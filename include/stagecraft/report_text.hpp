@@ -166,6 +166,16 @@ std::ostream& print(std::ostream& out, const result<Vector>& r) {
     return print(out, r.report);
 }
 
+/// The stream is missing.
+template <class Scalar>
+void print(const report<Scalar>&) {
+    static_assert(detail::never<Scalar>, "print: write the stream as well, print(std::cout, r.report)");
+}
+template <class Vector>
+void print(const result<Vector>&) {
+    static_assert(detail::never<Vector>, "print: write the stream as well, print(std::cout, r)");
+}
+
 /// Prints where the time went, in seconds and parts of the whole.
 inline std::ostream& print(std::ostream& out, const time_split& s) {
     const detail::stream_format kept(out);

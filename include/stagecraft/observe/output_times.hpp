@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/named_member.hpp>
+
 namespace stagecraft {
 
 /// An observer that keeps the solution at given times:
@@ -100,5 +102,18 @@ class output_times {
     int filled_ = 0, slopes_ = 0;  // how many values and derivatives there are
     matrix y_, derivatives_;
 };
+
+/// Not of states: of numbers, or of none.
+template <class Vector>
+requires(!requires { typename Vector::Scalar; }) class output_times<Vector> final {
+  public:
+    explicit output_times(std::vector<double>, bool = false) {}
+    template <class... Arguments>
+    void operator()(const Arguments&...) const;
+    Eigen::VectorXd y(int) const;
+    static_assert(detail::never<Vector>,
+                  "write output_times<Eigen::Vector3d> table({0, 1}), with the type of the state");
+};
+output_times(std::vector<double>, bool = false)->output_times<detail::unstated>;
 
 }  // namespace stagecraft

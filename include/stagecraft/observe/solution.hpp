@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
@@ -148,5 +149,15 @@ class solution {
     Vector y0_;
     bool backwards_ = false, started_ = false;
 };
+
+/// Not of states: of numbers, or of none.
+template <class Vector>
+requires(!requires { typename Vector::Scalar; }) class solution<Vector> final {
+  public:
+    template <class... Arguments>
+    Eigen::VectorXd operator()(const Arguments&...) const;
+    static_assert(detail::never<Vector>, "write solution<Eigen::Vector3d> y, with the type of the state");
+};
+solution()->solution<detail::unstated>;
 
 }  // namespace stagecraft

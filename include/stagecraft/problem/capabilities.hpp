@@ -106,7 +106,7 @@ concept mass_operator = requires(const Mass& m, const Scalar& factor, const Scal
 /// whatever their atol is.
 template <class Problem>
 concept has_index = requires(Problem& p) {
-    { p.index()[0] } -> std::convertible_to<int>;
+    requires std::integral<std::remove_cvref_t<decltype(p.index()[0])>>;
     p.index().size();
 };
 

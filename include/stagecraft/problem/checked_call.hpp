@@ -106,6 +106,23 @@ constexpr bool returns_its_size() {
     return its == wanted || its == Eigen::Dynamic || wanted == Eigen::Dynamic;
 }
 
+/// mass() has as many rows and columns as Vector, as far as that is known at compile time.
+template <class Problem, class Vector>
+constexpr bool mass_of_its_size() {
+    using returned = std::remove_cvref_t<decltype(std::declval<Problem&>().mass())>;
+    constexpr int n = Vector::SizeAtCompileTime;
+    if constexpr (requires { returned::RowsAtCompileTime, returned::ColsAtCompileTime; }) {
+        constexpr int rows = returned::RowsAtCompileTime, columns = returned::ColsAtCompileTime;
+        const auto fits = [=](int given) {
+            return given == n || given == Eigen::Dynamic || n == Eigen::Dynamic;
+        };
+        return fits(rows) && fits(columns) &&
+               (rows == columns || rows == Eigen::Dynamic || columns == Eigen::Dynamic);
+    } else {
+        return true;
+    }
+}
+
 /// A right-hand side that returns f(t, y), with all it brings, as one that writes it.
 template <class Problem>
 struct writes_returned : Problem {
@@ -152,8 +169,12 @@ struct checked_call {
     }();
     static constexpr bool pattern_usable =
         !detail::has_member_named<Problem, detail::sparsity_member> || has_sparsity<Problem>;
-    static constexpr bool mass_usable =
-        !detail::has_member_named<Problem, detail::mass_member> || has_mass<Problem>;
+    static constexpr bool mass_usable = [] {
+        if constexpr (has_mass<Problem>)
+            return detail::mass_of_its_size<Problem, Vector>();
+        else
+            return !detail::has_member_named<Problem, detail::mass_member>;
+    }();
     static constexpr bool index_usable =
         !detail::has_member_named<Problem, detail::index_member> || has_index<Problem>;
     static constexpr bool band_usable =
