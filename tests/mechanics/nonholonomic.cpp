@@ -226,3 +226,17 @@ BOOST_AUTO_TEST_CASE(gear_gupta_leimkuhler_keeps_both_constraints_of_the_pendulu
     BOOST_TEST(drift(model, ggl) < 1e-6);
     BOOST_TEST(std::abs(ggl.path.back().y[5]) < 1e-6);  // mu
 }
+
+BOOST_AUTO_TEST_CASE(the_stabilised_form_brings_its_derivative_off_the_constraints_too) {
+    const auto problem = thesis::erased(stabilised_index_2(thesis::pendulum()));
+    const double e = 1e-6;
+    vector y(6), up(6), down(6);
+    y << 0.7, -1.3, 0.4, 2, 5, 0.6;  // mu is not zero
+    Eigen::MatrixXd J(6, 6);
+    problem.jacobian(0, y, J);
+    for (int j = 0; j < 6; ++j) {
+        problem(0, y + e * vector::Unit(6, j), up);
+        problem(0, y - e * vector::Unit(6, j), down);
+        BOOST_TEST((J.col(j) - (up - down) / (2 * e)).norm() < 1e-8);
+    }
+}

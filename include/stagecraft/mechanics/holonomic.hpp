@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <stagecraft/mechanics/formulations.hpp>
@@ -39,6 +40,19 @@ class holonomic_form {
     Model model_;
 };
 
+/// 1/|G_k|, by which the rows of G become unit vectors.
+template <class S, int m, int n>
+Eigen::Matrix<S, m, 1> inverse_lengths(const Eigen::Matrix<S, m, n>& G) {
+    using std::sqrt;
+    Eigen::Matrix<S, m, 1> result;
+    for (int k = 0; k < m; ++k) {
+        S square(0);
+        for (int j = 0; j < n; ++j) square += G(k, j) * G(k, j);
+        result[k] = S(1) / S(sqrt(square));
+    }
+    return result;
+}
+
 }  // namespace detail
 
 /// The equations of motion of a holonomic model as they are, index 3: state (q, v, lambda), 0 = g(q); q has
@@ -73,10 +87,11 @@ class index_3_dae : public detail::holonomic_form<Model, Scalar, 1> {
 /// The stabilised index-2 formulation of Gear, Gupta and Leimkuhler (Hairer-Wanner II, (VII.1.48)): state
 /// (q, v, lambda, mu) with
 ///
-///     q' = v - G^T mu,   v' = M^-1 (F - G^T lambda),   0 = G v + b,   0 = g(q);
+///     q' = v - N^T mu,   v' = M^-1 (F - G^T lambda),   0 = G v + b,   0 = g(q);
 ///
-/// mu vanishes on the exact solution, and both constraints are kept. lambda and mu have index 2.
-/// Made by `stabilised_index_2`.
+/// the rows of N are those of G divided by their lengths, so that mu is a velocity whatever the units of g: where G is
+/// small, rounding errors of g in it would otherwise be larger than a tight tolerance. mu vanishes on the exact
+/// solution, and both constraints are kept. lambda and mu have index 2. Made by `stabilised_index_2`.
 template <holonomic_model Model, class Scalar = double>
 class stabilised_dae : public detail::holonomic_form<Model, Scalar, 2> {
     using base = detail::holonomic_form<Model, Scalar, 2>;
@@ -93,7 +108,10 @@ class stabilised_dae : public detail::holonomic_form<Model, Scalar, 2> {
         detail::motion<S, Model>(model_, t, y, G, detail::part<m>(y, 2 * n), f);
         detail::put(velocity_constraint<S>(model_, G, q, rate, t), f, 2 * n);
         detail::put(position_constraint<S>(model_, q, t), f, 2 * n + m);
-        detail::subtract_transposed(G, detail::part<m>(y, 2 * n + m), rate);
+        multiplier_vector<S, Model> mu = detail::part<m>(y, 2 * n + m);
+        const multiplier_vector<S, Model> unit = detail::inverse_lengths(G);
+        for (int k = 0; k < m; ++k) mu[k] *= unit[k];
+        detail::subtract_transposed(G, mu, rate);
         detail::put(rate, f, 0);
     }
 
@@ -101,12 +119,21 @@ class stabilised_dae : public detail::holonomic_form<Model, Scalar, 2> {
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
         const acceleration_jacobian<S, Model> d(model_, detail::part<n>(y, 0), detail::part<n>(y, n),
                                                 detail::part<m>(y, 2 * n), t);
-        const Eigen::Matrix<S, n, n> moved = d.force_derivative(detail::part<m>(y, 2 * n + m));
+        multiplier_vector<S, Model> mu = detail::part<m>(y, 2 * n + m);
+        const multiplier_vector<S, Model> unit = detail::inverse_lengths(d.G);
+        for (int k = 0; k < m; ++k) mu[k] *= unit[k];
+        const Eigen::Matrix<S, n, n> moved = d.force_derivative(mu);
         detail::motion_jacobian(d, 2 * n, J);
-        for (int j = 0; j < n; ++j) {
+        for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) J(i, j) = -moved(i, j);
-            for (int k = 0; k < m; ++k) J(j, 2 * n + m + k) = -d.G(k, j);
-        }
+        for (int k = 0; k < m; ++k)
+            for (int i = 0; i < n; ++i) {
+                J(i, 2 * n + m + k) = -d.G(k, i) * unit[k];
+                S turned(0);  // mu_k d log|G_k|/dq_i
+                for (int j = 0; j < n; ++j) turned += d.G(k, j) * d.dG(k, j).derivatives()[i];
+                turned *= unit[k] * unit[k] * mu[k];
+                for (int j = 0; j < n; ++j) J(j, i) += d.G(k, j) * turned;
+            }
         detail::put(d.Gv_q, J, 2 * n, 0);
         detail::put(d.G, J, 2 * n, n);
         detail::put(d.G, J, 2 * n + m, 0);

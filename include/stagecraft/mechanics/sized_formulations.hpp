@@ -65,7 +65,8 @@ Eigen::VectorXd smallest_change(const Matrix& G, const Eigen::VectorXd& r) {
 ///
 ///     q' = v,   M v' = F - G^T lambda,   0 = G v + b (velocity) or 0 = g(q) (position),
 ///
-/// on both levels with q' = v - G^T mu (Gear, Gupta and Leimkuhler 1985; Hairer-Wanner II, (VII.1.48)). The state is
+/// on both levels with q' = v - N^T mu (Gear, Gupta and Leimkuhler 1985; Hairer-Wanner II, (VII.1.48)), where N has
+/// the rows of G divided by their lengths, so that mu is a velocity (see `stabilised_dae`). The state is
 /// (q, v, lambda[, mu]) where M is constant; else the acceleration a is part of it, (q, v, a, lambda[, mu]) with
 /// v' = a, 0 = F - G^T lambda - M a, so that M is never factored by itself. Index 2 in a, lambda, mu on the level
 /// of velocity and on both, on that of position 2 in v and 3 in a and lambda. The Jacobian is found by differences:
@@ -118,7 +119,10 @@ class sized_formulation
             f.tail(m_) +=
                 contact_->damping / contact_->stiffness * sized::velocity_constraint(model_, G, q, v, t) -
                 lambda / contact_->stiffness;
-        if constexpr (Level == constraint_level::both) f.head(n_) -= G.transpose() * y.tail(m_);
+        if constexpr (Level == constraint_level::both) {
+            const vector lengths = (G.cwiseProduct(G) * vector::Ones(n_)).cwiseSqrt();
+            f.head(n_) -= G.transpose() * y.tail(m_).cwiseQuotient(lengths);
+        }
     }
 
     Eigen::SparseMatrix<double> mass() const {
