@@ -378,6 +378,14 @@ result<Eigen::VectorXd> integrate(const Method&, Problem&&, detail::anything, de
     return {};
 }
 
+/// The name of a family alone.
+template <class... Arguments>
+auto integrate(transformed_tableau<double> (*)(...), const Arguments&... arguments) {
+    static_assert(sizeof...(arguments) > 99,
+                  "integrate: the method needs its number of stages and parentheses: radau_iia<3>(), say");
+    return 0;
+}
+
 /// Options of names that there are not, or times that are none.
 result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
                                   detail::anything, detail::anything, const detail::misnamed_options&);

@@ -102,6 +102,7 @@ class event_watch {
     }
 
     template <class Output>
+    requires requires(const Output& o, const scalar& t, Vector& y) { o.evaluate(t, y); }
     bool operator()(const scalar& t, const Vector& y, const scalar&, const Output& output) {
         if (ended_) return false;
         backwards_ = t < output.t0();
