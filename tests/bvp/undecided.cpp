@@ -66,6 +66,16 @@ struct motion {
     }
 };
 
+// e^2 y'' = y^3 - y (Allen-Cahn): y = tanh(t / (e sqrt(2))) but for exponentially small terms, which hold its layer in place.
+struct layer {
+    double e;
+    template <class Time, class Vector>
+    void operator()(const Time&, const Vector& y, Vector& f) const {
+        f[0] = y[1];
+        f[1] = (y[0] * y[0] * y[0] - y[0]) / (e * e);
+    }
+};
+
 }  // namespace
 
 // Nothing fixes the constant that may be added to y: elimination makes a regular matrix of its rounding errors, and y as large
@@ -164,5 +174,32 @@ BOOST_AUTO_TEST_CASE(an_error_of_the_solution_does_not_make_its_family_isolated)
         for (const double T : {8.0, 12.0}) BOOST_TEST(!run(0, T, tolerance).ok());
         for (const double T : {0.5, 5.0}) BOOST_TEST(!run(1, T, tolerance).ok());
         BOOST_TEST(run(2, 5, tolerance).ok());  // the place at the left is given, not the energy
+    }
+}
+
+// kappa is exp(2 sqrt(2) / e) up to a factor. Every mesh holds the layer where the guess has put it, and its M is regular; the
+// derivative of y, which has next to nothing at the ends, is not among its answers.
+BOOST_AUTO_TEST_CASE(a_layer_that_only_the_mesh_holds_in_place_is_no_success) {
+    const auto run = [](double e, double place, double tolerance, int component) {
+        const auto r = [=](const auto& a, const auto& b, auto& out) {
+            out[0] = a[component] + (1 - component), out[1] = b[component] - (1 - component);
+        };
+        const auto guess = [=](double t) {
+            const double k = 1 / (std::sqrt(2.0) * e), y = std::tanh(k * (t - place));
+            return Vector2d(y, k * (1 - y * y));
+        };
+        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(layer{e}, r), -1.0, 1.0, guess,
+                             {.rtol = tolerance});
+    };
+    for (const int component : {0, 1}) {
+        BOOST_TEST(!run(0.03, 0.1, 1e-3, component).ok());
+        BOOST_TEST(!run(0.05, 0, 1e-6, component).ok());
+        for (const double tolerance : {1e-3, 1e-6, 1e-8})
+            for (const double e : {0.2, 0.3, 0.5}) {
+                const auto r = run(e, 0, tolerance, component);
+                BOOST_TEST(r.ok());
+                BOOST_TEST(std::abs(r.y(0.0)[0]) <= 2 * tolerance);
+                BOOST_TEST(r.report.intervals <= 60);
+            }
     }
 }

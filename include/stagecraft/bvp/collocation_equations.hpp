@@ -112,6 +112,13 @@ class collocation_equations {
         return differ(conditions_jacobian_at(x).topRows(n() + np()), conditions_);
     }
 
+    /// f at one point.
+    template <class Y>
+    auto slope(const Scalar& t, const Y& y, const parameters& p) {
+        stage_ = y;
+        return system_.f(t, stage_, p).head(n()).eval();
+    }
+
     /// The Jacobian in the middle node of interval i at x, less that of the factors; the same of the conditions.
     auto change_of_jacobian(const iterate& x, int i) {
         const int j = s() / 2;

@@ -12,6 +12,7 @@
 #include <stagecraft/bvp/lifting_elimination.hpp>
 #include <stagecraft/bvp/lifting_rule.hpp>
 #include <stagecraft/bvp/missed_phase.hpp>
+#include <stagecraft/bvp/translation.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {
@@ -43,6 +44,9 @@ class regularity {
         resolved_ = true;
         doubt_.reset();
         if (answer_ * error > scalar(1) / 100 && !(of_other(error) < scalar(1) / 100)) return true;
+        if (error > scalar(0) &&
+            translation_missed(equations_, conditioning_, x_, floor, error) > scalar(1) / 4)
+            return true;
         // M could else be singular only by errors of the mesh of some per cent, which are seen in x as well.
         return (turns_ || !(answer_ < scalar(30))) && !(doubt() < scalar(1) / 4) && (turns_ || resolved_);
     }
