@@ -87,3 +87,27 @@ BOOST_AUTO_TEST_CASE(the_reported_defect_is_that_of_the_answer) {
         BOOST_TEST(answer.error.defect <= 10 * (largest + 1e-13));
     }
 }
+
+// Troesch's problem from zero: coarse solutions of y'' = n sinh(n y) have values between their points at which sinh overflows.
+// With y' = 2 sinh(n y / 2), as it is but for exponentially small terms, tanh(n y / 4) = tanh(n / 4) exp(n (t - 1)).
+BOOST_AUTO_TEST_CASE(coarse_solutions_that_lead_to_where_f_overflows_are_refined) {
+    for (const double n : {30.0, 40.0, 50.0})
+        for (const double tolerance : {1e-4, 1e-7}) {
+            const auto troesch = [n](const auto&, const auto& y, auto& f) {
+                using std::sinh;
+                f[0] = y[1];
+                f[1] = n * sinh(n * y[0]);
+            };
+            const auto ends = [](const auto& left, const auto& right, auto& r) {
+                r[0] = left[0];
+                r[1] = right[0] - 1;
+            };
+            const auto answer = sc::solve_bvp(sc::gauss<5>(), sc::two_point(troesch, ends), 0.0, 1.0,
+                                              Eigen::Vector2d(0, 0), {.rtol = tolerance});
+            BOOST_TEST(sc::name(answer.status) == "success");
+            for (const double t : {0.5, 0.9, 0.99, 0.9999, 0.999999}) {
+                const double y = 4 / n * std::atanh(std::tanh(n / 4) * std::exp(n * (t - 1)));
+                BOOST_TEST(std::abs(answer.y(t)[0] - y) <= 2 * tolerance);
+            }
+        }
+}

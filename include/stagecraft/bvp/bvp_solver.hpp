@@ -106,9 +106,10 @@ class bvp_solver {
             if (few && !estimated) begin(guess, guess_mesh_);
             if (!few && !solved && !recover(guess)) return;
             if (!solved || (few && !estimated)) continue;
-            if (!estimated) {  // a coarse solution may lead to where f cannot be evaluated
-                if (++failures_ > 3 || !o_.adapt) return end_at(estimate_.place());
-                restart(guess);
+            if (!estimated) {  // between its points a coarse solution may lead to where f cannot be evaluated
+                if (++failures_ > 6 || !o_.adapt) return end_at(estimate_.place());
+                const auto next = mesh_choice<equations_type>(equations_, estimate_, x_, o_).spread();
+                begin(straight_between<Vector>(x_), next), from_guess_ = false;
                 continue;
             }
             if (!o_.adapt ||

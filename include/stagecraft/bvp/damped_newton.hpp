@@ -92,7 +92,10 @@ class damped_newton {
             moved_ += left;
             add(x, scalar(1), bar_, x);
             if (rate * left <= target || bar == scalar(0)) return {damped_newton_end::converged, rate * left};
-            if (!equations_.residual(x)) return {damped_newton_end::non_finite, left};
+            if (!equations_.residual(x)) {  // the step is taken back, for new factors and damping
+                add(x, scalar(-1), bar_, x);
+                break;
+            }
             solve(x, bar_);
             ++counts_.newton_steps;
             before = bar;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include <stagecraft/bvp/mesh.hpp>
 #include <stagecraft/problem/system.hpp>
 
@@ -17,6 +20,18 @@ void take_guess(const Guess& guess, const Nodes& c, Iterate& x) {
             x.Z.col(i * s + j) = h * guess_slope(guess, decltype(h)(x.t[i] + c[j] * h), h, x.y.rows());
         }
     if (!x.y.allFinite() || !x.p.allFinite()) throw bad_problem("solve_bvp: guess must be finite");
+}
+
+/// The mesh values of x as a guess, straight lines between them.
+template <class Vector, class Iterate>
+auto straight_between(const Iterate& x) {
+    return [t = x.t, y = x.y](const typename Vector::Scalar& time) {
+        const auto last = static_cast<Eigen::Index>(t.size()) - 1;
+        const auto i = std::clamp(std::upper_bound(t.begin(), t.end(), time) - t.begin() - 1,
+                                  std::ptrdiff_t(0), last - 1);
+        const typename Vector::Scalar theta = (time - t[i]) / (t[i + 1] - t[i]);
+        return Vector(y.col(i) + theta * (y.col(i + 1) - y.col(i)));
+    };
 }
 
 }  // namespace stagecraft::detail
