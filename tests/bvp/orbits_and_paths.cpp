@@ -81,6 +81,19 @@ BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {
     BOOST_CHECK_THROW(sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(a_loose_tolerance_makes_no_point_and_no_multiple_of_an_orbit) {
+    const auto once = sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 40.0);
+    auto twice = once;
+    twice.begin -= once.period, twice.period *= 2;
+    for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6}) {
+        const auto orbit = sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, once, {.rtol = tolerance});
+        BOOST_TEST(sc::name(orbit.status) == std::string("success"));
+        BOOST_TEST(std::abs(orbit.period - 6.663286859323130) <= 8 * tolerance);
+        const auto other = sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, twice, {.rtol = tolerance});
+        BOOST_TEST(sc::name(other.status) == std::string("multiple_period"));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_fold_of_bratu_lies_where_it_is_known_to) {
     int folds = 0;
     double last = 0, slope = 0;

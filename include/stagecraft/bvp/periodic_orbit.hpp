@@ -138,21 +138,27 @@ auto shift_to(const Guess& guess, const solution<Vector>& y) {
     return scalar(shift - floor(shift));
 }
 
-/// Is the orbit y over [0, 1] a point, or run through several times?
+/// Is the orbit y over [0, 1] a point, or run through several times? Differences count as none up to 1000 errors, `error` being
+/// that of y relative to 1 + |y|, but where that is much, not up to more than a fiftieth.
 template <class Vector>
-bvp_status judge_orbit(const solution<Vector>& y, const typename Vector::Scalar& tolerance) {
+bvp_status judge_orbit(const solution<Vector>& y, const typename Vector::Scalar& error) {
     using scalar = typename Vector::Scalar;
+    using std::sqrt;
+    const scalar none = std::clamp(scalar(1000 * error), scalar(sqrt(std::numeric_limits<scalar>::epsilon())),
+                                   scalar(scalar(1) / 50));
     const Vector start = y(scalar(0));
     scalar size(0);
     for (int k = 1; k < 64; ++k) size = std::max(size, scalar((y(scalar(k) / 64) - start).norm()));
-    if (size <= scalar(1000) * tolerance * (scalar(1) + start.norm())) return bvp_status::equilibrium;
+    const scalar whole = 1 + start.norm();
+    if (size <= std::max(none, scalar(10 * error)) * whole) return bvp_status::equilibrium;
     for (int times = 2; times < 8; ++times) {
         scalar gap(0);
         for (int k = 0; k < 8; ++k) {
             const scalar s = scalar(k) / scalar(8 * times);
             gap = std::max(gap, scalar((y(s) - y(s + scalar(1) / scalar(times))).norm()));
         }
-        if (gap <= scalar(1000) * tolerance * size) return bvp_status::multiple_period;
+        if (gap <= std::max(scalar(none * size), scalar(10 * error * whole)))
+            return bvp_status::multiple_period;
     }
     return bvp_status::success;
 }
@@ -232,7 +238,7 @@ orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, con
     r.y = std::move(solved.y);
     r.error = solved.error, r.mesh = solved.mesh, r.report = solved.report;
     if (!r.ok()) return r;
-    r.status = detail::judge_orbit(r.y, o.rtol);
+    r.status = detail::judge_orbit(r.y, r.error.global);
     if (!r.ok()) r.message = detail::words_of(r.status);
     r.multipliers = detail::multipliers_with_errors(*solver, n, 4);
     return r;
