@@ -8,6 +8,7 @@
 #include <stagecraft/problem/matrix_free.hpp>
 #include <stagecraft/problem/with.hpp>
 #include <stagecraft/stages/newton.hpp>
+#include <stagecraft/stages/separate_blocks.hpp>
 
 namespace sc = stagecraft;
 using Eigen::VectorXd;
@@ -59,6 +60,20 @@ struct usual_blocks {
     using complex = usual<sc::krylov_blocks::complex>;
 };
 
+// Solvers that note what they are told.
+struct noting {
+    inline static std::vector<double> parts;
+    struct real {
+        explicit real(int) {}
+        void solve_leaving(double part, double*) { parts.push_back(part); }
+    };
+    struct complex {
+        explicit complex(int) {}
+        static double usual_part() { return 1.0 / 64; }
+        void solve_leaving(double part, double*, double*) { parts.push_back(part); }
+    };
+};
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_last_solves_of_a_step_are_no_more_exact_than_its_tolerance_asks) {
@@ -82,6 +97,20 @@ BOOST_AUTO_TEST_CASE(the_last_solves_of_a_step_are_no_more_exact_than_its_tolera
             BOOST_TEST((r.y - usual.y).lpNorm<Eigen::Infinity>() <= tolerance / 10);
         }
     BOOST_TEST(10 * cycles <= 9 * usual_cycles);
+}
+
+BOOST_AUTO_TEST_CASE(the_systems_of_a_step_leave_about_as_much_each) {
+    sc::separate_blocks<double, noting> blocks(1, 1, 3);
+    const int system = 0;
+    double x[7] = {};
+    const auto told = [&](double part, const std::vector<double>& sizes) {
+        noting::parts.clear();
+        blocks.solve_leaving(system, x, part, sizes);
+        return noting::parts;
+    };
+    BOOST_TEST(told(0.125, {2, 4, 0.5, 3e-9}) == (std::vector{0.25, 0.125, 0.25, 0.25}));
+    BOOST_TEST(told(1.0 / 64, {2, 4, 0.5, 0}) == (std::vector{1.0 / 32, 1.0 / 64, 0.125, 0.25}));
+    BOOST_TEST(told(0, {2, 4, 0.5, 1}) == (std::vector{0.0, 1.0 / 64, 0.1, 1.0 / 16}));
 }
 
 BOOST_AUTO_TEST_CASE(what_a_solve_was_told_it_may_leave_is_taken_to_be_left) {

@@ -198,6 +198,7 @@ struct krylov_blocks {
             return n_ == 0 || system_->set(mass, J, shift);
         }
         void solve(double* x) { solve_leaving(0, x); }
+        static constexpr double usual_part() { return bound; }
         void solve_leaving(double part, double* x) {
             if (n_ == 0) return;
             system_->used(gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
@@ -224,6 +225,7 @@ struct krylov_blocks {
             return n_ == 0 || system_->set(mass, J, re + beta_);
         }
         void solve(double* x, double* y) { solve_leaving(0, x, y); }
+        static constexpr double usual_part() { return bound; }
         void solve_leaving(double part, double* x, double* y) {
             if (n_ == 0) return;
             Eigen::Map<Eigen::VectorXd> u(x, n_), v(y, n_);

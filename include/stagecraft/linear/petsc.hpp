@@ -118,6 +118,7 @@ class petsc_pair {
         iteration_.set_matrix(operator_.get());
         return true;
     }
+    double usual_part() const { return iteration_.usual_part(); }
     void solve(double* x, double* y, double part) {
         const auto n = static_cast<std::size_t>(n_);
         double* both = x;
@@ -246,6 +247,7 @@ class petsc_single {
         iteration_.set_matrix(shifted_.matrix());
         return true;
     }
+    double usual_part() const { return iteration_.usual_part(); }
     void solve(double* x, double part) {
         const long iterations = iteration_.solve(x, part);
         shifted_.used(iterations);
@@ -287,6 +289,7 @@ struct petsc_blocks {
             return system_->set(detail::petsc_mass(mass), J, shift);
         }
         void solve(double* x) { system_->solve(x, 0); }
+        double usual_part() const { return system_->usual_part(); }
         void solve_leaving(double part, double* x) { system_->solve(x, part); }
 
       private:
@@ -300,6 +303,7 @@ struct petsc_blocks {
             return system_->set(detail::petsc_mass(mass), J, re, im);
         }
         void solve(double* x, double* y) { system_->solve(x, y, 0); }
+        double usual_part() const { return system_->usual_part(); }
         void solve_leaving(double part, double* x, double* y) { system_->solve(x, y, part); }
 
       private:

@@ -40,6 +40,8 @@ class petsc_iteration {
         for (auto* v : {&rhs_, &solution_})
             *v = petsc_made<Vec>([&](Vec* x) { return MatCreateVecs(A, x, nullptr); });
     }
+    /// The part of a residual that is left where nothing else is said.
+    double usual_part() const { return bound_; }
     void set_matrix(Mat A) { petsc_check(KSPSetOperators(ksp_.get(), A, A)); }
 
     /// Solves in the memory of x, the local part of the right-hand side, of whose size `part` may be left; returns the

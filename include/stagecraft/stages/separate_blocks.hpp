@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -30,6 +31,7 @@ class separate_blocks {
         return true;
     }
 
+    int count() const { return static_cast<int>(real_.size() + complex_.size()); }
     /// Its solvers iterate: they have solve_leaving(part, x), which may leave that part of a right-hand side.
     static constexpr bool inexact = requires(typename Blocks::real & block, Scalar* x, Scalar part) {
         block.solve_leaving(part, x);
@@ -39,9 +41,22 @@ class separate_blocks {
     void solve(const System& system, Scalar* x) {
         each(system, x, [](auto& block, auto*... parts) { block.solve(parts...); });
     }
+    /// The same, where the largest right-hand side may be solved up to `part` of it (0: as usual), and each other one up
+    /// to as much, a quarter of its own at most; sizes[k] is what that of block k counts for. As usual: a tenth at most,
+    /// as a solver leaves less than it may of the large ones, and of the small ones not, which then decide what comes next.
     template <class System>
-    void solve_leaving(const System& system, Scalar* x, const Scalar& part) requires inexact {
-        each(system, x, [&](auto& block, auto*... parts) { block.solve_leaving(part, parts...); });
+    void solve_leaving(const System& system, Scalar* x, const Scalar& part,
+                       const std::vector<Scalar>& sizes) requires inexact {
+        const Scalar largest = *std::max_element(sizes.begin(), sizes.end()),
+                     most = Scalar(1) / (part == Scalar(0) ? 10 : 4);
+        auto size = sizes.begin();
+        each(system, x, [&](auto& block, auto*... parts) {
+            Scalar own = part;
+            if constexpr (requires { block.usual_part(); })
+                if (part == Scalar(0)) own = Scalar(block.usual_part());
+            own *= largest / *size++;
+            block.solve_leaving(own < most ? own : most, parts...);
+        });
     }
 
     /// Solves with the first block alone: the real one (y is not touched), else the first complex one for x

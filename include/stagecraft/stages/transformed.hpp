@@ -65,6 +65,10 @@ class transformed_stages {
         T_inverse_ = T_;
         if (untransformed()) A_inverse_.resize(s * s);
         shift_ = make_workspace<Scalar, Stages>(s);
+        if constexpr (blocks_type::inexact) {
+            sizes_.of_block.resize(blocks_.count());
+            sizes_.squares.resize(s + 1);
+        }
         for (int i = 0; i < s; ++i)
             for (int j = 0; j < s; ++j) {
                 T_[i * s + j] = method.T(i, j);
@@ -146,8 +150,9 @@ class transformed_stages {
             }
             residual(system.mass(), Z, h);
             if constexpr (blocks_type::inexact) {
-                const Scalar part = monitor.may_leave(norm(F_, weights, system.sums()));
-                system.measure(work::solve, [&] { blocks_.solve_leaving(system, F_.data(), part); });
+                const Scalar part = monitor.may_leave(size_of_blocks(weights, system.sums()));
+                system.measure(work::solve,
+                               [&] { blocks_.solve_leaving(system, F_.data(), part, sizes_.of_block); });
             } else {
                 system.measure(work::solve, [&] { blocks_.solve(system, F_.data()); });
             }
@@ -307,6 +312,28 @@ class transformed_stages {
         return n == Scalar(0) ? Scalar(0) : Scalar(sqrt(sum / (n * Scalar(s))));
     }
 
+    /// How large the right-hand side of each block in F is, by what T makes of it, into sizes_; returns the norm of F.
+    template <class Sums>
+    Scalar size_of_blocks(const vector& weights, const Sums& sums) {
+        using std::sqrt;
+        const int s = stages(), real = real_blocks();
+        auto& [of_block, squares] = sizes_;
+        Scalar whole(0);
+        for (int k = 0; k < s; ++k)
+            squares[k] = weighted_squares<1>(size(), 1, F_.data() + k * size(), weights.data());
+        squares[s] = Scalar(size());
+        sums(squares.data(), s + 1);
+        for (auto& size : of_block) size = Scalar(0);
+        for (int k = 0; k < s; ++k) {
+            Scalar of_T(0);
+            for (int i = 0; i < s; ++i) of_T += T_[i * s + k] * T_[i * s + k];
+            whole += squares[k];
+            of_block[k < real ? k : real + (k - real) / 2] += of_T * squares[k];
+        }
+        for (auto& size : of_block) size = sqrt(size);
+        return sqrt(whole / (squares[s] * Scalar(s)));
+    }
+
     tableau_type method_;
     workspace<Scalar, squared<Stages>> T_, T_inverse_;  // row by row
     std::vector<Scalar> A_inverse_;                     // likewise, where it is used
@@ -315,6 +342,11 @@ class transformed_stages {
     matrix W_, D_, F_;
     vector yi_, fi_;
     blocks_type blocks_;
+    struct no_sizes {};
+    struct right_hand_sides {
+        std::vector<Scalar> of_block, squares;  // the latter of the columns of F
+    };
+    [[no_unique_address]] std::conditional_t<blocks_type::inexact, right_hand_sides, no_sizes> sizes_;
 };
 
 }  // namespace stagecraft
