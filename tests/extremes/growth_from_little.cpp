@@ -2,15 +2,19 @@
 // What grows from far below the tolerance is not passed over, whatever the number of growing modes, real or not; what
 // only moves there costs nothing.
 #define BOOST_TEST_MODULE growth_from_little
+#include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
+#include <stagecraft/stages/growth_bound.hpp>
 
 namespace sc = stagecraft;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
@@ -168,4 +172,62 @@ BOOST_AUTO_TEST_CASE(what_moves_below_the_tolerance_without_growth_costs_no_step
         },
         VectorXd::Constant(30, 1e-9));
     quiet([](double, const VectorXd& y, VectorXd& f) { f[0] = y[1], f[1] = 0; }, Eigen::Vector2d(0, 1e-12));
+}
+
+namespace {
+
+MatrixXd random(int rows, int columns, std::mt19937& draw) {
+    std::normal_distribution<double> normal;
+    return MatrixXd::NullaryExpr(rows, columns, [&](auto, auto) { return normal(draw); });
+}
+/// q' = v, P v' = -K q - D v.
+MatrixXd structure(const VectorXd& P, const MatrixXd& K, const MatrixXd& D) {
+    const auto m = P.size();
+    MatrixXd J = MatrixXd::Zero(2 * m, 2 * m);
+    J.topRightCorner(m, m).setIdentity();
+    const VectorXd inverse = -P.cwiseInverse();
+    J.bottomLeftCorner(m, m) = inverse.asDiagonal() * K;
+    J.bottomRightCorner(m, m) = inverse.asDiagonal() * D;
+    return J;
+}
+bool holds(const MatrixXd& J, double towards, double rate) {
+    return sc::growth_bound<double>().holds(J.data(), int(J.rows()), towards, rate);
+}
+double fastest(const MatrixXd& J) { return J.eigenvalues().real().maxCoeff(); }
+
+}  // namespace
+
+// What is proved to grow no faster than a rate has no eigenvalue beyond it: near the boundary, where a wrong bound fails.
+BOOST_AUTO_TEST_CASE(growth_is_bounded_where_that_is_proved) {
+    std::mt19937 draw(1);
+    int proved = 0, refused = 0;
+    const auto look = [&](const MatrixXd& J) {
+        for (const double towards : {1., -1.}) {
+            const double most = fastest(towards * J);
+            for (const double factor : {0.1, 0.5, 0.99, 1.01, 2., 4.}) {
+                const double rate = factor * std::abs(most);
+                const bool proof = holds(J, towards, rate);
+                if (proof) BOOST_TEST(most <= rate * (1 + 1e-6) + 1e-7);
+                ++(proof ? proved : refused);
+            }
+        }
+    };
+    for (int k = 0; k < 50; ++k) {
+        const int m = 1 + k % 7;
+        const VectorXd P = random(m, 1, draw).cwiseAbs();
+        const MatrixXd A = random(m, m, draw), B = random(m, m, draw);
+        look(structure(P, A * A.transpose() - MatrixXd::Identity(m, m), B * B.transpose() / 10));
+        look(structure(P, A * A.transpose(), B - B.transpose() - MatrixXd::Identity(m, m)));
+        look(structure(P, A * A.transpose(), -B * B.transpose()));
+        look(structure(P, A, B));
+        look(structure(P, A * A.transpose() + B - B.transpose(), MatrixXd::Zero(m, m)));  // flutter
+        look(A - 3 * MatrixXd::Identity(m, m));
+        MatrixXd reactions = A.cwiseAbs();
+        reactions.diagonal().setZero();
+        reactions.diagonal() = -reactions.colwise().sum();
+        reactions(0, 0) += 1;
+        look(reactions);
+    }
+    BOOST_TEST(proved > 200);
+    BOOST_TEST(refused > 200);
 }

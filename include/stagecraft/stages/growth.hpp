@@ -9,9 +9,11 @@
 #include <vector>
 
 #include <stagecraft/linear/combinations.hpp>
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/stages/growth_bound.hpp>
 
 namespace stagecraft {
 
@@ -30,7 +32,9 @@ namespace stagecraft {
 /// the pencil and so amplifies what grows. Not detected: growth that moves less than something else does, with
 /// a singular M what the sign does not show, and anything with banded or sparse matrices, with a linear solver
 /// of the problem's own, or where parts of the state are on other processes.
-template <class Scalar>
+///
+/// Block solves the systems of that search: a real block of the stages where n is large, else any.
+template <class Scalar, class Block = split_lu<Scalar, -1>>
 class growth_watch {
   public:
     /// True if the stages, which have just been factored, show such growth beyond what rounding can explain, and it
@@ -49,19 +53,19 @@ class growth_watch {
     }
 
     /// True if what moves at the left end, as f and `weights` (the inverses of the tolerances) show it, is nearer to
-    /// rest than the tolerance and grows notably in a step h. Costs a product J f, and up to three
-    /// factorisations and 180 solves where it is so near.
+    /// rest than the tolerance and grows notably in a step h. Costs a product J f; where it is so near, the cost of
+    /// proving that nothing grows (growth_bound), and where there is no proof up to three factorisations and 180 solves.
     template <class System, class Slope, class Vector>
     bool sees_in(const System& system, Slope&& slope, const Vector& weights, const Scalar& h) {
         if constexpr (!System::structured && System::sums_type::complete) {
-            using std::abs;
             const int n = system.size();
             if (n > largest_size || mass_sign(system) == 0) return false;
             const Vector& f = slope();
             const Scalar size = size_of(f.data(), weights, n);
             if (!work_) work_ = std::make_unique<workplace>(n);
             if (!(size > Scalar(0)) || !is_near_rest(system, size, f.data(), weights, h)) return false;
-            Scalar a = Scalar(12) / abs(h);  // shows h |lambda| from one to a hundred; then the next decades
+            if (cannot_grow(system, h)) return false;
+            Scalar a = Scalar(12) / h;  // shows h |lambda| from one to a hundred; then the next decades
             for (int k = 0; k < 3; ++k, a *= Scalar(25)) {
                 if (!is_quiet(system, f, size, weights, h, a)) return false;
                 if ((n > small || has_growth(system, a)) && amplifies(system, weights, a)) return true;
@@ -89,23 +93,30 @@ class growth_watch {
             return true;
         }
     }
+    /// It is proved that nothing grows by more than e^{1/4} in a step h, where the search begins.
+    template <class System>
+    [[gnu::cold]] bool cannot_grow(const System& system, const Scalar& h) {
+        using std::abs;
+        if constexpr (System::mass_type::identity)
+            return work_->bound.holds(system.jacobian().data(), system.size(), Scalar(h < Scalar(0) ? -1 : 1),
+                                      Scalar(1) / (4 * abs(h)));
+        else
+            return false;
+    }
     template <class Weights>
     static Scalar size_of(const Scalar* x, const Weights& weights, int n) {
         return weighted_norm(Eigen::Map<const Weights>(x, n), weights, n);
     }
 
-    /// Leaves w := (a M -+ J)^-1 f in the workplace, and the factors. This is f / a without most of what y's distance
+    /// Leaves w := (a M - J)^-1 f in the workplace, and the factors. This is f / a without most of what y's distance
     /// from a slow solution, less than the tolerance, puts into fast components of f. So along a solution that moves
     /// w exceeds the tolerance, however small f over the rate of its fast components is: then nothing is looked for.
     template <class System, class Vector>
     [[gnu::cold]] bool is_quiet(const System& system, const Vector& f, const Scalar& size_of_f,
                                 const Vector& weights, const Scalar& h, const Scalar& a) {
         const int n = system.size();
-        const Scalar towards = h < Scalar(0) ? Scalar(-1) : Scalar(1);
-        auto& lu = work_->matrix(n);
-        for (int i = 0; i < n * n; ++i) lu.entries()[i] = -towards * system.jacobian().data()[i];
-        add_mass(system.mass(), a, lu.entries(), n);
-        if (!lu.factor()) return false;
+        Block& lu = work_->search_block(n);
+        if (!factor_shifted(lu, system.mass(), system.jacobian(), a)) return false;
         Scalar* const w = work_->w.data();
         for (int i = 0; i < n; ++i) w[i] = f[i];
         lu.solve(w);
@@ -127,7 +138,7 @@ class growth_watch {
             square[j] = Scalar(1);
             add_mass_times(system.mass(), Scalar(2 * a), square.data(), power.data() + j * n, n);
             square[j] = Scalar(0);
-            work_->matrix(n).solve(power.data() + j * n);
+            work_->search_block(n).solve(power.data() + j * n);
             power[j + j * n] -= Scalar(1);
         }
         for (int k = 0; k < 10; ++k) {
@@ -149,7 +160,7 @@ class growth_watch {
     [[gnu::cold]] bool amplifies(const System& system, const Vector& weights, const Scalar& a) {
         using std::log;
         const int n = system.size();
-        auto& lu = work_->matrix(n);
+        Block& lu = work_->search_block(n);
         Scalar *const w = work_->w.data(), *const product = work_->product.data();
         Scalar level{0}, before{0}, highest = -std::numeric_limits<Scalar>::max();  // logarithms of sizes
         for (int power = 1; power <= 60; ++power) {
@@ -251,7 +262,9 @@ class growth_watch {
     struct workplace {
         std::vector<Scalar> w, product, largest;   // largest: entry of each column
         std::vector<Scalar> power, square;         // of matrices that are small
-        std::unique_ptr<split_lu<Scalar, -1>> lu;  // which most runs do not need
+        std::unique_ptr<split_lu<Scalar, -1>> lu;  // which most runs do not need, and so is this:
+        std::unique_ptr<Block> search;
+        growth_bound<Scalar> bound;
         explicit workplace(int n)
             : w(static_cast<std::size_t>(n)),
               product(static_cast<std::size_t>(n)),
@@ -259,6 +272,10 @@ class growth_watch {
         split_lu<Scalar, -1>& matrix(int n) {
             if (!lu) lu = std::make_unique<split_lu<Scalar, -1>>(n);
             return *lu;
+        }
+        Block& search_block(int n) {
+            if (!search) search = std::make_unique<Block>(n);
+            return *search;
         }
     };
     static constexpr int unknown = 2;

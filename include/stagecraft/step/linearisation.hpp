@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <stagecraft/control/options.hpp>
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/growth.hpp>
 #include <stagecraft/stages/newton.hpp>
 
@@ -19,6 +21,35 @@ auto factorisation_cost(Step& method, const System& system) {
     else
         return typename System::scalar(0);
 }
+
+namespace detail {
+
+/// True if stages of such a system are solved by dense blocks of run-time size.
+template <class System>
+inline constexpr bool in_dense_blocks = [] {
+    if constexpr (requires { typename System::blocks; }) {
+        using blocks = typename System::blocks;
+        using usual = dense_blocks<typename System::scalar, System::size_at_compile_time>;
+        constexpr int n = System::size_at_compile_time;
+        return !System::structured && usual::built_in && (n < 0 || n > 16) &&
+               (std::is_base_of_v<usual, blocks> || requires { typename blocks::whole; });
+    } else {
+        return false;
+    }
+}();
+
+/// What solves the systems of the search for growth: where there are such blocks, one of them.
+template <class Scalar, class System>
+struct search_block {
+    using type = split_lu<Scalar, -1>;
+};
+template <class Scalar, class System>
+requires in_dense_blocks<System>
+struct search_block<Scalar, System> {
+    using type = typename System::blocks::real;
+};
+
+}  // namespace detail
 
 /// What the linear systems of an attempt are like: factored, singular (or not finite), or such that the step
 /// would pass over a growing mode (stages/growth.hpp).
@@ -184,7 +215,7 @@ class linearisation {
     }
 
     Vector negligible_;  // sizes below which differences need not tell components apart
-    growth_watch<scalar> growth_;
+    growth_watch<scalar, typename detail::search_block<scalar, System>::type> growth_;
     scalar factored_h_{0}, theta_{0}, fresh_theta_{0};  // theta, and theta when the Jacobian was new
     scalar hold_ = scalar(6) / 5;
     int factored_method_ = 0;
