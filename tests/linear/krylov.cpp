@@ -226,6 +226,22 @@ BOOST_AUTO_TEST_CASE(runs_take_about_the_steps_of_direct_solvers) {
     }
 }
 
+// What solves leave grows when the polynomial of many stages is extrapolated: the next iteration does not begin there once
+// it has failed.
+BOOST_AUTO_TEST_CASE(many_stages_at_loose_tolerances_take_about_the_iterations_of_direct_solvers) {
+    const sparse_brusselator problem;
+    const auto iterated = sc::with_linear_solver<sc::krylov_blocks>(problem);
+    const VectorXd y0 = problem.start();
+    for (const int s : {7, 9})
+        for (const double tolerance : {1e-2, 1e-3}) {
+            const sc::options<double> o{.rtol = tolerance, .atol = tolerance};
+            const auto direct = sc::integrate(sc::radau_iia(s), problem, y0, 0.0, 1.0, o);
+            const auto krylov = sc::integrate(sc::radau_iia(s), iterated, y0, 0.0, 1.0, o);
+            BOOST_TEST(krylov.ok());
+            BOOST_TEST(double(krylov.report.solves) <= 1.5 * double(direct.report.solves));
+        }
+}
+
 BOOST_AUTO_TEST_CASE(a_right_hand_side_and_a_preconditioner_suffice) {
     runs_without_a_matrix<true>(1e-14);
     runs_without_a_matrix<false>(1e-6);

@@ -35,8 +35,8 @@ struct newton_limits {
 inline int usual_iterations(int s) { return 7 + (s > 3 ? (5 * (s - 3)) / 2 : 0); }
 
 /// Whether the polynomial of the last step is good enough to start the next iteration. Errors within the
-/// tolerance in components of index 2 and 3, about rtol / h, grow by orders of magnitude when a polynomial of
-/// many stages is extrapolated. So after an iteration has failed, the same step is tried from a constant, and
+/// tolerance in components of index 2 and 3, about rtol / h, and those that linear solvers leave which iterate, grow by
+/// orders of magnitude when a polynomial of many stages is extrapolated. So after an iteration has failed, the same step is tried from a constant, and
 /// so are the next ones, twice as many after each failure.
 class extrapolation_trust {
   public:

@@ -306,11 +306,11 @@ class integrator {
         if (method.implicit() && linear_.renew(system_)) return progress::again;
         if (plan_.fixed()) return give_up(obstacle_);
         linear_.stay_behind();
-        if (system_.largest_index() > 1 && extrapolates()) {
+        if (system_.rough_stages() && extrapolates()) {
             extrapolation_.failed();
             return progress::again;
         }
-        const int usual = system_.largest_index() > 1 ? 2 : 1;  // one of them from a constant
+        const int usual = system_.rough_stages() ? 2 : 1;  // one of them from a constant
         if (refused_.all > usual) acceptance_.newton_failed();
         return shorten(plan, plan.h / 2);
     }
@@ -367,7 +367,7 @@ class integrator {
 
     /// True if the polynomial of the last step is to start the iteration.
     bool extrapolates() const {
-        return has_output_ && (system_.largest_index() > 1 ? extrapolation_.trusted() : refused_.all < 2);
+        return has_output_ && (system_.rough_stages() ? extrapolation_.trusted() : refused_.all < 2);
     }
 
     newton_limits<scalar> newton_limits_for(int s, const scalar& h) {
