@@ -47,6 +47,12 @@ struct unstructured<Blocks> {
     using type = typename Blocks::whole;
 };
 
+/// Solvers that iterate: solve_leaving(part, x) may leave that part of a right-hand side.
+template <class Blocks, class Scalar>
+concept inexact_blocks = requires(typename Blocks::real& block, Scalar* x, Scalar part) {
+    block.solve_leaving(part, x);
+};
+
 /// Factors shift M - J of a dense block; false if singular or not finite. The solvers of other structures
 /// (banded_blocks, sparse_blocks) have a member factor_shifted instead.
 template <class Block, class Mass, class Matrix, class Scalar>

@@ -9,6 +9,7 @@
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/jacobian/coloured.hpp>
 #include <stagecraft/jacobian/finite_difference.hpp>
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
@@ -334,12 +335,7 @@ class system
     int largest_index() const { return has_index<Problem> ? largest_index_ : 1; }
     /// Errors within the tolerance are no smooth function of the step in the stages: those of index 2 and 3, and those
     /// that linear solvers leave which iterate.
-    bool rough_stages() const {
-        constexpr bool iterated = requires(typename blocks::real & block, scalar * x) {
-            block.solve_leaving(scalar(), x);
-        };
-        return iterated || largest_index() > 1;
-    }
+    bool rough_stages() const { return inexact_blocks<blocks, scalar> || largest_index() > 1; }
 
     bool constant_jacobian() {
         if constexpr (has_constant_jacobian<Problem>)

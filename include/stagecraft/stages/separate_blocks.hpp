@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/together.hpp>
 
 namespace stagecraft {
@@ -32,10 +33,7 @@ class separate_blocks {
     }
 
     int count() const { return static_cast<int>(real_.size() + complex_.size()); }
-    /// Its solvers iterate: they have solve_leaving(part, x), which may leave that part of a right-hand side.
-    static constexpr bool inexact = requires(typename Blocks::real & block, Scalar* x, Scalar part) {
-        block.solve_leaving(part, x);
-    };
+    static constexpr bool inexact = inexact_blocks<Blocks, Scalar>;
     /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
     template <class System>
     void solve(const System& system, Scalar* x) {
