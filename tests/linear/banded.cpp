@@ -5,6 +5,7 @@
 #include <complex>
 #include <random>
 #include <stagecraft/linear/banded_blocks.hpp>
+#include <vector>
 
 namespace sc = stagecraft;
 
@@ -78,6 +79,41 @@ BOOST_AUTO_TEST_CASE(singular_and_non_finite_matrices_are_refused) {
     BOOST_TEST(!real.factor_shifted(sc::identity_mass{}, J, 1.0));
     sc::banded_blocks<double>::complex block(3);
     BOOST_TEST(!block.factor_shifted(sc::identity_mass{}, J, 1.0, 1.0));
+}
+
+// In turn or one after the other: the same operations, the same numbers.
+BOOST_AUTO_TEST_CASE(matrices_factored_in_turn_have_the_factors_that_each_has_alone) {
+    using blocks = sc::banded_blocks<double>;
+    std::mt19937 g(11);
+    for (const sc::bandwidth band : bands) {
+        const int n = 23;
+        const auto J = random_band(n, band, g);
+        const double shift[] = {0.4, 2.5, 0.3, -0.7, 1.5, 2.0};
+        std::vector<blocks::real> reals(2, blocks::real(n));
+        std::vector<blocks::complex> pairs(2, blocks::complex(n));
+        for (int repeat = 0; repeat < 2; ++repeat) {  // with what the first run has left
+            BOOST_REQUIRE(blocks::factor_all(reals, pairs, sc::identity_mass{}, J, shift));
+            const Eigen::VectorXd b = Eigen::VectorXd::Random(n), d = Eigen::VectorXd::Random(n);
+            for (int k = 0; k < 2; ++k) {
+                blocks::real real(n);
+                BOOST_REQUIRE(real.factor_shifted(sc::identity_mass{}, J, shift[k]));
+                Eigen::VectorXd x = b, y = b;
+                reals[k].solve(x.data()), real.solve(y.data());
+                BOOST_TEST(x == y);
+                blocks::complex pair(n);
+                BOOST_REQUIRE(
+                    pair.factor_shifted(sc::identity_mass{}, J, shift[2 + 2 * k], shift[3 + 2 * k]));
+                Eigen::VectorXd re = b, im = d, u = b, v = d;
+                pairs[k].solve(re.data(), im.data()), pair.solve(u.data(), v.data());
+                BOOST_TEST((re == u && im == v));
+            }
+        }
+    }
+    sc::banded_matrix<double> zero(5, {1, 1});
+    const double shift[] = {1, 0, 0};  // the second is singular
+    std::vector<blocks::real> reals(1, blocks::real(5));
+    std::vector<blocks::complex> pairs(1, blocks::complex(5));
+    BOOST_TEST(!blocks::factor_all(reals, pairs, sc::identity_mass{}, zero, shift));
 }
 
 BOOST_AUTO_TEST_CASE(a_band_wider_than_the_matrix_is_an_error) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/complex_number.hpp>
@@ -13,6 +14,44 @@
 #include <vector>
 
 namespace stagecraft {
+
+namespace detail {
+
+/// f(a number of diagonals as a constant), 0 standing for none and for more than four: loops that short are unrolled.
+template <class F>
+bool with_count(int diagonals, F&& f) {
+    switch (diagonals) {
+        case 1:
+            return f(std::integral_constant<int, 1>());
+        case 2:
+            return f(std::integral_constant<int, 2>());
+        case 3:
+            return f(std::integral_constant<int, 3>());
+        case 4:
+            return f(std::integral_constant<int, 4>());
+        default:
+            return f(std::integral_constant<int, 0>());
+    }
+}
+
+/// Factors matrices of one size and band, a column of each in turn: while one waits for its pivot, the others go on. False
+/// if one is singular or not finite. Each of `ranges` is one of objects with a member eliminate<lower>(column).
+template <class... Ranges>
+bool eliminate_in_turn(int n, int lower, Ranges&&... ranges) {
+    return with_count(lower, [&](auto count) {
+        constexpr int constant = count;
+        const auto column = [](auto& range, int k) {
+            for (auto& matrix : range)
+                if (!matrix.template eliminate<constant>(k)) return false;
+            return true;
+        };
+        for (int k = 0; k < n; ++k)
+            if (!(column(ranges, k) && ...)) return false;
+        return true;
+    });
+}
+
+}  // namespace detail
 
 /// LU with row pivoting of a banded matrix over T (a scalar or a complex_number). Row exchanges widen the
 /// upper band by up to `lower` diagonals, which cost nothing where there are none; O(n lower (lower + upper))
@@ -44,73 +83,56 @@ class banded_lu {
     }
 
     /// False if the matrix is singular or not finite.
-    bool factor() {
-        return with_count(lower_, [this](auto lower) { return this->factor_band<lower>(); });
+    bool factor() { return detail::eliminate_in_turn(n_, lower_, std::span(this, 1)); }
+
+    /// Column k of the factors, after those before it; false if there is no pivot. Lower: the lower diagonals, 0 where
+    /// their number is not a constant.
+    // Rows below the last are stored as zeros, so that no column has to stop short of them.
+    template <int Lower>
+    [[gnu::flatten]] bool eliminate(int k) {
+        if (k == 0) last_column_ = width_ = 0, exchanged_ = false;
+        const auto each = [this](auto&& f) { unrolled<(Lower > 0 ? Lower : -1)>(lower_, f); };
+        T* ck = column(k) + k;
+        int p = 0;
+        auto largest = size_of(ck[0]);
+        // A loop: where rows are hardly exchanged, nothing waits for p then.
+        for (int i = 1; i <= (Lower > 0 ? Lower : lower_); ++i) {
+            const auto candidate = size_of(ck[i]);
+            if (candidate > largest) largest = candidate, p = i;
+        }
+        if (!usable_pivot(largest)) return false;
+        pivot_[k] = k + p;
+        exchanged_ = exchanged_ || p != 0;
+        std::swap(ck[0], ck[p]);
+        ck[0] = inverse_of(ck[0]);
+        std::array<T, Lower> multipliers;
+        each([&](auto i) {
+            ck[i + 1] = ck[i + 1] * ck[0];
+            if constexpr (Lower > 0) multipliers[i] = ck[i + 1];
+        });
+        last_column_ = std::max(last_column_, std::min(k + p + upper_, n_ - 1));
+        width_ = std::max(width_, last_column_ - k);
+        for (int j = 1; j <= last_column_ - k; ++j) {
+            T* cj = column(k + j) + k;
+            const T m = cj[p];
+            cj[p] = cj[0];
+            cj[0] = m;
+            each([&](auto i) { cj[i + 1] = cj[i + 1] - (Lower > 0 ? multipliers[i] : ck[i + 1]) * m; });
+        }
+        return true;
     }
 
     /// x := A^-1 x; x is indexed from 0 to n - 1.
     template <class X>
     void solve(X&& x) const {
-        with_count(lower_, [&](auto lower) {
+        detail::with_count(lower_, [&](auto lower) {
             return exchanged_ ? this->template solve_lower<lower, true>(x)
                               : this->template solve_lower<lower, false>(x);
         });
-        with_count(width_, [&](auto width) { return this->template solve_upper<width>(x); });
+        detail::with_count(width_, [&](auto width) { return this->template solve_upper<width>(x); });
     }
 
   private:
-    /// f(a number of diagonals as a constant), 0 standing for none and for more than four: loops that short
-    /// are unrolled.
-    template <class F>
-    static bool with_count(int diagonals, F&& f) {
-        switch (diagonals) {
-            case 1:
-                return f(std::integral_constant<int, 1>());
-            case 2:
-                return f(std::integral_constant<int, 2>());
-            case 3:
-                return f(std::integral_constant<int, 3>());
-            case 4:
-                return f(std::integral_constant<int, 4>());
-            default:
-                return f(std::integral_constant<int, 0>());
-        }
-    }
-
-    // Rows below the last are stored as zeros, so that no column has to stop short of them.
-    template <int Lower>
-    bool factor_band() {
-        const int lower = Lower > 0 ? Lower : lower_;
-        int last_column = 0;  // the furthest that one of the rows met so far reaches
-        width_ = 0;
-        exchanged_ = false;
-        for (int k = 0; k < n_; ++k) {
-            T* ck = column(k);
-            int p = k;
-            auto largest = size_of(ck[k]);
-            for (int i = k + 1; i <= k + lower; ++i) {
-                const auto candidate = size_of(ck[i]);
-                if (candidate > largest) largest = candidate, p = i;
-            }
-            if (!usable_pivot(largest)) return false;
-            pivot_[k] = p;
-            exchanged_ = exchanged_ || p != k;
-            std::swap(ck[k], ck[p]);
-            ck[k] = inverse_of(ck[k]);
-            for (int i = k + 1; i <= k + lower; ++i) ck[i] = ck[i] * ck[k];
-            last_column = std::max(last_column, std::min(p + upper_, n_ - 1));
-            width_ = std::max(width_, last_column - k);
-            for (int j = k + 1; j <= last_column; ++j) {
-                T* cj = column(j);
-                const T m = cj[p];
-                cj[p] = cj[k];
-                cj[k] = m;
-                for (int i = k + 1; i <= k + lower; ++i) cj[i] = cj[i] - ck[i] * m;
-            }
-        }
-        return true;
-    }
-
     // The entries of x that a column changes are kept in `next`, which moves along with it. Those beyond the
     // ends of x are zeros; what becomes of them is not used.
     template <int Lower, bool Exchanged, class X>
@@ -168,7 +190,8 @@ class banded_lu {
         return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j);
     }
     int n_ = -1, lower_ = 0, upper_ = 0, height_ = 1, width_ = 0;  // width_: of the upper factor
-    bool exchanged_ = false;                                       // some rows were
+    int last_column_ = 0;     // the furthest that a row met so far reaches
+    bool exchanged_ = false;  // some rows were
     std::vector<T> a_;
     std::vector<int> pivot_;
 };
@@ -182,11 +205,15 @@ struct banded_blocks {
         /// Factors shift M - J; false if it is singular or not finite.
         template <class Mass>
         bool factor_shifted(const Mass& mass, const banded_matrix<Scalar>& J, const Scalar& shift) {
-            assemble(lu_, J);
-            add_mass_to(lu_, mass, shift, J.size());
+            assemble(lu_, mass, J, shift);
             return lu_.factor();
         }
         void solve(Scalar* x) const { lu_.solve(access{x}); }
+        /// As of banded_lu.
+        template <int Lower>
+        bool eliminate(int k) {
+            return lu_.template eliminate<Lower>(k);
+        }
 
       private:
         struct access {
@@ -194,6 +221,7 @@ struct banded_blocks {
             const Scalar& operator[](int i) const { return x[i]; }
             void set(int i, const Scalar& v) const { x[i] = v; }
         };
+        friend banded_blocks;
         banded_lu<Scalar> lu_;
     };
 
@@ -204,11 +232,15 @@ struct banded_blocks {
         template <class Mass>
         bool factor_shifted(const Mass& mass, const banded_matrix<Scalar>& J, const Scalar& re,
                             const Scalar& im) {
-            assemble(lu_, J);
-            add_mass_to(lu_, mass, complex_number<Scalar>{re, im}, J.size());
+            assemble(lu_, mass, J, complex_number<Scalar>{re, im});
             return lu_.factor();
         }
         void solve(Scalar* x, Scalar* y) const { lu_.solve(access{x, y}); }
+        /// As of banded_lu.
+        template <int Lower>
+        bool eliminate(int k) {
+            return lu_.template eliminate<Lower>(k);
+        }
 
       private:
         struct access {
@@ -216,14 +248,30 @@ struct banded_blocks {
             complex_number<Scalar> operator[](int i) const { return {x[i], y[i]}; }
             void set(int i, const complex_number<Scalar>& v) const { x[i] = v.re, y[i] = v.im; }
         };
+        friend banded_blocks;
         banded_lu<complex_number<Scalar>> lu_;
     };
 
+    /// Factors all matrices of a step at once: shift M - J for the real ones, then for the complex ones, whose shifts are
+    /// pairs of numbers. False if one is singular or not finite.
+    template <class Mass>
+    static bool factor_all(std::vector<real>& reals, std::vector<complex>& pairs, const Mass& mass,
+                           const banded_matrix<Scalar>& J, const Scalar* shift) {
+        for (real& block : reals) assemble(block.lu_, mass, J, *shift++);
+        for (complex& block : pairs) {
+            assemble(block.lu_, mass, J, complex_number<Scalar>{shift[0], shift[1]});
+            shift += 2;
+        }
+        return detail::eliminate_in_turn(J.size(), J.lower(), reals, pairs);
+    }
+
   private:
-    template <class T>
-    static void assemble(banded_lu<T>& lu, const banded_matrix<Scalar>& J) {
+    /// lu := shift M - J.
+    template <class T, class Mass>
+    static void assemble(banded_lu<T>& lu, const Mass& mass, const banded_matrix<Scalar>& J, const T& shift) {
         lu.resize(J.size(), {J.lower(), J.upper()});
         lu.assign_negative(J);
+        add_mass_to(lu, mass, shift, J.size());
     }
     template <class T>
     static void add_mass_to(banded_lu<T>& lu, const identity_mass&, const T& shift, int n) {

@@ -23,6 +23,10 @@ class separate_blocks {
     /// Factors shift M - J for every shift; false if one is singular or not finite.
     template <class System>
     bool factor(const System& system, const Scalar* shift) {
+        if constexpr (requires {
+                          Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
+                      })
+            return Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
         for (auto& block : real_)
             if (!factor_together(system, block, *shift++)) return false;
         for (auto& block : complex_) {
