@@ -16,19 +16,20 @@ struct totals {
     std::string failures;
 };
 
-/// One solver at one tolerance: the least of a few run times, and what the last run left.
+/// One solver at one tolerance: the least of a few run times, and what the last run left. Short runs are repeated for two
+/// milliseconds a turn, so that every solver is seen with warm caches, whatever ran before it.
 point measured(const bvp::solver& s, double tolerance, int repeats) {
     using clock = std::chrono::steady_clock;
     point result;
     bvp::result r;
     std::vector<double> times;
     double spent = 0;
-    for (int k = 0; k < repeats && (k < 1 || spent < 3e5); ++k) {
-        const auto start = clock::now();
-        r = s.run(tolerance);
-        times.push_back(std::chrono::duration<double, std::micro>(clock::now() - start).count());
-        spent += times.back();
-    }
+    for (int k = 0; k < repeats && (k < 1 || spent < 3e5); ++k)
+        for (const double end = spent + 2000; spent < end; spent += times.back()) {
+            const auto start = clock::now();
+            r = s.run(tolerance);
+            times.push_back(std::chrono::duration<double, std::micro>(clock::now() - start).count());
+        }
     std::sort(times.begin(), times.end());
     result.tolerance = tolerance;
     result.minimum_us = times.front(), result.median_us = times[times.size() / 2];

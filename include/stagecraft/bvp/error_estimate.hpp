@@ -240,9 +240,8 @@ class error_estimate {
             if (small || !elimination_.template sweep<Nodes>(*rule_, equations_.mass(), hJ_, d_, g_))
                 eliminate<Nodes>(x.h(i), small && pass > 0);
             raise<Nodes>(i);
-            auto W = slopes_.middleCols(i * m, m);
-            W -= g_;
-            detail::combine<N, Nodes>(rule_->gauss.b.data(), m, W.data(), n, &delta_(0, i), n);
+            for (int k = 0; k < n * m; ++k) slopes_.data()[n * m * i + k] -= g_.data()[k];
+            detail::combine<N, Nodes>(rule_->gauss.b.data(), m, &slopes_(0, i * m), n, &delta_(0, i), n);
             delta_.col(i) += x.y.col(i) - x.y.col(i + 1);
             if (!check<Nodes>(x, i)) return false;
             bool counts = false;
@@ -280,10 +279,11 @@ class error_estimate {
     void interpolate_jacobians(int i, const scalar& h) {
         const int n = equations_.n(), m = nodes_of<Nodes>(), s = equations_.s(), width = n + equations_.np();
         const auto J = equations_.jacobians(i);
-        for (int k = 0; k < m; ++k)
+        for (int k = 0; k < m; ++k) {
             detail::combine<NN, S>(rule_->lagrange.data() + k * s, s, J.data(), width * n, &hJ_(0, k * n),
                                    n * n);
-        hJ_ *= h;
+            for (int l = 0; l < n * n; ++l) hJ_.data()[k * n * n + l] *= h;
+        }
     }
 
     template <int Nodes>

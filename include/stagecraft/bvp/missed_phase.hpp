@@ -63,17 +63,15 @@ auto missed_phase(const Equations& equations, const Iterate& x, int order) {
     using scalar = std::decay_t<decltype(x.t[0])>;
     if (!std::decay_t<decltype(equations.mass())>::identity) return scalar(0);
     const scalar constant = gauss_error_constant<scalar>(order), power(order + 1),
-                 parts(1000 * x.intervals());
+                 counts = pow(scalar(1 / (constant * scalar(1000 * x.intervals()))), scalar(1 / power));
     scalar angle(0), growth(0);
     for (int i = 0; i < x.intervals(); ++i) {
         const auto J = middle_jacobian(equations, x, i);
         const scalar most = largest_rate(J);
-        if (!(constant * pow(most, power) * parts > scalar(1))) continue;
+        if (!(most > counts)) continue;
         scalar least = std::numeric_limits<scalar>::infinity(), turned(0);
         for (const auto& z : turning_modes(J)) {
-            if (!(z.imag() > scalar(0) && abs(z.real()) < z.imag() &&
-                  constant * pow(z.imag(), power) * parts > scalar(1)))
-                continue;
+            if (!(z.imag() > counts && abs(z.real()) < z.imag())) continue;
             turned = std::max(turned, scalar(z.imag()));
             least = std::min(least, scalar(abs(z.real())));
         }

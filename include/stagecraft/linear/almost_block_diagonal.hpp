@@ -99,12 +99,14 @@ class block_chain {
         replaced_ = 0;
         for (int i = 0; i < links_; ++i) {
             auto a = panel(i);
-            a.topLeftCorner(c_, n) = carry_.topLeftCorner(c_, n);
-            a.block(0, n, c_, n).setZero();
-            a.topRightCorner(c_, q_) = carry_.topRightCorner(c_, q_);
+            for (int k = 0; k < c_; ++k) {
+                for (int j = 0; j < n; ++j) a(k, j) = carry_(k, j), a(k, n + j) = Scalar(0);
+                for (int j = 0; j < q_; ++j) a(k, 2 * n + j) = carry_(k, n + j);
+            }
             Elimination::factor(a, n, tau(i), from(i));
             repair(a);
-            carry_.topRows(c_) = a.bottomRightCorner(c_, n + q_);
+            for (int j = 0; j < n + q_; ++j)
+                for (int k = 0; k < c_; ++k) carry_(k, j) = a(n + k, n + j);
         }
         last_.topRows(c_) = carry_.topRows(c_);
         const int m = n + q_;
