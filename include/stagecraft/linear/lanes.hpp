@@ -11,11 +11,12 @@ namespace stagecraft {
 template <int N>
 inline constexpr bool fits_lanes = 0 < N&& N <= 16;
 
-/// N numbers in registers: as many packets as they fill, and the rest one by one.
+/// N numbers in registers: as many packets as they fill, and the rest one by one; up to three all one by one, as f
+/// takes them.
 template <class Scalar, int N>
 requires(built_in<Scalar>) class lanes {
     using P = packet<Scalar>;
-    static constexpr int whole = N / P::size, rest = N % P::size;
+    static constexpr int whole = N < 4 ? 0 : N / P::size, rest = N - whole * P::size;
     template <int... p>
     using packs = std::integer_sequence<int, p...>;
     static constexpr std::make_integer_sequence<int, whole> all_packets{};

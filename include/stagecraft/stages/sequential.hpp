@@ -195,7 +195,7 @@ class sequential_stages {
         } else {
             for (int i = first; i < v.method.stages(); ++i) {
                 combine_onto(n, row(i), h, v.k.data(), y.data(), yi_.data());
-                call(system, t + v.method.c[i] * h, v);
+                call(system, t + v.method.c[i] * h, yi_, fi_, v);
                 Scalar* const k = v.k.data() + static_cast<std::ptrdiff_t>(i) * n;
                 if (!copy_finite(fi_.data(), n, k, system.sums())) return false;
             }
@@ -206,10 +206,12 @@ class sequential_stages {
     template <int i, class System, class Slopes>
     [[gnu::always_inline]] bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                          slopes& v, Slopes& k) {
-        sum_row<i>(y, h, v, k, std::make_integer_sequence<int, i>()).store(yi_.data());
-        call(system, t + v.method.c[i] * h, v);
-        k[i] = k[i].load_written(fi_.data());
+        vector yi, fi;  // of their own: where f is inlined they stay in registers too
+        sum_row<i>(y, h, v, k, std::make_integer_sequence<int, i>()).store(yi.data());
+        call(system, t + v.method.c[i] * h, yi, fi, v);
+        k[i] = k[i].load_written(fi.data());
         k[i].store(v.k.data() + i * N);
+        if constexpr (i + 1 == Stages) yi_ = yi;
         return k[i].finite();
     }
     /// y + h sum_j a_ij k_j. To look for zeros would take as long as to add three numbers.
@@ -220,11 +222,12 @@ class sequential_stages {
         ((N < 4 || !(v.method.A(i, j) == Scalar(0)) ? sum.add(h * v.method.A(i, j), k[j]) : void()), ...);
         return sum;
     }
-    /// fi_ := M^-1 f(t, yi_).
+    /// f := M^-1 f(t, y).
     template <class System>
-    [[gnu::always_inline]] void call(System& system, const Scalar& t, slopes& v) {
-        system(t, yi_, fi_);
-        if constexpr (!System::mass_type::identity) v.mass.solve(fi_.data());
+    [[gnu::always_inline]] static void call(System& system, const Scalar& t, const vector& y, vector& f,
+                                            slopes& v) {
+        system(t, y, f);
+        if constexpr (!System::mass_type::identity) v.mass.solve(f.data());
     }
     /// The terms of row i of A, those that are not zero.
     std::span<const combination_term<Scalar>> row(int i) const {
