@@ -23,8 +23,8 @@ namespace stagecraft {
 /// with the version of the library; factors are made again. Size: n (s + 5) numbers and those of the Jacobian.
 ///
 /// Not in it: what observers and the problem itself remember, and what a linear_solver of the problem's own keeps
-/// from one factorisation to the next (the preconditioners of krylov_blocks and petsc_blocks): with these the
-/// run goes on within the tolerance, not bit by bit.
+/// from one factorisation to the next (the preconditioners of krylov_blocks and petsc_blocks, the factors of klu_blocks
+/// where they serve several steps): with these the run goes on within the tolerance, not bit by bit.
 template <class Vector>
 struct checkpoint {
     using scalar = typename Vector::Scalar;

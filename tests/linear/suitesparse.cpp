@@ -8,7 +8,9 @@
 #include <stagecraft/linear/klu.hpp>
 #include <stagecraft/linear/umfpack.hpp>
 #include <stagecraft/problem/with.hpp>
+#include <stagecraft/radau_iia_variable.hpp>
 #include <type_traits>
+#include <vector>
 
 #include <problems/stiff.hpp>
 
@@ -118,4 +120,124 @@ BOOST_AUTO_TEST_CASE(the_brusselator_is_the_same_with_klu_umfpack_and_sparse_lu)
     BOOST_TEST((klu.y - lu.y).lpNorm<Eigen::Infinity>() < 1e-11);
     BOOST_TEST((umfpack.y - lu.y).lpNorm<Eigen::Infinity>() < 1e-11);
     BOOST_TEST((lu.y - p.initial()).lpNorm<Eigen::Infinity>() > 0.1);
+}
+
+namespace {
+
+// The Laplacian and `wind` times the central difference along x on k x k points, zero outside: negative definite, and
+// with the wind alone skew.
+Eigen::SparseMatrix<double> grid_jacobian(int k, double diffusion, double wind) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int j = 0; j < k; ++j)
+        for (int i = 0; i < k; ++i) {
+            const int at = i + k * j;
+            entries.emplace_back(at, at, -4 * diffusion);
+            if (i > 0) entries.emplace_back(at, at - 1, diffusion - wind);
+            if (i + 1 < k) entries.emplace_back(at, at + 1, diffusion + wind);
+            if (j > 0) entries.emplace_back(at, at - k, diffusion - wind);
+            if (j + 1 < k) entries.emplace_back(at, at + k, diffusion + wind);
+        }
+    Eigen::SparseMatrix<double> J(k * k, k * k);
+    J.setFromTriplets(entries.begin(), entries.end());
+    return J;
+}
+
+// The systems of a step by Radau IIA with s = 5.
+struct step_systems {
+    using blocks = sc::klu_blocks;
+    std::vector<blocks::real> real;
+    std::vector<blocks::complex> complex;
+    explicit step_systems(const Eigen::SparseMatrix<double>& J) {
+        real.emplace_back(static_cast<int>(J.rows()));
+        for (int k = 0; k < 2; ++k) complex.emplace_back(static_cast<int>(J.rows()));
+    }
+    // Factors for a step h; returns the largest relative residual of a solve with each.
+    double worst(const Eigen::SparseMatrix<double>& J, double h) {
+        const auto method = sc::radau_iia<5>();
+        const double shift[] = {method.gamma[0] / h, method.alpha[0] / h, -method.beta[0] / h,
+                                method.alpha[1] / h, -method.beta[1] / h};
+        BOOST_REQUIRE(blocks::factor_all(real, complex, sc::identity_mass{}, J, shift));
+        const auto n = J.rows();
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2), d = b.array().sin();
+        Eigen::VectorXd x = b;
+        real[0].solve(x.data());
+        double result = (shift[0] * x - J * x - b).norm() / b.norm();
+        for (int k = 0; k < 2; ++k) {
+            Eigen::VectorXd re = b, im = d;
+            complex[std::size_t(k)].solve(re.data(), im.data());
+            const double p = shift[1 + 2 * k], q = shift[2 + 2 * k];
+            result = std::max(result, std::hypot((p * re - q * im - J * re - b).norm(),
+                                                 (p * im + q * re - J * im - d).norm()) /
+                                          std::hypot(b.norm(), d.norm()));
+        }
+        return result;
+    }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(much_fill_is_factored_once_for_all_systems_and_while_it_serves) {
+    auto J = grid_jacobian(60, 3600, 0);
+    step_systems systems(J);
+    BOOST_TEST(systems.worst(J, 0.01) <= 1e-2);
+    BOOST_TEST(systems.complex[0].iterates());
+    BOOST_TEST(systems.complex[1].iterates());
+    // The real system is the one that is factored.
+    Eigen::VectorXd x = Eigen::VectorXd::Ones(J.rows());
+    systems.real[0].solve(x.data());
+    const double gamma = sc::radau_iia<5>().gamma[0];
+    BOOST_TEST((gamma / 0.01 * x - J * x - Eigen::VectorXd::Ones(J.rows())).norm() < 1e-9);
+    J *= 1.1;
+    BOOST_TEST(systems.worst(J, 0.012) <= 1e-2);  // another J, another step, the same factors
+    BOOST_TEST(systems.real[0].setups() == 1);
+    BOOST_TEST(systems.worst(J, 0.03) <= 1e-2);
+    BOOST_TEST(systems.real[0].setups() == 2);
+    J.coeffRef(0, 1) = std::nan("");
+    const double shift[] = {600, 600, -600, 600, -600};
+    BOOST_TEST(
+        !step_systems::blocks::factor_all(systems.real, systems.complex, sc::identity_mass{}, J, shift));
+}
+
+BOOST_AUTO_TEST_CASE(little_fill_and_little_damping_are_factored_for_every_system) {
+    const auto line = brusselator_jacobian(400);
+    step_systems one_dimension(line);
+    for (const double h : {0.01, 0.02}) BOOST_TEST(one_dimension.worst(line, h) < 1e-10);
+    BOOST_TEST(one_dimension.real[0].setups() == 2);
+
+    const auto wave = grid_jacobian(60, 0, 60);
+    step_systems undamped(wave);
+    BOOST_TEST(undamped.worst(wave, 1) <= 1e-2);
+    BOOST_TEST(undamped.complex[0].iterates());
+    for (int k = 0; k < 20; ++k) {
+        Eigen::VectorXd re = Eigen::VectorXd::LinSpaced(wave.rows(), -1, 2), im = re.reverse();
+        undamped.complex[0].solve(re.data(), im.data());
+    }
+    BOOST_TEST(undamped.worst(wave, 4) <= 1e-2);  // the other pair need not have turned out to be slow
+    BOOST_TEST(!undamped.complex[0].iterates());
+}
+
+BOOST_AUTO_TEST_CASE(one_factorisation_leads_to_the_same_solution) {
+    const auto J = grid_jacobian(40, 1600, 200);
+    struct problem {
+        const Eigen::SparseMatrix<double>& J;
+        Eigen::SparseMatrix<double> sparsity() const { return J; }
+        void operator()(double t, const Eigen::VectorXd& y, Eigen::VectorXd& f) const {
+            f = J * y - y.cwiseProduct(y.cwiseProduct(y)) + std::cos(5 * t) * Eigen::VectorXd::Ones(y.size());
+        }
+        void jacobian(double, const Eigen::VectorXd& y, Eigen::SparseMatrix<double>& out) const {
+            out = J;
+            out.diagonal() -= 3 * y.cwiseProduct(y);
+        }
+    };
+    const problem p{J};
+    const Eigen::VectorXd y0 = Eigen::VectorXd::Ones(J.rows());
+    const auto solve = [&](const auto& q) {
+        return sc::integrate(sc::radau_iia_variable(), q, y0, 0.0, 1.0, {.rtol = 1e-7, .atol = 1e-9});
+    };
+    const auto once = solve(sc::with_linear_solver<sc::klu_blocks>(p)),
+               each = solve(sc::with_linear_solver<sc::umfpack_blocks>(p));
+    BOOST_REQUIRE(once.ok());
+    BOOST_REQUIRE(each.ok());
+    BOOST_TEST((once.y - each.y).lpNorm<Eigen::Infinity>() < 1e-8);
+    BOOST_TEST(once.report.steps <= each.report.steps + each.report.steps / 5);
 }

@@ -53,6 +53,13 @@ concept inexact_blocks = requires(typename Blocks::real& block, Scalar* x, Scala
     block.solve_leaving(part, x);
 };
 
+/// Those whose every solve is an iteration; others say whether they iterate().
+template <class Blocks, class Scalar>
+concept iterative_blocks =
+    inexact_blocks<Blocks, Scalar> && !requires(const typename Blocks::complex& block) {
+    block.iterates();
+};
+
 /// Factors shift M - J of a dense block; false if singular or not finite. The solvers of other structures
 /// (banded_blocks, sparse_blocks) have a member factor_shifted instead.
 template <class Block, class Mass, class Matrix, class Scalar>

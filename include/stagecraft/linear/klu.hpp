@@ -6,7 +6,7 @@
 #include <complex>
 #include <type_traits>
 
-#include <stagecraft/linear/sparse_blocks.hpp>
+#include <stagecraft/linear/one_factor_blocks.hpp>
 
 namespace stagecraft {
 
@@ -47,13 +47,14 @@ class klu_solver : public Eigen::KLU<Matrix> {
 };
 
 /// Linear solvers of a sparse problem by SuiteSparse's KLU (block triangular form, made for circuits and
-/// other very sparse systems) instead of Eigen's SparseLU; in double only. A problem asks for them with
+/// other very sparse systems) instead of Eigen's SparseLU; in double only. With much fill the systems of a step share one
+/// real factorisation (one_factor_blocks.hpp). A problem asks for them with
 ///
 ///     using linear_solver = stagecraft::klu_blocks;
 ///
 /// or is given them by with_linear_solver<klu_blocks>(problem) of problem/with.hpp. Needs klu.h in the
 /// include path (Debian: libsuitesparse-dev, /usr/include/suitesparse) and -lklu.
-using klu_blocks = sparse_blocks<double, klu_solver<Eigen::SparseMatrix<double>>,
-                                 klu_solver<Eigen::SparseMatrix<std::complex<double>>>>;
+using klu_blocks = one_factor_blocks<klu_solver<Eigen::SparseMatrix<double>>,
+                                     klu_solver<Eigen::SparseMatrix<std::complex<double>>>>;
 
 }  // namespace stagecraft

@@ -3,100 +3,21 @@
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/Jacobi>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 
 #include <stagecraft/linear/block_work.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/preconditioner_life.hpp>
+#include <stagecraft/linear/restarted_gmres.hpp>
 #include <stagecraft/linear/shifted_sparse.hpp>
 
 namespace stagecraft {
 
 namespace detail {
-
-/// Flexible GMRES with restarts, preconditioned from the right: x, the right-hand side, becomes the solution to a
-/// relative residual of `bound`, or what `most` iterations have made of it; NaN if it is not finite. Keeps
-/// 2 (restart + 1) vectors, taken at the first call.
-class restarted_gmres {
-  public:
-    using vector = Eigen::VectorXd;
-
-    /// multiply(in, out) and precondition(in, out); returns the iterations.
-    template <class Multiply, class Precondition>
-    int solve(Multiply&& multiply, Precondition&& precondition, Eigen::Ref<vector> x, double bound,
-              int most) {
-        take(x.size());
-        b_ = x;
-        const double whole = b_.norm();
-        if (whole == 0) return 0;
-        x.setZero();
-        w_ = b_;
-        double rest = whole;
-        int iterations = 0;
-        while (rest > bound * whole && iterations < most) {
-            const int k = cycle(multiply, precondition, rest, bound * whole, most - iterations);
-            iterations += k;
-            const auto y = H_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g_.head(k)).eval();
-            x.noalias() += Z_.leftCols(k) * y;
-            multiply(x, w_);
-            w_ = b_ - w_;
-            rest = w_.norm();
-        }
-        if (!std::isfinite(rest)) x.setConstant(std::numeric_limits<double>::quiet_NaN());
-        return iterations;
-    }
-
-  private:
-    static constexpr int restart = 10;
-
-    void take(Eigen::Index n) {
-        if (w_.size() == n) return;
-        V_.resize(n, restart + 1);
-        Z_.resize(n, restart);
-        w_.resize(n);
-        b_.resize(n);
-    }
-    /// From the residual in w_; leaves the triangular factor in H_ and the right-hand side in g_. Returns its size.
-    template <class Multiply, class Precondition>
-    int cycle(Multiply& multiply, Precondition& precondition, double rest, double goal, int most) {
-        H_.setZero();
-        g_.setZero();
-        g_[0] = rest;
-        V_.col(0) = w_ / rest;
-        int k = 0;
-        while (k < restart && k < most) {
-            precondition(V_.col(k), Z_.col(k));
-            multiply(Z_.col(k), w_);
-            for (int i = 0; i <= k; ++i) {
-                H_(i, k) = V_.col(i).dot(w_);
-                w_ -= H_(i, k) * V_.col(i);
-            }
-            const double next = w_.norm();
-            H_(k + 1, k) = next;
-            for (int i = 0; i < k; ++i) H_.col(k).applyOnTheLeft(i, i + 1, turn_[std::size_t(i)].adjoint());
-            turn_[std::size_t(k)].makeGivens(H_(k, k), H_(k + 1, k));
-            H_.col(k).applyOnTheLeft(k, k + 1, turn_[std::size_t(k)].adjoint());
-            g_.applyOnTheLeft(k, k + 1, turn_[std::size_t(k)].adjoint());
-            ++k;
-            if (!(std::abs(g_[k]) > goal) || next == 0) break;
-            V_.col(k) = w_ / next;
-        }
-        return k;
-    }
-
-    Eigen::MatrixXd V_, Z_;
-    vector w_, b_;
-    Eigen::Matrix<double, restart + 1, restart> H_;
-    Eigen::Matrix<double, restart + 1, 1> g_;
-    std::array<Eigen::JacobiRotation<double>, restart> turn_;
-};
 
 /// An incomplete factorisation that knows how many entries it has.
 struct counted_ilut : Eigen::IncompleteLUT<double> {
@@ -211,7 +132,7 @@ struct krylov_blocks {
       private:
         int n_;
         std::unique_ptr<detail::shifted_operator> system_;  // its functions refer to it
-        detail::restarted_gmres gmres_;
+        detail::restarted_gmres<double> gmres_;
     };
 
     class complex {
@@ -264,7 +185,7 @@ struct krylov_blocks {
         int n_;
         double beta_ = 0, sign_ = 1;
         std::unique_ptr<detail::shifted_operator> system_;
-        detail::restarted_gmres gmres_;
+        detail::restarted_gmres<double> gmres_;
         Eigen::VectorXd h_, w_, both_;
     };
 

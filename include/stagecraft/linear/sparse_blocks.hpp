@@ -12,6 +12,17 @@
 
 namespace stagecraft {
 
+namespace detail {
+
+/// By the entries of the factors (zeros if they are not known): a solve passes over each, and in an
+/// elimination each meets about as many of them as there are in a column.
+template <class Scalar>
+block_work<Scalar> work_of_factors(const Scalar& entries, Eigen::Index n) {
+    return {n > 0 ? Scalar(entries * entries / Scalar(static_cast<double>(n))) : Scalar(0), 4 * entries};
+}
+
+}  // namespace detail
+
 /// The linear solvers for shift M - J with J an Eigen::SparseMatrix, on any sparse direct solvers with
 /// Eigen's interface: analyzePattern, factorize, solve, info. sparse_lu by default; where SuiteSparse is
 /// installed linear/klu.hpp and linear/umfpack.hpp have KLU and UMFPACK. The pattern is analysed once per
@@ -36,7 +47,7 @@ struct sparse_blocks {
             map = solver_->solve(x_);
         }
 
-        block_work<Scalar> work() const { return work_of_factors(entries_, x_.size()); }
+        block_work<Scalar> work() const { return detail::work_of_factors(entries_, x_.size()); }
 
       private:
         std::unique_ptr<RealSolver> solver_ = std::make_unique<RealSolver>();  // the solvers cannot be moved
@@ -65,7 +76,7 @@ struct sparse_blocks {
             for (Eigen::Index i = 0; i < n; ++i) x[i] = w_[i].real(), y[i] = w_[i].imag();
         }
 
-        block_work<Scalar> work() const { return work_of_factors(entries_, z_.size()); }
+        block_work<Scalar> work() const { return detail::work_of_factors(entries_, z_.size()); }
 
       private:
         std::unique_ptr<ComplexSolver> solver_ = std::make_unique<ComplexSolver>();
@@ -82,11 +93,6 @@ struct sparse_blocks {
         else if constexpr (requires { solver.nnzL() + solver.nnzU(); })
             entries = Scalar(static_cast<double>(solver.nnzL()) + static_cast<double>(solver.nnzU()));
         return true;
-    }
-    /// By the entries of the factors (zeros if they are not known): a solve passes over each, and in an
-    /// elimination each meets about as many of them as there are in a column.
-    static block_work<Scalar> work_of_factors(const Scalar& entries, Eigen::Index n) {
-        return {n > 0 ? Scalar(entries * entries / Scalar(static_cast<double>(n))) : Scalar(0), 4 * entries};
     }
     template <class Solver, class T, class Mass>
     static bool refactor(Solver& solver, shifted_sparse<T>& a, const Mass& mass,

@@ -334,8 +334,8 @@ class system
     /// The largest index flag: 1, 2 or 3. Above 1 the norms depend on the step size.
     int largest_index() const { return has_index<Problem> ? largest_index_ : 1; }
     /// Errors within the tolerance are no smooth function of the step in the stages: those of index 2 and 3, and those
-    /// that linear solvers leave which iterate.
-    bool rough_stages() const { return inexact_blocks<blocks, scalar> || largest_index() > 1; }
+    /// that linear solvers leave which only iterate.
+    bool rough_stages() const { return iterative_blocks<blocks, scalar> || largest_index() > 1; }
 
     bool constant_jacobian() {
         if constexpr (has_constant_jacobian<Problem>)

@@ -27,17 +27,19 @@ class separate_blocks {
                           Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
                       })
             return Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
-        for (auto& block : real_)
-            if (!factor_together(system, block, *shift++)) return false;
-        for (auto& block : complex_) {
-            if (!factor_together(system, block, shift[0], shift[1])) return false;
-            shift += 2;
-        }
-        return true;
+        else
+            return factor_each(system, shift);
     }
 
     int count() const { return static_cast<int>(real_.size() + complex_.size()); }
     static constexpr bool inexact = inexact_blocks<Blocks, Scalar>;
+    /// Solvers that may iterate say whether they do, as long as the factors are the same.
+    bool iterates() const {
+        if constexpr (requires(const typename Blocks::complex& block) { block.iterates(); })
+            return std::any_of(complex_.begin(), complex_.end(), [](const auto& b) { return b.iterates(); });
+        else
+            return inexact;
+    }
     /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
     template <class System>
     void solve(const System& system, Scalar* x) {
@@ -96,6 +98,16 @@ class separate_blocks {
     }
 
   private:
+    template <class System>
+    bool factor_each(const System& system, const Scalar* shift) {
+        for (auto& block : real_)
+            if (!factor_together(system, block, *shift++)) return false;
+        for (auto& block : complex_) {
+            if (!factor_together(system, block, shift[0], shift[1])) return false;
+            shift += 2;
+        }
+        return true;
+    }
     template <class System, class Solve>
     void each(const System& system, Scalar* x, Solve&& solve) {
         for (auto& block : real_) {

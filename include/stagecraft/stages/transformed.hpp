@@ -149,13 +149,7 @@ class transformed_stages {
                 D_.col(i) = fi_;
             }
             residual(system.mass(), Z, h);
-            if constexpr (blocks_type::inexact) {
-                const Scalar part = monitor.may_leave(size_of_blocks(weights, system.sums()));
-                system.measure(work::solve,
-                               [&] { blocks_.solve_leaving(system, F_.data(), part, sizes_.of_block); });
-            } else {
-                system.measure(work::solve, [&] { blocks_.solve(system, F_.data()); });
-            }
+            solve_blocks(system, weights, monitor);
             ++solves;
             if (monitor.over(add_increment(Z, weights, system.sums()))) break;
         }
@@ -214,6 +208,20 @@ class transformed_stages {
     void mix(const Scalar* C, const Scalar* in, Scalar* out) const {
         const int n = size(), s = stages();
         for (int k = 0; k < s; ++k, C += s, out += n) combine<false, Stages>(n, s, C, in, out);
+    }
+
+    /// Solves in F; where that is by iteration, as exactly as the monitor asks for.
+    template <class System, class Monitor>
+    void solve_blocks(const System& system, const vector& weights, Monitor& monitor) {
+        if constexpr (blocks_type::inexact) {
+            if (blocks_.iterates()) {
+                const Scalar part = monitor.may_leave(size_of_blocks(weights, system.sums()));
+                system.measure(work::solve,
+                               [&] { blocks_.solve_leaving(system, F_.data(), part, sizes_.of_block); });
+                return;
+            }
+        }
+        system.measure(work::solve, [&] { blocks_.solve(system, F_.data()); });
     }
 
     /// W += F and Z += T F; returns the norm of what is added to Z. Where it is not finite, neither is Z.
