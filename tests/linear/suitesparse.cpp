@@ -182,6 +182,9 @@ BOOST_AUTO_TEST_CASE(much_fill_is_factored_once_for_all_systems_and_while_it_ser
     BOOST_TEST(systems.worst(J, 0.01) <= 1e-2);
     BOOST_TEST(systems.complex[0].iterates());
     BOOST_TEST(systems.complex[1].iterates());
+    const auto work = systems.complex[0].work();
+    BOOST_TEST(work.once.step > 0);
+    BOOST_TEST(work.per_stage.step == 0);
     // The real system is the one that is factored.
     Eigen::VectorXd x = Eigen::VectorXd::Ones(J.rows());
     systems.real[0].solve(x.data());
@@ -203,6 +206,7 @@ BOOST_AUTO_TEST_CASE(little_fill_and_little_damping_are_factored_for_every_syste
     step_systems one_dimension(line);
     for (const double h : {0.01, 0.02}) BOOST_TEST(one_dimension.worst(line, h) < 1e-10);
     BOOST_TEST(one_dimension.real[0].setups() == 2);
+    BOOST_TEST(one_dimension.complex[0].work().per_stage.step > 0);
 
     const auto wave = grid_jacobian(60, 0, 60);
     step_systems undamped(wave);

@@ -72,3 +72,18 @@ BOOST_AUTO_TEST_CASE(a_run_goes_on_from_a_checkpoint_with_the_bits_it_would_have
     interrupted::at_five_places(sc::radau_iia_variable(), equations::van_der_pol{}, vdp0, 2,
                                 {.rtol = 1e-8, .atol = 1e-8});
 }
+
+// Of two methods that promise steps of 0.95 and 1.9: what is paid once a step speaks for the longer one, what is paid for
+// every stage does not.
+BOOST_AUTO_TEST_CASE(the_order_follows_what_the_linear_systems_of_the_step_cost) {
+    const auto chosen = [](const sc::step_work<double>& work) {
+        sc::order_controller<double, 2> order;
+        order.prepare(0, {3, 4, 1.0, {0, 0}}, 1e-6);
+        order.prepare(1, {5, 6, 1.0, {0, 0}}, 1e-6);
+        order.decide({1.0, 0.5, 0.1, 0.01, 3, work});
+        return order.current();
+    };
+    BOOST_TEST(chosen({{1e3, 1}, {0, 1}}) == 1);
+    BOOST_TEST(chosen({{0, 1}, {0, 1e3}}) == 0);
+    BOOST_TEST(chosen({{0, 0}, {1e3, 0}}) == 0);
+}

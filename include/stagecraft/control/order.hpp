@@ -11,20 +11,21 @@ namespace stagecraft {
 /// What an accepted step tells about the neighbouring orders.
 template <class Scalar>
 struct order_evidence {
-    Scalar h;        ///< size of the step
-    Scalar error;    ///< its estimate, tolerance 1
-    Scalar decay;    ///< ratio of successive Legendre coefficients of the stage polynomial
-    Scalar theta;    ///< contraction of Newton's iteration
-    int iterations;  ///< how many it took
+    Scalar h;                ///< size of the step
+    Scalar error;            ///< its estimate, tolerance 1
+    Scalar decay;            ///< ratio of successive Legendre coefficients of the stage polynomial
+    Scalar theta;            ///< contraction of Newton's iteration
+    int iterations;          ///< how many it took
+    step_work<Scalar> work;  ///< what its linear systems cost
 };
 
 /// One of the methods as the choice sees it.
 template <class Scalar>
 struct order_candidate {
     int stages;
-    int power;     ///< the estimate is O(h^power)
-    Scalar ratio;  ///< estimates are multiplied by it to have tolerance 1
-    block_work<Scalar> work;
+    int power;                ///< the estimate is O(h^power)
+    Scalar ratio;             ///< estimates are multiplied by it to have tolerance 1
+    block_work<Scalar> work;  ///< without the linear systems
 };
 
 /// Chooses among `Count` methods ordered by their number of stages. With one method it holds and decides
@@ -40,7 +41,8 @@ class order_controller {
 /// Takes the method that promises the longest step for its work. The step each could take follows from the
 /// estimate of the present one and the decay q of the Legendre coefficients of its polynomial (two stages
 /// more change the estimate by q^2); Newton's contraction is taken as proportional to the step. The work is
-/// counted in operations, not in seconds, so the choice is the same on every machine.
+/// counted in operations, not in seconds, so the choice is the same on every machine; that of linear systems as the
+/// factors of the present step tell it.
 template <class Scalar, int Count>
 requires(Count > 1) class order_controller<Scalar, Count> {
   public:
@@ -112,7 +114,11 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         theta = theta < low ? low : theta > high ? high : theta;
         const Scalar now = e.theta < low ? low : e.theta > high ? high : e.theta;
         const Scalar iterations = Scalar(e.iterations) * log(now) / log(theta);
-        return (candidates_[k].work.step + iterations * candidates_[k].work.iteration) / step;
+        const auto& [stages, power, ratio, own] = candidates_[k];
+        const auto& [once, per_stage] = e.work;
+        const Scalar once_a_step = own.step + (once.step + Scalar(stages) * per_stage.step),
+                     iteration = own.iteration + (once.iteration + Scalar(stages) * per_stage.iteration);
+        return (once_a_step + iterations * iteration) / step;
     }
 
     std::array<order_candidate<Scalar>, static_cast<std::size_t>(Count)> candidates_{};

@@ -11,6 +11,12 @@ struct block_work {
     Scalar step, iteration;
 };
 
+/// What the systems of a step cost together: whatever the number of stages, and for each of them.
+template <class Scalar>
+struct step_work {
+    block_work<Scalar> once, per_stage;
+};
+
 /// For one stage, by the type of the Jacobian: dense here, other structures beside their solvers.
 template <class Matrix>
 struct work_of {

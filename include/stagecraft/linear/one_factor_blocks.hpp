@@ -111,8 +111,8 @@ class one_factor_blocks {
                              [&](const auto& in, auto&& out) { out = factors_->solve(in); }, map,
                              std::max(bound, part), most));
         }
-        /// What factoring costs, and a solve, as is known since.
-        block_work<double> work() const { return factors_->work(); }
+        /// As in sparse_blocks.
+        step_work<double> work() const { return {{}, factors_->work()}; }
         /// Factorisations that have been made.
         long setups() const { return factors_->setups(); }
 
@@ -163,8 +163,13 @@ class one_factor_blocks {
             solves_ += 2 * k;
             for (int i = 0; i < n_; ++i) x[i] = z_[i].real(), y[i] = z_[i].imag();
         }
-        /// What factoring costs, and a solve; zeros where it is done once for all systems.
-        block_work<double> work() const { return iterates() ? block_work<double>{0, 0} : direct_.work(); }
+        /// As in sparse_blocks; where one factorisation serves all systems, half of one a step, and for each stage of an
+        /// iteration one and a half solves, as measured.
+        step_work<double> work() const {
+            if (!iterates()) return direct_.work();
+            const auto one = factors_->work();
+            return {{one.step / 2, 0}, {0, one.iteration * 3 / 2}};
+        }
 
       private:
         friend one_factor_blocks;

@@ -47,7 +47,8 @@ struct sparse_blocks {
             map = solver_->solve(x_);
         }
 
-        block_work<Scalar> work() const { return detail::work_of_factors(entries_, x_.size()); }
+        /// What the systems of a step cost, as is known since one was factored; zeros before.
+        step_work<Scalar> work() const { return {{}, detail::work_of_factors(entries_, x_.size())}; }
 
       private:
         std::unique_ptr<RealSolver> solver_ = std::make_unique<RealSolver>();  // the solvers cannot be moved
@@ -76,7 +77,7 @@ struct sparse_blocks {
             for (Eigen::Index i = 0; i < n; ++i) x[i] = w_[i].real(), y[i] = w_[i].imag();
         }
 
-        block_work<Scalar> work() const { return detail::work_of_factors(entries_, z_.size()); }
+        step_work<Scalar> work() const { return {{}, detail::work_of_factors(entries_, z_.size())}; }
 
       private:
         std::unique_ptr<ComplexSolver> solver_ = std::make_unique<ComplexSolver>();

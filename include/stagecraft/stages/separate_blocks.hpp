@@ -85,7 +85,7 @@ class separate_blocks {
         }
     }
 
-    /// What one of the blocks costs, as it knows since it was factored; zeros before.
+    /// What the systems of a step cost, as one of them knows since it was factored; zeros before.
     auto work() const requires requires(const typename Blocks::complex& block) { block.work(); }
     { return complex_.empty() ? real_.front().work() : complex_.front().work(); }
 

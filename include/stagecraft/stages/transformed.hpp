@@ -100,32 +100,35 @@ class transformed_stages {
     /// gamma_1/h, or alpha_1/h.
     Scalar growth_shift() const { return shift_[0]; }
 
-    /// What a step and an iteration cost beyond what is the same for every method. The blocks of small dense
-    /// problems are solved side by side, so that their number hardly matters; the constants were fitted to
-    /// measured times at n = 2, 3, 8 and 12, s = 3, 5 and 7.
+    /// What a step and an iteration cost beyond what is the same for every method, without the linear systems; the constants
+    /// here and below were fitted to measured times at n = 2, 3, 8 and 12, s = 3, 5 and 7.
+    block_work<Scalar> work(int size) const {
+        const Scalar s = Scalar(stages()), n = Scalar(size);
+        return {20 + s * (10 + 2 * n), 20 + s * (15 + 3 * n) + s * s * n * 3 / 10};
+    }
+    /// What the linear systems cost: by their factors where these tell, else by size and structure. The blocks of small dense
+    /// problems are solved side by side, so that their number hardly matters.
     template <class System>
-    block_work<Scalar> work(const System& system) const {
-        const Scalar s = Scalar(stages()), n = Scalar(system.total_size()), m = n - Scalar(positions);
-        block_work<Scalar> blocks;
+    step_work<Scalar> linear_work(const System& system) const {
         if constexpr (in_lanes) {
-            blocks = {m * m * m * 6 / 5, m * m * 4};
+            const Scalar m = Scalar(system.total_size()) - Scalar(positions);
+            return {{m * m * m * 6 / 5, m * m * 4}, {}};
+        } else if constexpr (requires { Blocks::work(1); }) {
+            return {{}, Blocks::work(system.total_size())};
         } else {
-            block_work<Scalar> one;
-            if constexpr (requires { Blocks::work(1); })
-                one = Blocks::work(system.total_size());
-            else
-                one = work_of<typename System::matrix>::template estimate<Scalar>(system.jacobian());
-            blocks = {s * one.step, s * one.iteration};
+            if constexpr (requires { blocks_.work(); }) {
+                const step_work<Scalar> known = blocks_.work();
+                if (known.per_stage.iteration > Scalar(0)) return known;
+            }
+            return {{}, work_of<typename System::matrix>::template estimate<Scalar>(system.jacobian())};
         }
-        return {20 + s * (10 + 2 * n) + blocks.step,
-                20 + s * (15 + 3 * n) + s * s * n * 3 / 10 + blocks.iteration};
     }
 
     /// What factoring costs, in iterations, where the blocks know it since they were factored; else 0.
     template <class System>
     Scalar factorisation_cost(const System& system) const {
         if constexpr (requires { blocks_.work(); }) {
-            const block_work<Scalar> one = blocks_.work();
+            const block_work<Scalar> one = blocks_.work().per_stage;
             return one.step / (Scalar(15) + 3 * Scalar(system.total_size()) + one.iteration);
         } else {
             return Scalar(0);

@@ -60,8 +60,10 @@ class acceptance {
     void prepare(int k, Step& m, const System& system) {
         ratio_[k] = m.estimate_ratio(rtol_);
         if constexpr (Methods > 1) {
-            order_.prepare(
-                k, {m.count(), m.estimate_power(), smooth_ratio(system, k), m.stages().work(system)}, rtol_);
+            order_.prepare(k,
+                           {m.count(), m.estimate_power(), smooth_ratio(system, k),
+                            m.stages().work(system.total_size())},
+                           rtol_);
         }
     }
     /// Newton's iteration failed more than once: true if another method is to try.
@@ -132,7 +134,8 @@ class acceptance {
         if constexpr (Methods > 1) {
             if (order_.wants_evidence() && refused.all == 0 && !jumps_.doubted()) {
                 const scalar decay = method.decay(trial.now, trial.weights, sums);
-                const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations});
+                const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations,
+                                                     method.stages().linear_work(system)});
                 if (change > scalar(0)) {
                     factor = change;
                     if (hold > scalar(6) / 5) hold = scalar(6) / 5;  // the factors were another method's
