@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <stagecraft/named_member.hpp>
+
 namespace stagecraft {
 
 /// All that the rest of a run depends on, after an accepted step: integrate(method, problem, point, t1, options) goes on
@@ -33,6 +35,21 @@ struct checkpoint {
     std::vector<scalar> numbers;
     std::vector<long> counts;
 };
+
+/// Not without the type of the state.
+template <>
+struct checkpoint<detail::unstated> {
+    template <class Never = void>
+    checkpoint() {
+        static_assert(detail::never<Never>,
+                      "write checkpoint<Eigen::Vector3d> last, with the type of the state");
+    }
+    template <class Point>
+    void operator=(const Point&);
+    friend std::ostream& operator<<(std::ostream&, const checkpoint&);
+    friend std::istream& operator>>(std::istream&, checkpoint&);
+};
+checkpoint()->checkpoint<detail::unstated>;
 
 namespace detail {
 

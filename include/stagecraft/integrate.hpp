@@ -3,8 +3,6 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <concepts>
-#include <cstddef>
 #include <exception>
 #include <initializer_list>
 #include <iosfwd>
@@ -14,24 +12,12 @@
 #include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>
+#include <stagecraft/result.hpp>
 #include <stagecraft/step/continued.hpp>
 #include <stagecraft/step/given_arguments.hpp>
 #include <stagecraft/step/integrator.hpp>
 
 namespace stagecraft {
-
-/// What a run returns: the last accepted state (status::event: the state at the event), always finite, and
-/// why it ended. Only status::success means t = t1.
-template <class Vector>
-struct result {
-    typename Vector::Scalar t;
-    Vector y;
-    stagecraft::status status;
-    stagecraft::report<typename Vector::Scalar> report;
-    std::exception_ptr exception;  ///< what a callable threw (status::function_threw), else null
-
-    bool ok() const { return status == status::success; }
-};
 
 /// Results and reports are not printed by <<.
 template <class Traits, class Vector>
@@ -47,15 +33,6 @@ std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& o
 }
 
 namespace detail {
-
-template <class Derived>
-requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) void take_real(
-    const Eigen::MatrixBase<Derived>&);
-/// A real matrix of Eigen's.
-template <class State>
-concept eigen_object = requires(const State& y) {
-    take_real(y);
-};
 
 /// Makes the steps of a run that begins, or goes on, at `start`, which later takes the states to be corrected.
 template <class Run, class Vector, class Observer>
@@ -114,6 +91,15 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
     }
 }
 
+template <class Derived>
+requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) void take_real(
+    const Eigen::MatrixBase<Derived>&);
+/// A real matrix of Eigen's.
+template <class State>
+concept eigen_object = requires(const State& y) {
+    take_real(y);
+};
+
 /// True of what may stand in the place of y0 by another overload than that of Eigen's vectors.
 template <class State>
 inline constexpr bool has_own_overload = false;
@@ -133,6 +119,16 @@ concept misplaced_observer = std::is_class_v<Observer> && !requires(const Observ
 }
 &&!std::is_convertible_v<const Observer&, options<double>>;
 
+struct call_by_a_name {
+    template <class T>
+    static constexpr bool say() {
+        static_assert(!sizeof(T),
+                      "integrate(method, problem, y0, t0, t1, options, observer): the name of overloaded "
+                      "functions or of a template cannot be passed as the problem: write "
+                      "[](const auto& t, const auto& y, auto& f) { name(t, y, f); }");
+        return true;
+    }
+};
 struct call_of_integrate {
     template <class T>
     static constexpr bool say() {
@@ -338,7 +334,8 @@ result<Eigen::VectorXd> integrate(const Method&, Problem&&, detail::anything, de
         detail::never<Method>,
         "integrate: options have no tol, reltol, rel_tol, abstol or abs_tol; their tolerances are "
         "rtol (relative) and atol (absolute): {.rtol = 1e-6, .atol = 1e-9}. Their other names are, in "
-        "this order, atol_components (an Eigen::VectorXd), fixed_step, initial_step, min_step, "
+        "this order, atol_components (an Eigen::VectorXd or {1e-6, 1e-9}), fixed_step, initial_step, "
+        "min_step, "
         "max_step, control (of step_control), continuous, jumps, max_steps, newton_iterations, "
         "newton_factor");
     return {};
@@ -378,20 +375,21 @@ result<Eigen::VectorXd> integrate(const Method&, Problem&&, detail::anything, de
     return {};
 }
 
-/// The name of a family alone.
-template <class... Arguments>
-auto integrate(transformed_tableau<double> (*)(...), const Arguments&... arguments) {
-    static_assert(sizeof...(arguments) > 99,
-                  "integrate: the method needs its number of stages and parentheses: radau_iia<3>(), say");
-    return 0;
-}
-
 /// Options of names that there are not, or times that are none.
 result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
                                   detail::anything, detail::anything, const detail::misnamed_options&);
 result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
+                                  detail::anything, detail::anything, detail::anything,
+                                  const detail::misnamed_options&, detail::anything = 0);
+result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
                                   detail::anything, detail::anything);
 result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_of_integrate>, detail::anything,
                                   detail::anything, ...);
+/// A checkpoint of no state, which says itself what to write.
+result<Eigen::VectorXd> integrate(detail::anything, detail::anything, const checkpoint<detail::unstated>&,
+                                  detail::anything = 0, const detail::misnamed_options& = {},
+                                  detail::anything = 0);
+/// A problem of no type.
+result<Eigen::VectorXd> integrate(detail::refused_call<detail::call_by_a_name>, ...);
 
 }  // namespace stagecraft

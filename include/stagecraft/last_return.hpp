@@ -10,12 +10,27 @@
 
 namespace stagecraft {
 
+namespace detail {
+struct call_of_last_return {
+    template <class T>
+    static constexpr bool say() {
+        static_assert(
+            never<T>,
+            "last_return(method, f, y0, t0, t1): method is radau_iia<3>() with its parentheses, say, f "
+            "is called as f(t, y, out), y0 is a vector of Eigen's; there are no options");
+        return true;
+    }
+};
+}  // namespace detail
+
 /// Integrates from t0 to t1, once to find the last state and once with an event where the trajectory passes the
 /// plane through it that is normal to f; the last pass near that state and t1 bound one return. Throws
 /// std::invalid_argument where the trajectory does not come back.
 template <class Method, class Rhs, class Vector>
-orbit_guess<Vector> last_return(const Method& method, const Rhs& f, const Vector& y0,
-                                typename Vector::Scalar t0, typename Vector::Scalar t1) {
+requires detail::runnable_method<Method> orbit_guess<Vector> last_return(const Method& method, const Rhs& f,
+                                                                         const Vector& y0,
+                                                                         typename Vector::Scalar t0,
+                                                                         typename Vector::Scalar t1) {
     using scalar = typename Vector::Scalar;
     const options<scalar> o{.rtol = scalar(1e-8), .atol = scalar(1e-8)};
     const auto first = integrate(method, f, y0, t0, t1, o);
@@ -41,5 +56,10 @@ orbit_guess<Vector> last_return(const Method& method, const Rhs& f, const Vector
         }
     throw std::invalid_argument("last_return: the trajectory does not come back to its last state before t1");
 }
+
+/// Other arguments.
+orbit_guess<Eigen::VectorXd> last_return(detail::refused_call<detail::call_of_last_return>, detail::anything,
+                                         detail::anything = 0, detail::anything = 0, detail::anything = 0,
+                                         ...);
 
 }  // namespace stagecraft

@@ -3,6 +3,13 @@
 
 #include <type_traits>
 
+namespace stagecraft {
+template <class Scalar, int Stages>
+struct tableau;
+template <class Scalar, int Stages>
+struct transformed_tableau;
+}  // namespace stagecraft
+
 namespace stagecraft::detail {
 
 /// Where `Name::name` and a member of T with that name would be ambiguous; never constructed.
@@ -44,13 +51,13 @@ struct unstated {};
 /// Taken for an argument by overloads that refuse a call, so that any other overload comes first.
 struct anything {
     template <class T>
-    anything(const T&);
+    anything(const T&) {}
 };
 /// A value of any type, of an option.
 struct any_value {
     any_value() = default;
     template <class T>
-    any_value(const T&);
+    any_value(const T&) {}
 };
 /// What options are taken for by overloads that refuse them: with the names of all options, of events as well, and usual
 /// names of none, each with a value of any type. (Names unknown here as well are refused in more lines, as nothing can
@@ -65,11 +72,14 @@ struct misnamed_options {
 };
 /// The same for the overload of last resort, which ends in "..." and so takes options with unknown names too.
 /// Sentence::say<T>() refuses in a static_assert: it stands in the exception specification, which compilers look at once
-/// they have chosen this overload, before the arguments that follow, and not before they have.
+/// they have chosen this overload, before the arguments that follow, and not before they have. The name of a family
+/// alone is taken for its overload that refuses a number of stages in parentheses, which then says what to write.
 template <class Sentence>
 struct refused_call {
     template <class T>
     refused_call(const T&) noexcept(Sentence::template say<T>());
+    refused_call(tableau<double, -1> (*)(...));
+    refused_call(transformed_tableau<double, -1> (*)(...));
 };
 
 }  // namespace stagecraft::detail

@@ -57,7 +57,7 @@ auto solve(double T, const ends& r, int fault = 0, const sc::bvp_options<double>
     return sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{fault, e}, r), 0.0, T, guess, o);
 }
 
-std::string word(sc::bvp_status s) { return sc::name(s); }
+std::string word(sc::bvp_status s) { return (std::ostringstream() << s).str(); }
 
 template <class F>
 void names(const std::string& argument, F&& f) {

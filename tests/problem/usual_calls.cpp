@@ -40,6 +40,24 @@ BOOST_AUTO_TEST_CASE(a_right_hand_side_may_return_its_value) {
     BOOST_TEST(std::abs(by_object.y[0] - std::sin(1.0)) < 1e-8);
 }
 
+BOOST_AUTO_TEST_CASE(tolerances_of_components_are_a_list_or_a_vector) {
+    const sc::options<double> two{.atol_components = {1e-6, 1e-9}}, many{.atol_components = {1, 2, 3}};
+    BOOST_TEST((two.atol_components == Vector2d(1e-6, 1e-9)));
+    BOOST_TEST((many.atol_components == Eigen::Vector3d(1, 2, 3)));
+    const auto f = [](double, const Vector2d& y) { return Vector2d(-50 * y[0], y[0] - y[1]); };
+    const auto run = [&](const sc::options<double>& o) {
+        return sc::integrate(sc::radau_iia<3>(), f, Vector2d(1, 1), 0, 1, o);
+    };
+    const auto listed = run(two), given = run({.atol_components = Vector2d(1e-6, 1e-9)});
+    BOOST_TEST((listed.y == given.y));
+    BOOST_TEST((listed.y != run({}).y));
+    sc::options<double> later;
+    later.atol_components = {1e-6, 1e-9};
+    BOOST_TEST((run(later).y == given.y));
+    later.atol_components = Vector2d(1e-6, 1e-9);
+    BOOST_TEST((run(later).y == given.y));
+}
+
 BOOST_AUTO_TEST_CASE(methods_of_run_time_stages_are_those_of_the_templates) {
     const auto m = sc::radau_iia(5);
     const auto fixed = sc::radau_iia<5>();

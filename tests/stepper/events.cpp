@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(an_event_at_the_place_of_a_terminal_one_is_not_lost) {
         BOOST_REQUIRE((r.status == sc::status::event));
         BOOST_TEST(std::abs(r.t - root) < 1e-15);
         int seen[3] = {0, 0, 0};
-        for (const auto& o : watch.found()) ++seen[o.event];
+        for (const auto& o : watch) ++seen[o.event];
         const auto rest = sc::integrate(radau, clock_rate, r.y, r.t, 1, {.fixed_step = 0.25}, watch);
         BOOST_TEST(rest.ok());
         for (const auto& o : watch.found()) ++seen[o.event];

@@ -47,6 +47,12 @@ struct scaled_rhs_on_path {
     }
 };
 
+template <class Rhs, class Scalar, class Vector>
+concept right_hand_side_of_path = requires(Rhs& f, const Scalar& t, const Vector& y,
+                                           const Eigen::Matrix<Scalar, 1, 1>& p, Vector& out) {
+    f(t, y, p, out);
+};
+
 /// y(0) = y(1), and y(0) on a plane through the last orbit's y(0) and its mean: orbits that shrink to the mean pass through
 /// it all the same. Where f is nearly in such a plane it is turned until f crosses it.
 template <class Rhs, class Vector>
@@ -107,7 +113,8 @@ struct call_of_orbit_continuation {
                       "its parentheses, say");
         static_assert(
             !is_tableau<Method> || never<Method>,
-            "orbit_continuation(method, f, guess, options): guess must be an orbit_guess at "
+            "orbit_continuation(method, f, guess, options): f is called as f(t, y, p, out), guess must be an "
+            "orbit_guess at "
             "p = from, as last_return(method, f, y0, t0, t1) of stagecraft/last_return.hpp finds it; "
             "options have no other names than {.from, .to, .rtol, .step, .largest_step, "
             ".max_points, .intervals}");
@@ -130,9 +137,9 @@ struct call_of_orbit_continuation {
 /// accurate as f_y, which automatic differentiation gives to rounding errors and differences to about 1e-8. It may
 /// lie beyond `to`.
 template <class Scalar, int S, class Rhs, class Vector>
-std::vector<orbit_point<Vector>> orbit_continuation(
-    const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
-    const continuation_options<std::type_identity_t<Scalar>>& o = {}) {
+requires detail::right_hand_side_of_path<Rhs, Scalar, Vector> std::vector<orbit_point<Vector>>
+orbit_continuation(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
+                   const continuation_options<std::type_identity_t<Scalar>>& o = {}) {
     using rhs = detail::scaled_rhs_on_path<Rhs>;
     using conditions = detail::orbit_path_conditions<Rhs, Vector>;
     using unknowns = Eigen::Matrix<Scalar, 2, 1>;

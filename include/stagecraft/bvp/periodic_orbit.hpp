@@ -177,7 +177,8 @@ struct call_of_periodic_orbit {
                       "parentheses, say");
         static_assert(
             !is_tableau<Method> || never<Method>,
-            "periodic_orbit(method, f, guess, options): guess must be an orbit_guess, as "
+            "periodic_orbit(method, f, guess, options): f is called as f(t, y, out), guess must be an "
+            "orbit_guess, as "
             "last_return(method, f, y0, t0, t1) of stagecraft/last_return.hpp finds it; options have "
             "no other names than {.rtol, .atol, .intervals, .max_intervals, .phase_component, "
             ".phase_value, .integral_phase}");
@@ -191,8 +192,9 @@ struct call_of_periodic_orbit {
 /// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. One of the
 /// multipliers is 1; for how they and their errors are found see bvp/multipliers.hpp.
 template <class Scalar, int S, class Rhs, class Vector>
-orbit_result<Vector> periodic_orbit(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
-                                    const orbit_options<std::type_identity_t<Scalar>>& o = {}) {
+requires std::is_invocable_v<Rhs&, const Scalar&, const Vector&, Vector&> orbit_result<Vector> periodic_orbit(
+    const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
+    const orbit_options<std::type_identity_t<Scalar>>& o = {}) {
     detail::validate_period(guess, "periodic_orbit");
     const auto phase = detail::phase_of(f, guess, o);
     const int n = static_cast<int>(phase.at.size());

@@ -6,8 +6,10 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/solution.hpp>
 
 namespace stagecraft {
@@ -36,6 +38,20 @@ constexpr const char* name(bvp_status s) {
                                      "newton_failed", "too_many_intervals", "tolerance_not_met",
                                      "non_finite",    "size_changed",       "function_threw"};
     return names[static_cast<int>(s)];
+}
+
+/// Prints it as a word.
+template <class Traits>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, bvp_status s) {
+    return out << name(s);
+}
+
+/// Results with such a status, and the points of paths, are not printed by <<.
+template <class Traits, class Result>
+requires std::is_same_v<decltype(Result::status), bvp_status> std::basic_ostream<char, Traits>
+&operator<<(std::basic_ostream<char, Traits>& out, const Result&) {
+    static_assert(detail::never<Result>, "print r.status, r.message and the values of r.y(t)");
+    return out;
 }
 
 /// What a solution cost. f and jacobians are counted per evaluation at a point, f_jacobian as in report.hpp;

@@ -43,8 +43,9 @@ struct call_of_solve_bvp {
                       "parentheses, say");
         static_assert(
             !is_tableau<Method> || never<Method>,
-            "solve_bvp(method, two_point(f, r), a, b, guess, p, options): p is a vector of Eigen's, "
-            "left out if there is none, and options have no other names than {.rtol, .atol, "
+            "solve_bvp(method, two_point(f, r), a, b, guess, p, options): guess is a vector with its type, "
+            "Eigen::Vector2d(0, 1), say, not {0, 1}; p is a vector of Eigen's, left out if there is none, "
+            "and options have no other names than {.rtol, .atol, "
             ".intervals, .mesh, .fixed_points, .max_intervals, .adapt, .newton_iterations, "
             ".conditioning}");
         return true;
@@ -147,5 +148,8 @@ bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<deta
 bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
                                                        detail::anything = 0, detail::anything = 0,
                                                        detail::anything = 0, detail::anything = 0, ...);
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
+                                                       detail::anything, detail::anything, detail::anything,
+                                                       ...);
 
 }  // namespace stagecraft

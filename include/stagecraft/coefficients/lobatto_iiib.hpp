@@ -114,10 +114,11 @@ struct lobatto_iiib<6> {
 
 /// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one.
 template <int S>
-tableau<double, S> lobatto_iiib() {
-    static_assert(2 <= S && S <= 6, "lobatto_iiib: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
-    tableau<double, S> t;
-    coefficients::unpack<coefficients::lobatto_iiib<S>>(t);
+tableau<double, (S > 0 ? S : -1)> lobatto_iiib() {
+    constexpr bool generated = 2 <= S && S <= 6;
+    static_assert(generated, "lobatto_iiib: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
+    tableau<double, (S > 0 ? S : -1)> t;
+    if constexpr (generated) coefficients::unpack<coefficients::lobatto_iiib<S>>(t);
     return t;
 }
 

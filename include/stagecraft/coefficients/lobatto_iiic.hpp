@@ -218,10 +218,11 @@ struct lobatto_iiic<6> {
 
 /// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one.
 template <int S>
-transformed_tableau<double, S> lobatto_iiic() {
-    static_assert(2 <= S && S <= 6, "lobatto_iiic: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
-    transformed_tableau<double, S> t;
-    coefficients::unpack<coefficients::lobatto_iiic<S>>(t);
+transformed_tableau<double, (S > 0 ? S : -1)> lobatto_iiic() {
+    constexpr bool generated = 2 <= S && S <= 6;
+    static_assert(generated, "lobatto_iiic: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
+    transformed_tableau<double, (S > 0 ? S : -1)> t;
+    if constexpr (generated) coefficients::unpack<coefficients::lobatto_iiic<S>>(t);
     return t;
 }
 

@@ -416,10 +416,11 @@ struct radau_iia<9> {
 
 /// The S-stage member of this family, 1 <= S <= 9: every entry is the double nearest to the exact one.
 template <int S>
-transformed_tableau<double, S> radau_iia() {
-    static_assert(1 <= S && S <= 9, "radau_iia: generated for 1 <= S <= 9; see stagecraft/tableaux/rounded.hpp for more");
-    transformed_tableau<double, S> t;
-    coefficients::unpack<coefficients::radau_iia<S>>(t);
+transformed_tableau<double, (S > 0 ? S : -1)> radau_iia() {
+    constexpr bool generated = 1 <= S && S <= 9;
+    static_assert(generated, "radau_iia: generated for 1 <= S <= 9; see stagecraft/tableaux/rounded.hpp for more");
+    transformed_tableau<double, (S > 0 ? S : -1)> t;
+    if constexpr (generated) coefficients::unpack<coefficients::radau_iia<S>>(t);
     return t;
 }
 

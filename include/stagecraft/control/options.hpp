@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -16,15 +17,25 @@ namespace stagecraft {
 /// How the next step size follows from the estimates of this one and the one before (control/step_size.hpp).
 enum class step_control { predictive, proportional_integral };
 
+/// One number per component: {1e-6, 1e-9} (which Eigen's own matrices take for their sizes), or a vector of Eigen's.
+template <class Scalar>
+struct numbers_of_components : Eigen::Matrix<Scalar, Eigen::Dynamic, 1> {
+    using vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using vector::vector;
+    numbers_of_components() = default;
+    numbers_of_components(std::initializer_list<Scalar> x)
+        : vector(vector::Map(x.begin(), static_cast<Eigen::Index>(x.size()))) {}
+};
+
 /// The options of a run; the defaults suit a first try. Step sizes are magnitudes (the direction of time is
 /// that of t1 - t0), and zero means "not given". The error of component i is measured in units of atol_i +
 /// rtol |y_i|; for an index-2 component it is multiplied by |h|, for an index-3 component by h^2 (HLR89,
 /// section 7).
 template <class Scalar = double>
 struct options {
-    Scalar rtol = Scalar(1) / 1000000;                           ///< relative tolerance, at least 4 epsilon
-    Scalar atol = Scalar(1) / 1000000;                           ///< absolute tolerance, a normal number > 0
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> atol_components{};  ///< instead of atol: one per component
+    Scalar rtol = Scalar(1) / 1000000;                ///< relative tolerance, at least 4 epsilon
+    Scalar atol = Scalar(1) / 1000000;                ///< absolute tolerance, a normal number > 0
+    numbers_of_components<Scalar> atol_components{};  ///< instead of atol: one per component
     Scalar fixed_step{0};  ///< > 0: equal steps of at most this size, no error estimate at all; rtol and atol
                            ///< still say where Newton's iteration ends, what it leaves drifts in invariants:
                            ///< take 1e-12 for both in long symplectic runs

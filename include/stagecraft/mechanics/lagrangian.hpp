@@ -364,4 +364,15 @@ requires(!detail::forces_on<Constraint, Coordinates>) auto lagrangian(Kinetic T,
     return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
 }
 
+/// So are both numbers.
+template <class Kinetic, class... Parts>
+auto lagrangian(const Kinetic&, const Parts&...) {
+    static_assert(detail::never<Kinetic>,
+                  "lagrangian<n, m>(T, V, constraint): give n, the number of coordinates, and m, that of "
+                  "constraints; lagrangian<n>(T, V) has none");
+    using energy = detail::refused_energy;
+    using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
+    return lagrangian_model<2, 1, parts>(parts{});
+}
+
 }  // namespace stagecraft

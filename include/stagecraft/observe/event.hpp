@@ -14,12 +14,10 @@
 
 #include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/bracketing.hpp>
+#include <stagecraft/observe/occurrence.hpp>
 #include <stagecraft/status.hpp>
 
 namespace stagecraft {
-
-/// The way g goes through zero as the run proceeds, which is backwards in time when t1 < t0.
-enum class crossing { both, rising, falling };
 
 /// Which zeros of g count, and what follows.
 struct event_options {
@@ -60,15 +58,6 @@ struct call_of_event {
 event_function<std::nullptr_t> event(detail::refused_call<detail::call_of_event>, detail::misnamed_options);
 event_function<std::nullptr_t> event(detail::refused_call<detail::call_of_event>, ...);
 
-/// An event that took place.
-template <class Vector>
-struct occurrence {
-    int event;  ///< its place in the list given to events()
-    typename Vector::Scalar t;
-    Vector y;
-    crossing direction;  ///< rising or falling
-};
-
 namespace detail {
 template <class Function, class Vector>
 constexpr bool returns_bool = requires(Function& g, const typename Vector::Scalar& t, const Vector& y) {
@@ -90,6 +79,8 @@ class event_watch {
 
     /// The events of the last run that this observer has seen, in the order of the run.
     const std::vector<occurrence<Vector>>& found() const { return found_; }
+    auto begin() const { return found_.begin(); }
+    auto end() const { return found_.end(); }
     /// True if the last entry of found() has ended the run.
     bool ended() const { return ended_; }
 
@@ -363,6 +354,7 @@ class event_watch {
 /// at the latest where the flight of 2 v/g that follows is below some 1e-12 of t, the ball lies still, and the
 /// run goes on without that degree of freedom.
 template <class Vector, class... Functions>
+requires requires { typename Vector::Scalar; }
 event_watch<Vector> events(event_function<Functions>... list) {
     using function = typename event_watch<Vector>::function;
     constexpr bool callable = (std::is_constructible_v<function, Functions> && ...);
@@ -381,20 +373,24 @@ event_watch<Vector> events(event_function<Functions>... list) {
         return event_watch<Vector>({});
 }
 
+namespace detail {
+/// What events() returns that has been refused: nothing more is said about it.
+struct refused_events : event_watch<Eigen::VectorXd> {
+    refused_events() : event_watch({}) {}
+    void operator()(const auto&...) {}
+};
+}  // namespace detail
+
 /// Without the type of the state it does not compile, nor without event().
-template <class First, class... Functions>
-event_watch<Eigen::VectorXd> events(event_function<First>, event_function<Functions>...) {
-    static_assert(detail::never<First>,
-                  "events: name the type of the state, as in events<Vector2d>(event(g))");
-    return event_watch<Eigen::VectorXd>({});
-}
-template <class Vector = Eigen::VectorXd, class First, class... Functions>
-requires(!requires(const First& e) { e.options; }) event_watch<Vector> events(const First&,
-                                                                              const Functions&...) {
+template <class Vector = detail::unstated, class... Events>
+requires(!requires(const Events&... e) {
+    typename Vector::Scalar;
+    (e.options, ...);
+}) detail::refused_events events(const Events&...) {
     static_assert(
-        detail::never<First>,
+        detail::never<Vector>,
         "events: write events<Vector2d>(event(g)), with the type of the state and event() around g");
-    return event_watch<Vector>({});
+    return {};
 }
 
 }  // namespace stagecraft

@@ -56,7 +56,8 @@ class observer_list
         each([&](auto& o) { detail::announce(o, t0, y0, t1); });
     }
     template <class Scalar, class Vector, class Output>
-    bool operator()(const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
+    requires(detail::can_observe<std::remove_reference_t<Observers>, Vector, Output>&&...) bool operator()(
+        const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
         bool go_on = true;
         each([&](auto& o) { go_on = detail::observe(o, t, y, h, output) && go_on; });
         return go_on;

@@ -49,8 +49,13 @@ class progress_observer {
 ///
 /// Together with others: observers(progress(...), watch). std::invalid_argument unless every > 0.
 template <class Tell>
-progress_observer<Tell> progress(Tell tell, double every = 0.01) {
-    return {std::move(tell), every};
+auto progress(Tell tell, double every = 0.01) {
+    constexpr bool callable = std::is_invocable_v<Tell&, double>;
+    static_assert(callable, "progress(tell, every): tell must be callable as tell(part), part a double");
+    if constexpr (callable)
+        return progress_observer<Tell>(std::move(tell), every);
+    else
+        return [](auto&&...) {};
 }
 
 }  // namespace stagecraft

@@ -180,11 +180,11 @@ struct call_of_adjoint_gradient {
     template <class Method>
     static constexpr bool say() {
         static_assert(
-            runnable_method<Method> || never<Method>,
+            transformed_method<Method> || never<Method>,
             "adjoint_gradient: the first argument must be a transformed_tableau or a variable_order "
             "set, radau_iia<3>() with its parentheses, say");
         static_assert(
-            !runnable_method<Method> || never<Method>,
+            !transformed_method<Method> || never<Method>,
             "adjoint_gradient(method, problem, y0, p, t0, t1, g, options): the problem must be callable as "
             "problem(t, y, p, f), y0 and p be column vectors of Eigen's (one parameter too: "
             "Eigen::Matrix<double, 1, 1>(2.0)), and options have the names that they have for integrate()");

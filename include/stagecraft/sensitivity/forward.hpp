@@ -38,9 +38,6 @@ class forward_sensitivities {
     template <class Run>
     bool step(Run& run) {
         return run.visit_last([&](auto& method) {
-            static_assert(
-                requires { method.stages().method().A_inverse; },
-                "sensitivities: the method must be a transformed_tableau or a variable_order set of such");
             auto& stages = method.stages();
             const auto& output = run.output();
             at_.evaluate(stages.method(), output);
@@ -72,11 +69,11 @@ class forward_sensitivities {
 struct call_of_sensitivities {
     template <class Method>
     static constexpr bool say() {
-        static_assert(runnable_method<Method> || never<Method>,
+        static_assert(transformed_method<Method> || never<Method>,
                       "sensitivities: the first argument must be a transformed_tableau or a variable_order "
                       "set, radau_iia<3>() with its parentheses, say");
         static_assert(
-            !runnable_method<Method> || never<Method>,
+            !transformed_method<Method> || never<Method>,
             "sensitivities(method, problem, y0, p, t0, t1, options, S0, observer): the problem must be "
             "callable as problem(t, y, p, f), y0 and p be column vectors of Eigen's (one parameter too: "
             "Eigen::Matrix<double, 1, 1>(2.0)), and options have the names that they have for integrate()");

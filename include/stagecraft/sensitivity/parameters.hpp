@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <tuple>
 #include <type_traits>
 
 #include <stagecraft/integrate.hpp>
@@ -23,9 +24,15 @@ Eigen::Matrix<S, Vector::RowsAtCompileTime, 1> promoted(const Vector& x) {
 template <class Problem, class T, class Y, class P, class F>
 concept callable_with_parameters = callable_unconverted<const Problem, const T&, const Y&, const P&, F&>;
 
+/// A transformed_tableau or a set of such.
+template <class Method>
+concept transformed_method = requires(const Method& m) {
+    std::get<0>(as_tuple(m)).A_inverse;
+};
+
 /// What sensitivities() and adjoint_gradient() may be called with.
 template <class Method, class Problem, class Vector, class Parameters>
-concept run_with_parameters = runnable_method<Method> &&
+concept run_with_parameters = transformed_method<Method> &&
     requires(const Problem& problem, const typename Vector::Scalar& t, const Vector& y, const Parameters& p,
              Vector& f) {
     problem(t, y, p, f);
@@ -84,8 +91,10 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
             using values = Eigen::Matrix<number, M, 1>;
             constexpr bool dual_time =
                 detail::callable_with_parameters<Problem, number, state, values, state>;
+            constexpr bool generic =
+                dual_time || detail::callable_with_parameters<Problem, Scalar, state, values, state>;
             static_assert(
-                dual_time || detail::callable_with_parameters<Problem, Scalar, state, values, state>,
+                generic,
                 "sensitivities: problem(t, y, p, f) must be generic in its scalar (const auto& t, const "
                 "auto& y, "
                 "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
@@ -98,7 +107,7 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
                     q[k].derivatives()[k - first] = Scalar(1);
                 if constexpr (dual_time)
                     problem(number(t), at, q, f);
-                else
+                else if constexpr (generic)
                     problem(t, at, q, f);
                 for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {
                     for (Eigen::Index i = 0; i < y.size(); ++i) F(i, k) = f[i].derivatives()[k - first];

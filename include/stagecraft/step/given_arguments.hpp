@@ -52,17 +52,18 @@ struct given_arguments {
     }();
     static constexpr bool column = unseen || check::column, const_enough = unseen || check::const_enough,
                           callable = unseen || check::callable,
-                          writes_through = unseen || check::writes_through,
-                          band_known = unseen || check::band_known,
-                          pattern_known = unseen || check::pattern_known,
-                          pattern_usable = unseen || check::pattern_usable,
-                          mass_usable = unseen || check::mass_usable,
-                          jacobian_usable = unseen || check::jacobian_usable,
-                          index_usable = unseen || check::index_usable,
-                          band_usable = unseen || check::band_usable,
-                          solver_usable = unseen || check::solver_usable,
-                          constancy_usable = unseen || check::constancy_usable,
-                          lower_case = unseen || check::lower_case;
+                          uncalled = unseen || !column || !const_enough || !callable,
+                          writes_through = uncalled || check::writes_through,
+                          band_known = uncalled || check::band_known,
+                          pattern_known = uncalled || check::pattern_known,
+                          pattern_usable = uncalled || check::pattern_usable,
+                          mass_usable = uncalled || check::mass_usable,
+                          jacobian_usable = uncalled || check::jacobian_usable,
+                          index_usable = uncalled || check::index_usable,
+                          band_usable = uncalled || check::band_usable,
+                          solver_usable = uncalled || check::solver_usable,
+                          constancy_usable = uncalled || check::constancy_usable,
+                          lower_case = uncalled || check::lower_case;
     /// The problem is generic and will be differentiated automatically, in these numbers. integrate() calls it with them
     /// before anybody else does, so that what does not compile in it is said from there.
     using number = dual<scalar, Vector::RowsAtCompileTime>;

@@ -70,7 +70,7 @@ inline std::string coefficient_header(family f, int most,
     const std::string id(name(f));
     const std::string range = std::to_string(least_stages(f)) + " <= S <= " + std::to_string(most);
     const std::string type =
-        std::string(has_regular_matrix(f) ? "transformed_tableau" : "tableau") + "<double, S>";
+        std::string(has_regular_matrix(f) ? "transformed_tableau" : "tableau") + "<double, (S > 0 ? S : -1)>";
     std::string out =
         "// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients " + id + " " +
         std::to_string(most) +
@@ -99,10 +99,10 @@ inline std::string coefficient_header(family f, int most,
     return out + "\n}  // namespace coefficients\n\n" + "/// The S-stage member of this family, " + range +
            ": every entry is the double nearest to the exact one.\n"
            "template <int S>\n" +
-           type + " " + id + "() {\n    static_assert(" + std::to_string(least_stages(f)) +
-           " <= S && S <= " + std::to_string(most) + ", \"" + id + ": generated for " + range +
-           "; see stagecraft/tableaux/rounded.hpp for more\");\n    " + type +
-           " t;\n    coefficients::unpack<coefficients::" + id +
+           type + " " + id + "() {\n    constexpr bool generated = " + std::to_string(least_stages(f)) +
+           " <= S && S <= " + std::to_string(most) + ";\n    static_assert(generated, \"" + id +
+           ": generated for " + range + "; see stagecraft/tableaux/rounded.hpp for more\");\n    " + type +
+           " t;\n    if constexpr (generated) coefficients::unpack<coefficients::" + id +
            "<S>>(t);\n    return t;\n}\n\n"
            "/// A number of stages in parentheses is for stagecraft/families.hpp.\n"
            "template <class Never = void>\n" +

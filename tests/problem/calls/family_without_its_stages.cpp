@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: the method needs its number of stages and parentheses: radau_iia<3>(), say
+// says: stands in angle brackets, radau_iia<3>()
 // lines: 15
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>

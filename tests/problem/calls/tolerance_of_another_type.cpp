@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: atol_components (an Eigen::VectorXd)
+// says: atol_components (an Eigen::VectorXd or {1e-6, 1e-9})
 // lines: 8
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>

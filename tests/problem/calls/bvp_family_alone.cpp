@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSL-1.0
+// says: stands in angle brackets, gauss<3>()
+// lines: 8
+#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+
+using Eigen::Vector2d, stagecraft::two_point;
+
+const auto f = [](const auto&, const auto& y, auto& out) { out[0] = y[1], out[1] = -y[0]; };
+const auto r = [](const auto& left, const auto& right, auto& out) {
+    out[0] = left[0], out[1] = right[0] - 1;
+};
+
+auto run() {
+    return stagecraft::solve_bvp(stagecraft::gauss, two_point(f, r), 0, 1, Vector2d(0, 0), {.rtol = 1e-8});
+}
