@@ -6,7 +6,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/control/inverse_root.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
 #include <stagecraft/tableau/step_doubling.hpp>
@@ -33,17 +32,6 @@ double kepler_error(const sc::tableau<double>& m, double tol) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(the_root_that_a_step_size_takes_has_the_digits_it_needs) {
-    sc::inverse_root<double> root;
-    for (int q = 1; q <= 20; ++q)
-        for (int k = -400; k <= 60; ++k) {  // both sides of 1e-8 and of 2, where its table ends
-            const double x = std::pow(10.0, k / 40.0);
-            BOOST_TEST(std::abs(root(x, q) * std::pow(x, 1.0 / q) - 1) < (q < 3 ? 2e-4 : 2e-5));
-        }
-    BOOST_TEST(std::abs(root(1, 5) - 1) < 1e-5);
-    BOOST_TEST(std::abs(root(32.0, 5) - 0.5) < 1e-15);
-}
 
 BOOST_AUTO_TEST_CASE(step_doubling_of_the_classical_method_has_its_order_and_eleven_stages) {
     const auto m = sc::step_doubling(methods::classical());

@@ -133,10 +133,8 @@ Scalar absolute_tolerance(const options<Scalar>& o, Eigen::Index i) {
 /// weights_i := 1/(atol_i + rtol |y_i|).
 template <class Vector, class Scalar>
 void set_weights(const options<Scalar>& o, const Vector& y, Vector& weights) {
-    if (o.atol_components.size() > 0)
-        weights = o.rtol * y.cwiseAbs() + o.atol_components;
-    else
-        weights = (o.rtol * y.cwiseAbs()).array() + o.atol;
+    using std::abs;
+    for (Eigen::Index i = 0; i < y.size(); ++i) weights[i] = o.rtol * abs(y[i]) + absolute_tolerance(o, i);
     weights = weights.cwiseInverse();  // in packets: a packet of quotients takes no longer than one
 }
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include <stagecraft/control/inverse_root.hpp>
 #include <stagecraft/control/options.hpp>
 
 namespace stagecraft {
@@ -23,19 +22,19 @@ class step_size_controller {
         using std::abs;
         using std::pow;
         const Scalar e = err > floor() ? err : floor();
-        const Scalar inverse = inverse_root_(e, q);  // of the root of e
-        Scalar factor = safety * inverse;
+        const Scalar root = pow(e, Scalar(1) / Scalar(q));
+        Scalar factor = safety / root;
         if (kind_ == step_control::proportional_integral) {
-            const Scalar before = has_last_ && last_q_ == q ? last_root_ : Scalar(Scalar(1) / inverse);
-            factor = safety * pow(inverse, Scalar(7) / 10) * pow(before, Scalar(4) / 10);
+            const Scalar before = has_last_ && last_q_ == q ? last_root_ : root;
+            factor = safety * pow(root, Scalar(-7) / 10) * pow(before, Scalar(4) / 10);
         } else if (has_last_ && last_q_ == q) {
-            const Scalar predicted = factor * abs(h / last_h_) * (last_root_ * inverse);
+            const Scalar predicted = factor * abs(h / last_h_) * (last_root_ / root);
             if (predicted < factor) factor = predicted;
         }
         has_last_ = true;
         last_h_ = h;
         last_q_ = q;
-        last_root_ = inverse < Scalar(4) ? Scalar(Scalar(1) / inverse) : Scalar(Scalar(1) / 4);
+        last_root_ = root > Scalar(1) / 4 ? root : Scalar(1) / 4;
         return clamp(factor);
     }
 
@@ -67,7 +66,6 @@ class step_size_controller {
         return x < low ? low : x > high ? high : x;
     }
     step_control kind_;
-    inverse_root<Scalar> inverse_root_;
     bool has_last_ = false;
     int last_q_ = 0;
     Scalar last_h_{0}, last_root_{0};
