@@ -37,12 +37,12 @@ class bvp_solver {
     bvp_solver(const tableau<Scalar, S>& method, Problem& problem, int n, const Parameters& p,
                const bvp_options<Scalar>& o)
         : o_(o),
-          rule_(lifting_rule_of(method)),
           floor_(o.atol > Scalar(0) ? Scalar(o.atol / o.rtol) : Scalar(1)),
           system_(problem.f, problem.r, n, static_cast<int>(p.size()), counts_),
           mass_(make_mass<Scalar>(problem.f, n)),
           equations_(method, system_, mass_),
-          estimate_(equations_, rule_, o.fixed_points),
+          elimination_(equations_, lifting_rule_of(method)),
+          estimate_(equations_, elimination_, o.fixed_points),
           newton_(equations_, result_.report, floor_) {
         x_.p = p;
     }
@@ -82,11 +82,9 @@ class bvp_solver {
   private:
     template <class Guess>
     void begin(const Guess& guess, const std::vector<Scalar>& mesh) {
-        x_.t = mesh;
         from_guess_ = true;
-        x_.y.resize(system_.size(), x_.intervals() + 1);
-        x_.Z.resize(system_.size(), equations_.s() * x_.intervals());
-        take_guess(guess, equations_.method().c, x_);
+        x_.t = mesh;
+        take_guess(guess, system_.size(), equations_.method().c, x_);
         guess_size_ = floor_ + x_.y.cwiseAbs().maxCoeff();
     }
 
@@ -195,11 +193,6 @@ class bvp_solver {
     /// Can x be within the tolerance? A nonlinear one is a guess.
     bool promising() const { return !newton_.linear() || resolves(equations_, x_, floor_, o_.rtol); }
     void move_to(const std::vector<Scalar>& t) { x_ = estimate_.on(t, x_), from_guess_ = false; }
-    template <class Guess>
-    void restart(const Guess& guess) {
-        guess_mesh_ = halved(guess_mesh_);
-        begin(guess, guess_mesh_);
-    }
 
     /// After Newton has failed: a finer mesh, from the guess or from the last solution.
     template <class Guess>
@@ -219,7 +212,7 @@ class bvp_solver {
             return false;
         }
         if (before_.t.empty() || rough() || outcome_.end == damped_newton_end::non_finite) {
-            restart(guess);
+            begin(guess, guess_mesh_ = halved(guess_mesh_));
         } else {
             const auto finer = halved(x_.t);
             x_ = before_;
@@ -252,7 +245,8 @@ class bvp_solver {
         if (!newton_.linear() || regular_.resolved() || 2 * x_.intervals() > o_.max_intervals) return false;
         ++result_.report.factorisations;
         equations_type finer(equations_.method(), system_, mass_);
-        return confirms_condition(finer, estimate_.on(halved(x_.t), x_), *rule_, floor_, last_kappa_);
+        return confirms_condition(finer, estimate_.on(halved(x_.t), x_), elimination_.shared_lifting(),
+                                  floor_, last_kappa_);
     }
     /// Is it by chance that the condition number stays, which has grown to what the errors of a nonlinear x may make of it?
     bool coincident() const {
@@ -360,7 +354,8 @@ class bvp_solver {
         result_.error.global = error_;
         if (!known) result_.error.forget(system_.size(), system_.parameters());
         if (!usable()) return;
-        if (estimated() || estimate_.run(x_, floor_, o_.rtol / 100)) {
+        const bool estimated = converged() && estimate_.local().cols() == x_.intervals();
+        if (estimated || estimate_.run(x_, floor_, o_.rtol / 100)) {
             result_.error.defect = estimate_.defect(x_);
             estimate_.write(x_, result_.y);
         }
@@ -372,22 +367,20 @@ class bvp_solver {
         return result_.status != bvp_status::non_finite && result_.status != bvp_status::function_threw &&
                result_.status != bvp_status::size_changed && outcome_.end != damped_newton_end::non_finite;
     }
-    /// Does the estimate belong to x?
-    bool estimated() const { return converged() && estimate_.local().cols() == x_.intervals(); }
 
     bvp_options<Scalar> o_;
-    std::shared_ptr<const lifting_rule<Scalar, S>> rule_;
     Scalar floor_;
     report<Scalar> counts_;
     result_type result_;
     system_type system_;
     typename system_type::mass_type mass_;
     equations_type equations_;
+    lifting_elimination<equations_type> elimination_;
     error_estimate<equations_type> estimate_;
     damped_newton<equations_type> newton_;
     iterate x_, before_;
     conditioning_of<equations_type> conditioning_{equations_, x_};
-    regularity<equations_type> regular_{equations_, conditioning_, x_, *rule_};
+    regularity<equations_type> regular_{equations_, conditioning_, x_, elimination_};
     std::vector<Scalar> guess_mesh_;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
     Scalar error_{std::numeric_limits<Scalar>::infinity()}, remainder_{0}, kappa_{0}, rounding_{0},

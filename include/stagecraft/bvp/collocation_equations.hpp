@@ -43,6 +43,7 @@ class collocation_equations {
     using parameters = Eigen::Matrix<Scalar, P, 1>;
     using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using square = Eigen::Matrix<Scalar, N, N>;
     using rule = detail::lifting_rule<Scalar, S>;
     static constexpr int positions = Positions, stages = S;
 
@@ -52,6 +53,7 @@ class collocation_equations {
           mass_(mass),
           blocks_(method, system.size(), system.parameters()),
           conditions_(system.size() + system.parameters(), 2 * system.size() + system.parameters()),
+          stages_(s(), system.size()),
           stage_(system.size()) {}
 
     const tableau<Scalar, S>& method() const { return method_; }
@@ -73,8 +75,9 @@ class collocation_equations {
         gamma_.resize(n(), L);
         beta_.resize(n() + np());
         J_.resize(n(), (n() + np()) * s() * L);
-        work_.resize(blocks_.rows(), L);
+        work_.resize(blocks_.work(), L);
         g_.resize(n(), L);
+        ++version_;
     }
 
     /// The negative residuals at x; false where f or r is not finite.
@@ -82,6 +85,7 @@ class collocation_equations {
 
     /// The same together with the Jacobians, and all factored.
     bool linearise(const iterate& x) {
+        ++version_;
         if (!evaluate(x, true)) return false;
         const auto& B = system_.conditions_jacobian();
         conditions_ = B.topRows(n() + np());
@@ -91,7 +95,7 @@ class collocation_equations {
         }
         matrix_.start(n(), x.intervals(), conditions_);
         for (int i = 0; i < x.intervals(); ++i)
-            matrix_.set(i, blocks_.factor(i, x.h(i), jacobians(i), mass_));
+            matrix_.set(i, blocks_.factor(i, x.h(i), jacobians(i).data(), mass_));
         replaced_ = matrix_.factor();
         return true;
     }
@@ -129,22 +133,15 @@ class collocation_equations {
     }
 
     /// The correction that removes the residuals last evaluated, with the factors last computed.
-    void solve(const iterate& x, iterate& d) { solve(x, rho_, gamma_, beta_, d); }
+    void solve(const iterate& x, iterate& d) { solve(x, rho_.data(), gamma_, beta_, d); }
 
-    /// The same for other residuals: of the slopes, of continuity, of the conditions.
-    void solve(const iterate& x, const wide& rho, const wide& gamma, const column& beta, iterate& d) {
-        const int L = x.intervals();
-        for (int i = 0; i < L; ++i) {
-            blocks_.apply(i, rho.middleCols(i * s(), s()), gamma.col(i), work_.col(i));
-            g_.col(i) = work_.col(i).tail(n());
-        }
-        d.y.resize(n(), L + 1);
-        d.Z.resize(n(), s() * L);
-        d.p.resize(np());
-        matrix_.solve(g_, beta, d.y, d.p);
-        for (int i = 0; i < L; ++i)
-            blocks_.recover(i, x.h(i), work_.col(i), d.y.col(i), d.y.col(i + 1), d.p,
-                            rho.middleCols(i * s(), s()), d.Z.middleCols(i * s(), s()));
+    /// The answer to other residuals, of continuity and of the conditions.
+    void solve(const iterate& x, const wide& gamma, const column& beta, iterate& d) {
+        solve(x, nullptr, gamma, beta, d);
+    }
+    /// Its values at the mesh points and its parameters alone, which cost half of it.
+    void solve_mesh_values(const wide& gamma, const column& beta, iterate& d) {
+        solve_mesh_values(nullptr, gamma, beta, d);
     }
 
     /// The derivative of x with respect to the value of a condition.
@@ -152,7 +149,7 @@ class collocation_equations {
         column unit = column::Zero(n() + np());
         unit[condition] = Scalar(1);
         iterate d;
-        solve(x, wide::Zero(n(), s() * x.intervals()), wide::Zero(n(), x.intervals()), unit, d);
+        solve(x, wide::Zero(n(), x.intervals()), unit, d);
         return d;
     }
 
@@ -172,11 +169,36 @@ class collocation_equations {
                          Scalar(beta_.cwiseAbs().maxCoeff())});
     }
     int replaced_pivots() const { return replaced_; }
+    /// Another number whenever the Jacobians and factors are others.
+    long version() const { return version_; }
 
   private:
+    /// The right-hand sides of the condensed equations, from residuals of the slopes (nullptr where these are zero) and of
+    /// continuity.
+    void condense(const Scalar* rho, const wide& gamma) {
+        for (int i = 0; i < gamma.cols(); ++i) {
+            Scalar* work = &work_(0, i);
+            blocks_.apply(i, rho ? rho + i * s() * n() : nullptr, &gamma(0, i), work);
+            for (int c = 0; c < n(); ++c) g_(c, i) = work[blocks_.slopes() + c];
+        }
+    }
+    void solve(const iterate& x, const Scalar* rho, const wide& gamma, const column& beta, iterate& d) {
+        solve_mesh_values(rho, gamma, beta, d);
+        d.Z.resize(n(), s() * x.intervals());
+        for (int i = 0; i < x.intervals(); ++i)
+            blocks_.recover(i, x.h(i), &work_(0, i), &d.y(0, i), &d.y(0, i + 1), d.p.data(),
+                            rho ? rho + i * s() * n() : nullptr, &d.Z(0, i * s()));
+    }
+    void solve_mesh_values(const Scalar* rho, const wide& gamma, const column& beta, iterate& d) {
+        condense(rho, gamma);
+        d.y.resize(n(), gamma.cols() + 1);
+        d.p.resize(np());
+        matrix_.solve(g_, beta, d.y, d.p);
+    }
+
     /// The Jacobian at x in node j of interval i, that of the factors there, and at x that of the conditions.
     const auto& jacobian_at(const iterate& x, int i, int j) {
-        set_stage(x, i, j);
+        set_stages(x, i), set_stage(j);
         const Scalar t = x.t[i] + method_.c[j] * x.h(i);
         system_.f(t, stage_, x.p);
         return system_.jacobian(t);
@@ -189,54 +211,70 @@ class collocation_equations {
         system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
         return system_.conditions_jacobian();
     }
-    void set_stage(const iterate& x, int i, int j) {
-        const Scalar *Z = &x.Z(0, i * s()), *y = &x.y(0, i);
+    /// y at the nodes of interval i, one component behind the other.
+    void set_stages(const iterate& x, int i) {
+        constexpr int known = S > 0 ? S : 0;
         const int size = n(), count = s();
-        for (int c = Positions; c < size; ++c) stage_[c] = y[c];
-        for (int k = 0; k < count; ++k) {
-            const Scalar a = method_.A(j, k);
-            for (int c = Positions; c < size; ++c) stage_[c] += a * Z[k * size + c];
-        }
-        for (int c = 0; c < Positions; ++c) {
-            Scalar sum = method_.c[j] * y[c + Positions];
-            for (int k = 0; k < count; ++k) sum += blocks_.twice()(j, k) * Z[k * size + c + Positions];
-            stage_[c] = y[c] + x.h(i) * sum;
+        const Scalar *Z = &x.Z(0, i * count), *y = &x.y(0, i), h = x.h(i);
+        for (int c = 0; c < size; ++c) {
+            Scalar* stages = &stages_(0, c);
+            const bool twice = c < Positions;
+            detail::transform<known, known>(count, count, twice ? blocks_.twice().data() : method_.A.data(),
+                                            Z + c + (twice ? Positions : 0), size, stages);
+            for (int j = 0; j < count; ++j)
+                stages[j] =
+                    y[c] + (twice ? Scalar(h * (method_.c[j] * y[c + Positions] + stages[j])) : stages[j]);
         }
     }
+    void set_stage(int j) {
+        for (int c = 0; c < n(); ++c) stage_[c] = stages_(j, c);
+    }
     bool evaluate(const iterate& x, bool derivatives) {
-        const int width = n() + np();
+        const int size = n(), width = size + np(), count = s();
         for (int i = 0; i < x.intervals(); ++i) {
-            const Scalar h = x.h(i);
-            const auto Z = x.Z.middleCols(i * s(), s());
-            for (int j = 0; j < s(); ++j) {
+            const Scalar h = x.h(i), *Z = &x.Z(0, i * count);
+            set_stages(x, i);
+            for (int j = 0; j < count; ++j) {
                 const Scalar t = x.t[i] + method_.c[j] * h;
-                set_stage(x, i, j);
+                set_stage(j);
                 const auto& f = system_.f(t, stage_, x.p);
-                if (!all_finite(f, n())) return fail_at(t);
-                auto rho = rho_.col(i * s() + j);
-                for (int c = 0; c < n(); ++c) rho[c] = h * f[c];
+                if (!all_finite(f, size)) return fail_at(t);
+                Scalar* rho = &rho_(0, i * count + j);
+                for (int c = 0; c < size; ++c) rho[c] = h * f[c];
                 for (int c = 0; c < Positions; ++c)
                     if (!(f[c] == stage_[c + Positions]))
                         throw bad_problem(
                             "solve_bvp: problem.second_order_components does not hold: f_i is not y_{m+i}");
-                add_mass_times(mass_, Scalar(-1), Z.col(j).data(), rho.data(), n());
-                if (!derivatives) continue;
-                auto J = J_.middleCols((i * s() + j) * width, width);
-                J = system_.jacobian(t).topRows(n());
-                if (!(J.sum() - J.sum() == Scalar(0))) return fail_at(t);
+                add_mass_times(mass_, Scalar(-1), Z + j * size, rho, size);
+                if (derivatives && !take_jacobian(t, &J_(0, (i * count + j) * width))) return fail_at(t);
             }
-            gamma_.col(i) = x.y.col(i) - x.y.col(i + 1);
-            for (int k = 0; k < s(); ++k) gamma_.col(i) += method_.b[k] * Z.col(k);
+            Scalar* gamma = &gamma_(0, i);
+            for (int c = 0; c < size; ++c) gamma[c] = x.y(c, i) - x.y(c, i + 1);
             for (int c = 0; c < Positions; ++c) {
                 Scalar sum = x.y(c + Positions, i);
-                for (int k = 0; k < s(); ++k) sum += blocks_.twice_to_end()[k] * Z(c + Positions, k);
-                gamma_(c, i) = x.y(c, i) - x.y(c, i + 1) + h * sum;
+                for (int k = 0; k < count; ++k)
+                    sum += blocks_.twice_to_end()[k] * Z[k * size + c + Positions];
+                gamma[c] += h * sum;
             }
+            for (int k = 0; k < count; ++k)
+                for (int c = Positions; c < size; ++c) gamma[c] += method_.b[k] * Z[k * size + c];
         }
         const auto& r = system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
         for (int k = 0; k < width; ++k) beta_[k] = -r[k];
         at_conditions_ = !all_finite(beta_, width);
         return !at_conditions_;
+    }
+    /// The Jacobian where f was evaluated last, without the rows of the parameters; false if it is not finite.
+    bool take_jacobian(const Scalar& t, Scalar* out) {
+        const auto& J = system_.jacobian(t);
+        const int size = n(), width = size + np();
+        Scalar left(0);
+        for (int d = 0; d < width; ++d)
+            for (int c = 0; c < size; ++c) {
+                out[d * size + c] = J(c, d);
+                left += J(c, d) - J(c, d);
+            }
+        return left == Scalar(0);
     }
     bool fail_at(const Scalar& t) {
         place_ = t;
@@ -252,10 +290,12 @@ class collocation_equations {
     wide rho_, gamma_, g_, J_;
     column beta_;
     matrix work_, conditions_;
+    Eigen::Matrix<Scalar, S, N, (S == 1 && N != 1 ? Eigen::RowMajor : Eigen::ColMajor)> stages_;
     Eigen::Matrix<Scalar, N, 1> stage_;
     Scalar place_{0};
     bool at_conditions_ = false;
     int replaced_ = 0;
+    long version_ = 0;
 };
 
 }  // namespace stagecraft

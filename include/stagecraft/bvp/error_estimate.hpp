@@ -11,6 +11,7 @@
 #include <stagecraft/bvp/hidden_jumps.hpp>
 #include <stagecraft/bvp/lifting_elimination.hpp>
 #include <stagecraft/bvp/lifting_rule.hpp>
+#include <stagecraft/bvp/on_mesh.hpp>
 #include <stagecraft/linear/almost_block_diagonal.hpp>
 #include <stagecraft/observe/solution.hpp>
 
@@ -40,11 +41,15 @@ class error_estimate {
     using rule = typename Equations::rule;
 
     /// At the `known` points, in increasing order, f may jump.
-    error_estimate(Equations& equations, std::shared_ptr<const rule> r, std::vector<scalar> known = {})
-        : equations_(equations), rule_(std::move(r)), known_(std::move(known)) {}
+    error_estimate(Equations& equations, detail::lifting_elimination<Equations>& elimination,
+                   std::vector<scalar> known = {})
+        : equations_(equations),
+          elimination_(elimination),
+          rule_(elimination.lifting()),
+          known_(std::move(known)) {}
 
-    int nodes() const { return rule_->nodes(); }
-    int order() const { return rule_->order; }
+    int nodes() const { return rule_.nodes(); }
+    int order() const { return rule_.order; }
 
     /// False where f is not finite at one of its points (place()). Errors relative to floor + |y| are looked at
     /// as closely as `negligible` asks for, or only once.
@@ -57,14 +62,17 @@ class error_estimate {
         raised_.resize(n, L);
         left_over_.resize(n, 2 * L);
         scale_.resize(n, 2 * L);
-        d_.resize(n, m), g_.resize(n, m), hJ_.resize(n, n * m);
-        const bool usual = nodes() == usual_nodes;
+        d_.resize(n, m), g_.resize(n, m), moved_.resize(m);
+        stage_.resize(n), own_.resize(n), off_.resize(n), most_.resize(n), small_.resize(n, n);
+        swaps_.resize(static_cast<std::size_t>(n));
+        elimination_.begin(x);
+        const bool usual = elimination_.usual();
         for (int i = 0; i < L; ++i)
             if (!(usual ? lift<usual_nodes>(x, i) : lift<0>(x, i))) return false;
         if constexpr (std::decay_t<decltype(equations_.mass())>::identity)
-            detail::add_hidden_jumps(*rule_, equations_, x, known_, slopes_, left_over_, delta_);
+            detail::add_hidden_jumps(rule_, equations_, x, known_, slopes_, left_over_, delta_);
         solve(x);
-        for (int i = 0; i < L; ++i) straighten(x, i);
+        for (int i = 0; i < L; ++i) usual ? straighten<usual_nodes>(x, i) : straighten<0>(x, i);
         return true;
     }
 
@@ -117,8 +125,8 @@ class error_estimate {
         for (int i = 0; i < x.intervals(); ++i) {
             change = error_.y.col(i + 1) - error_.y.col(i);
             const auto J = equations_.jacobians(i);
-            for (const auto& at : rule_->check) {
-                const int k = 2 * i + static_cast<int>(&at - rule_->check);
+            for (const auto& at : rule_.check) {
+                const int k = 2 * i + static_cast<int>(&at - rule_.check);
                 value = error_.y.col(i) + at.theta * change;
                 own.setZero();
                 add_mass_times(equations_.mass(), scalar(1), change.data(), own.data(), n);
@@ -137,42 +145,15 @@ class error_estimate {
     /// From here on the returned solution means the collocation polynomial: where the errors are no longer small,
     /// what was to correct them is a worse start for the next mesh than nothing.
     void unlift(const iterate& x) {
-        for (int i = 0; i < x.intervals(); ++i) collocation_slopes<0>(x, i);
+        slopes_.resize(equations_.n(), nodes() * x.intervals()), moved_.resize(nodes());
+        for (int i = 0; i < x.intervals(); ++i) collocation_slopes<0>(x, x, i, &slopes_(0, i * nodes()));
     }
 
     /// The returned solution on another mesh.
     iterate on(const std::vector<scalar>& t, const iterate& x) const {
-        const int L = static_cast<int>(t.size()) - 1, n = equations_.n(), s = equations_.s(), m = nodes();
-        iterate next;
-        next.t = t;
-        next.p = x.p;
-        next.y.resize(n, L + 1);
-        next.Z.resize(n, s * L);
-        wide coefficients(n, m);
-        column P(m + 1);
-        int i = 0, known = -1;
-        const auto go_to = [&](const scalar& time) {
-            while (i + 1 < x.intervals() && x.t[i + 1] < time) ++i;
-            for (int k = 0; k < m && i != known; ++k)
-                detail::combine<N>(rule_->to_coefficients.row(k).data(), m, &slopes_(0, i * m), n,
-                                   &coefficients(0, k), n);
-            known = i;
-            legendre_values(scalar((time - x.t[i]) / x.h(i)), m, P.data());
-        };
-        for (int k = 0; k < L; ++k) {
-            go_to(t[k]);
-            next.y.col(k) = x.y.col(i) + (P[0] + P[1]) / 2 * coefficients.col(0);  // P_0 + P_1 = 2 theta
-            for (int l = 1; l < m; ++l)
-                next.y.col(k) += (P[l + 1] - P[l - 1]) / scalar(2 * (2 * l + 1)) * coefficients.col(l);
-            for (int j = 0; j < s; ++j) {
-                go_to(scalar(t[k] + equations_.method().c[j] * (t[k + 1] - t[k])));
-                auto Z = next.Z.col(k * s + j);
-                detail::combine<N>(P.data(), m, coefficients.data(), n, Z.data(), n);
-                Z *= (t[k + 1] - t[k]) / x.h(i);
-            }
-        }
-        next.y.col(L) = x.y.col(x.intervals());
-        return next;
+        const auto& c = equations_.method().c;
+        return elimination_.usual() ? detail::on_mesh<usual_nodes>(rule_, c, slopes_, x, t)
+                                    : detail::on_mesh<0>(rule_, c, slopes_, x, t);
     }
 
     /// The returned solution as an object of its own.
@@ -181,14 +162,14 @@ class error_estimate {
         const int m = nodes(), n = equations_.n();
         interpolation_nodes<scalar, dynamic> at(m);
         at.size = m;
-        for (int k = 0; k < m; ++k) at.c[k] = rule_->gauss.c[k];
+        for (int k = 0; k < m; ++k) at.c[k] = rule_.gauss.c[k];
         at.finish();
         dense_output<Vector, dynamic> piece(n, m);
         out.start(x.t.front(), x.y.col(0), x.t.back());
         for (int i = 0; i < x.intervals(); ++i) {
             piece.cover(at, x.t[i], x.h(i), Vector(x.y.col(i)));
             for (int k = 0; k < m; ++k)
-                detail::combine<N>(rule_->integrals.row(k).data(), m, &slopes_(0, i * m), n,
+                detail::combine<N>(rule_.integrals.row(k).data(), m, &slopes_(0, i * m), n,
                                    piece.increments().col(k).data(), n);
             out(x.t[i + 1], Vector(x.y.col(i + 1)), x.h(i), piece);
         }
@@ -196,9 +177,8 @@ class error_estimate {
 
   private:
     static constexpr int N = wide::RowsAtCompileTime, NN = N > 0 ? N *N : N, M = Equations::positions,
-                         S = Equations::stages > 0 ? Equations::stages : 0;
-    /// The number of nodes of most rules, for which the loops are compiled with it; 0 where s is known at run time alone.
-    static constexpr int usual_nodes = S > 0 ? S + 2 : 0;
+                         S = Equations::stages > 0 ? Equations::stages : 0,
+                         usual_nodes = detail::lifting_elimination<Equations>::usual_nodes;
     using vector = Eigen::Matrix<scalar, N, 1>;
 
     template <int Nodes>
@@ -206,22 +186,17 @@ class error_estimate {
         return Nodes > 0 ? Nodes : nodes();
     }
 
+    /// The slopes, times h, of the polynomial of y (the solution's or the error's) at the nodes of interval i.
     template <int Nodes>
-    void collocation_slopes(const iterate& x, int i) {
-        const int n = equations_.n(), m = nodes_of<Nodes>();
-        for (int k = 0; k < m; ++k) slopes_at(x, x, i, k, &slopes_(0, i * m + k), n);
-    }
-
-    /// The slopes, times h, of the polynomials of y (the solution's or the error's) at node k of interval i.
-    void slopes_at(const iterate& x, const iterate& y, int i, int k, scalar* out, int n) const {
-        const int s = S > 0 ? S : equations_.s();
-        const scalar* Z = &y.Z(0, i * s);
-        detail::combine<N, S>(rule_->lagrange.data() + k * s, s, Z, n, out, n);
-        const scalar* integrals = rule_->lagrange_integrals.data() + k * s;
+    void collocation_slopes(const iterate& x, const iterate& y, int i, scalar* out) {
+        const int n = equations_.n(), m = nodes_of<Nodes>(), s = S > 0 ? S : equations_.s();
+        const scalar *Z = &y.Z(0, i * s), h = x.h(i);
+        for (int k = 0; k < m; ++k)
+            detail::combine<N, S>(rule_.lagrange.data() + k * s, s, Z, n, out + k * n, n);
         for (int c = 0; c < M; ++c) {
-            scalar v = y.y(c + M, i);
-            for (int j = 0; j < s; ++j) v += integrals[j] * Z[j * n + c + M];
-            out[c] = x.h(i) * v;
+            detail::transform<Nodes, S>(m, s, rule_.lagrange_integrals_of.data(), Z + c + M, n,
+                                        moved_.data());
+            for (int k = 0; k < m; ++k) out[k * n + c] = h * (y.y(c + M, i) + moved_[k]);
         }
     }
 
@@ -230,22 +205,23 @@ class error_estimate {
     bool lift(const iterate& x, int i) {
         using std::abs;
         const int m = nodes_of<Nodes>(), n = equations_.n();
-        collocation_slopes<Nodes>(x, i);
-        interpolate_jacobians<Nodes>(i, x.h(i));
-        raised_.col(i).setZero();
+        scalar *W = &slopes_(0, i * m), *delta = &delta_(0, i);
+        collocation_slopes<Nodes>(x, x, i, W);
+        for (int c = 0; c < n; ++c) raised_(c, i) = scalar(0);
         for (int pass = 0; pass < passes_; ++pass) {
             if (!defects<Nodes>(x, i)) return false;
-            // Elimination costs less than sweeps as long as it has about 16 unknowns.
-            const bool small = (n - M) * m <= 16;
-            if (small || !elimination_.template sweep<Nodes>(*rule_, equations_.mass(), hJ_, d_, g_))
-                eliminate<Nodes>(x.h(i), small && pass > 0);
+            if (elimination_.small() || !elimination_.template sweep<Nodes>(i, x.h(i), d_, g_))
+                elimination_.template solve<Nodes>(i, x.h(i), d_, g_);
             raise<Nodes>(i);
-            for (int k = 0; k < n * m; ++k) slopes_.data()[n * m * i + k] -= g_.data()[k];
-            detail::combine<N, Nodes>(rule_->gauss.b.data(), m, &slopes_(0, i * m), n, &delta_(0, i), n);
-            delta_.col(i) += x.y.col(i) - x.y.col(i + 1);
+            for (int k = 0; k < n * m; ++k) W[k] -= g_.data()[k];
+            detail::combine<N, Nodes>(rule_.gauss.b.data(), m, W, n, delta, n);
+            scalar jump(0);
+            for (int c = 0; c < n; ++c) {
+                delta[c] += x.y(c, i) - x.y(c, i + 1);
+                if (abs(delta[c]) > jump) jump = abs(delta[c]);
+            }
             if (!check<Nodes>(x, i)) return false;
             bool counts = false;
-            const scalar jump = delta_.col(i).cwiseAbs().maxCoeff();
             for (int c = 0; c < n; ++c)
                 counts |=
                     inner_(c, i) > negligible_ * (floor_ + std::min(abs(x.y(c, i)), abs(x.y(c, i + 1)))) &&
@@ -255,43 +231,30 @@ class error_estimate {
         return true;
     }
 
-    /// d = M w' - f(t, w), scaled by h, at the nodes.
+    /// stage_ := y at the point of interval i to which the slopes W are integrated with these weights.
+    template <int Nodes>
+    void set_stage(const iterate& x, int i, const scalar* weights, const scalar* W) {
+        const int n = equations_.n();
+        detail::combine<N, Nodes>(weights, nodes(), W, n, stage_.data(), n);
+        for (int c = 0; c < n; ++c) stage_[c] += x.y(c, i);
+    }
+
+    /// d = M w' - f(t, w), scaled by h, at the nodes; of q' = v nothing but rounding is left.
     template <int Nodes>
     bool defects(const iterate& x, int i) {
         const int n = equations_.n(), m = nodes_of<Nodes>();
-        const scalar h = x.h(i);
-        const scalar* W = &slopes_(0, i * m);
-        stage_.resize(n);
+        const scalar h = x.h(i), *W = &slopes_(0, i * m);
         for (int k = 0; k < m; ++k) {
-            detail::combine<N, Nodes>(rule_->integrals.data() + k * m, m, W, n, stage_.data(), n);
-            stage_ += x.y.col(i);
-            const scalar t = x.t[i] + rule_->gauss.c[k] * h;
+            set_stage<Nodes>(x, i, rule_.integrals.data() + k * m, W);
+            const scalar t = x.t[i] + rule_.gauss.c[k] * h;
             const auto& f = equations_.system().f(t, stage_, x.p);
             if (!all_finite(f, n)) return fail_at(t);
-            for (int c = 0; c < n; ++c) d_(c, k) = -h * f[c];
-            add_mass_times(equations_.mass(), scalar(1), W + k * n, d_.col(k).data(), n);
+            scalar* d = &d_(0, k);
+            for (int c = 0; c < n; ++c) d[c] = -h * f[c];
+            add_mass_times(equations_.mass(), scalar(1), W + k * n, d, n);
+            for (int c = 0; c < M; ++c) d[c] = scalar(0);
         }
         return true;
-    }
-
-    /// h f_y at the Gauss nodes, side by side.
-    template <int Nodes>
-    void interpolate_jacobians(int i, const scalar& h) {
-        const int n = equations_.n(), m = nodes_of<Nodes>(), s = equations_.s(), width = n + equations_.np();
-        const auto J = equations_.jacobians(i);
-        for (int k = 0; k < m; ++k) {
-            detail::combine<NN, S>(rule_->lagrange.data() + k * s, s, J.data(), width * n, &hJ_(0, k * n),
-                                   n * n);
-            for (int l = 0; l < n * n; ++l) hJ_.data()[k * n * n + l] *= h;
-        }
-    }
-
-    template <int Nodes>
-    void eliminate(const scalar& h, bool again) {
-        if (again)
-            elimination_.template solve_again<Nodes>(*rule_, h, hJ_, d_, g_);
-        else
-            elimination_.template solve<Nodes>(*rule_, equations_.mass(), h, hJ_, d_, g_);
     }
 
     /// The largest integrals of g at the nodes: what the lifting removes.
@@ -299,14 +262,13 @@ class error_estimate {
     void raise(int i) {
         using std::abs;
         const int n = equations_.n(), m = nodes_of<Nodes>();
-        own_.resize(n);
-        most_.setZero(n);
+        scalar* raised = &raised_(0, i);
+        for (int c = 0; c < n; ++c) most_[c] = raised[c];
         for (int k = 0; k < m; ++k) {
-            detail::combine<N, Nodes>(rule_->integrals.data() + k * m, m, g_.data(), n, own_.data(), n);
-            for (int c = 0; c < n; ++c)
-                if (abs(own_[c]) > most_[c]) most_[c] = abs(own_[c]);
+            detail::combine<N, Nodes>(rule_.integrals.data() + k * m, m, g_.data(), n, own_.data(), n);
+            for (int c = 0; c < n; ++c) most_[c] = std::max(most_[c], scalar(abs(own_[c])));
         }
-        raised_.col(i) = raised_.col(i).cwiseMax(most_);
+        for (int c = 0; c < n; ++c) raised[c] = most_[c];
     }
 
     /// The defect of w off its nodes, as local error: (I - r h f_y)^-1 r h d, r being the reach of the point.
@@ -314,14 +276,11 @@ class error_estimate {
     bool check(const iterate& x, int i) {
         using std::abs;
         const int n = equations_.n(), m = nodes_of<Nodes>(), s = equations_.s(), width = n + equations_.np();
-        const scalar h = x.h(i);
-        const scalar* W = &slopes_(0, i * m);
-        stage_.resize(n), own_.resize(n), off_.resize(n), small_.resize(n, n);
-        inner_.col(i).setZero();
+        const scalar h = x.h(i), *W = &slopes_(0, i * m);
+        for (int c = 0; c < n; ++c) inner_(c, i) = scalar(0);
         for (int k = 0; k < 2; ++k) {
-            const auto& at = rule_->check[k];
-            detail::combine<N, Nodes>(at.integral.data(), m, W, n, stage_.data(), n);
-            stage_ += x.y.col(i);
+            const auto& at = rule_.check[k];
+            set_stage<Nodes>(x, i, at.integral.data(), W);
             const scalar t = x.t[i] + at.theta * h;
             const auto& f = equations_.system().f(t, stage_, x.p);
             if (!all_finite(f, n)) return fail_at(t);
@@ -331,11 +290,15 @@ class error_estimate {
                 scale_(c, 2 * i + k) = h * (floor_ + abs(f[c]));
             }
             add_mass_times(equations_.mass(), scalar(1), own_.data(), off_.data(), n);
-            left_over_.col(2 * i + k) = off_;
-            if (off_.cwiseAbs().maxCoeff() > negligible_ * floor_ / 1000) {
+            scalar largest(0);
+            for (int c = 0; c < n; ++c) {
+                left_over_(c, 2 * i + k) = off_[c];
+                largest = std::max(largest, scalar(abs(off_[c])));
+            }
+            if (largest > negligible_ * floor_ / 1000) {
                 detail::combine<NN, S>(at.lagrange.data(), s, equations_.jacobians(i).data(), width * n,
                                        small_.data(), n * n);
-                small_ *= -at.reach * h;
+                for (int l = 0; l < n * n; ++l) small_.data()[l] *= -at.reach * h;
                 add_mass(equations_.mass(), scalar(1), small_.data(), n);
                 solve_small();
             }
@@ -348,7 +311,6 @@ class error_estimate {
     /// off = small^-1 off.
     void solve_small() {
         const int n = equations_.n();
-        swaps_.resize(static_cast<std::size_t>(n));
         row_elimination::factor(small_, n, static_cast<scalar*>(nullptr), swaps_.data());
         row_elimination::apply(small_, n, static_cast<scalar*>(nullptr), swaps_.data(), off_.data());
         for (int k = n - 1; k >= 0; --k) {
@@ -359,22 +321,22 @@ class error_estimate {
 
     void solve(const iterate& x) {
         const int L = x.intervals();
-        zero_.setZero(equations_.n(), equations_.s() * L);
         minus_ = -delta_;
         ends_ = equations_.system()
                     .conditions(x.y.col(0), x.y.col(L), x.p)
                     .head(equations_.n() + equations_.np());
-        equations_.solve(x, zero_, minus_, ends_, error_);
+        equations_.solve(x, minus_, ends_, error_);
     }
 
     /// w less its error plus the line between those of the mesh values.
+    template <int Nodes>
     void straighten(const iterate& x, int i) {
-        const int m = nodes();
-        own_.resize(equations_.n());
-        off_ = error_.y.col(i + 1) - error_.y.col(i);
-        for (int k = 0; k < m; ++k) {
-            slopes_at(x, error_, i, k, own_.data(), equations_.n());
-            slopes_.col(i * m + k) += off_ - own_;
+        const int m = nodes_of<Nodes>(), n = equations_.n();
+        scalar *W = &slopes_(0, i * m), *own = g_.data();
+        collocation_slopes<Nodes>(x, error_, i, own);
+        for (int c = 0; c < n; ++c) {
+            const scalar change = error_.y(c, i + 1) - error_.y(c, i);
+            for (int k = 0; k < m; ++k) W[k * n + c] += change - own[k * n + c];
         }
     }
 
@@ -384,13 +346,14 @@ class error_estimate {
     }
 
     Equations& equations_;
-    std::shared_ptr<const rule> rule_;
+    detail::lifting_elimination<Equations>& elimination_;
+    const rule& rule_;
     std::vector<scalar> known_;
     std::vector<int> swaps_;
-    wide slopes_, delta_, inner_, raised_, left_over_, scale_, d_, g_, hJ_, zero_, minus_;
+    wide slopes_, delta_, inner_, raised_, left_over_, scale_, d_, g_, minus_;
     vector stage_, own_, off_, most_;
+    column moved_;
     Eigen::Matrix<scalar, N, N> small_;
-    detail::lifting_elimination<scalar, N, M> elimination_;
     column ends_;
     iterate error_;
     scalar floor_{0}, negligible_{0}, place_{0};

@@ -9,10 +9,12 @@
 
 namespace stagecraft::detail {
 
-/// y at the mesh points of x and its scaled slopes at the nodes c of every interval, from a guess.
+/// y of n components at the mesh points of x and its scaled slopes at the nodes c of every interval, from a guess.
 template <class Guess, class Nodes, class Iterate>
-void take_guess(const Guess& guess, const Nodes& c, Iterate& x) {
+void take_guess(const Guess& guess, int n, const Nodes& c, Iterate& x) {
     const int s = static_cast<int>(c.size());
+    x.y.resize(n, x.intervals() + 1);
+    x.Z.resize(n, s * x.intervals());
     for (int i = 0; i <= x.intervals(); ++i) x.y.col(i) = guess_value(guess, x.t[i], x.y.rows());
     for (int i = 0; i < x.intervals(); ++i)
         for (int j = 0; j < s; ++j) {

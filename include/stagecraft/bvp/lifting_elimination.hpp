@@ -2,98 +2,120 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/bvp/lifting_rule.hpp>
-#include <stagecraft/linear/mass.hpp>
-#include <stagecraft/linear/split_complex.hpp>
+#include <stagecraft/linear/row_panel.hpp>
 
 namespace stagecraft::detail {
 
-/// M g = d + h f_y (integral of g) on one interval, at the Gauss nodes of a lifting rule, by dense elimination. With M
-/// positions q' = v known, g_q = d_q + h (integral of g_v), and the other components are all that is eliminated. Rows lie
-/// together in memory, as rows are what is combined, with the right-hand side at their end. Nodes is the number of nodes where
-/// it is known at compile time, or 0.
-template <class Scalar, int N, int M>
+/// M g = d + h f_y (integral of g) on one interval, at the Gauss nodes of a lifting rule, f_y being the polynomial through the
+/// Jacobians that the equations hold: by dense elimination, or by sweeps. With M positions q' = v known, g_q = d_q +
+/// h (integral of g_v), and the other components are all that is eliminated. Factors of few unknowns are kept for every
+/// interval for as long as the Jacobians stay what they are. Nodes is the number of nodes where it is known at compile time,
+/// or 0.
+template <class Equations>
 class lifting_elimination {
-    template <int Count>
-    using numbers = Eigen::Matrix<Scalar, (Count > 0 ? Count : Eigen::Dynamic), 1>;
+    using iterate = typename Equations::iterate;
+    using scalar = std::decay_t<decltype(iterate{}.t[0])>;
+    static constexpr int N = Equations::wide::RowsAtCompileTime, NN = N > 0 ? N *N : N,
+                         M = Equations::positions, S = Equations::stages > 0 ? Equations::stages : 0,
+                         R = N > 0 ? N - M : 0;
 
   public:
-    /// hJ: h f_y at the nodes, n x n each, side by side.
-    template <int Nodes, class Rule, class Mass, class Jacobians, class Columns>
-    void solve(const Rule& rule, const Mass& mass, const Scalar& h, const Jacobians& hJ, const Columns& d,
-               Columns& g) {
-        const int n = N > 0 ? N : static_cast<int>(hJ.rows()), m = Nodes > 0 ? Nodes : rule.nodes();
-        const int r = n - M, size = r * m, width = width_of(size);
-        a_.resize(static_cast<std::size_t>(size) * width), by_.resize(static_cast<std::size_t>(size) * size);
-        x_.resize(static_cast<std::size_t>(size)), inverse_.resize(static_cast<std::size_t>(size));
-        from_.resize(static_cast<std::size_t>(size));
-        if constexpr (!Mass::identity) {
-            mass_.setZero(n, n);
-            add_mass(mass, Scalar(1), mass_.data(), n);
-        }
-        using weights = Eigen::Map<const numbers<Nodes>>;
-        for (int k = 0; k < m; ++k) {
-            const weights once(rule.integrals.data() + k * m, m), twice(rule.twice.data() + k * m, m);
-            for (int c = M; c < n; ++c) {
-                Scalar* row = a_.data() + static_cast<std::size_t>(k * r + c - M) * width;
-                for (int d2 = M; d2 < n; ++d2) {
-                    auto part = every<Nodes>(row + d2 - M, m, r);
-                    if (d2 < 2 * M)
-                        part = -(hJ(c, k * n + d2) * once + (h * hJ(c, k * n + d2 - M)) * twice);
-                    else
-                        part = -hJ(c, k * n + d2) * once;
-                    if constexpr (!Mass::identity) row[k * r + d2 - M] += mass_(c, d2);
-                }
-                if constexpr (Mass::identity) row[k * r + c - M] += Scalar(1);
-                row[width - 1] = Scalar(0);  // perhaps never looked at, but combined with the others
-            }
-        }
-        right_sides<Nodes>(rule, hJ, d, a_.data() + size, width);
-        eliminate<(Nodes > 0 && N > 0) ? (N - M) * Nodes : 0>(size);
-        for (int k = 0; k < size; ++k) x_[k] = a_[static_cast<std::size_t>(k) * width + size];
-        back<Nodes>(rule, h, d, g);
+    using rule = typename Equations::rule;
+    /// The number of nodes of most rules, for which the loops are compiled with it; 0 where s is known at run time alone.
+    static constexpr int usual_nodes = S > 0 ? S + 2 : 0;
+
+    lifting_elimination(const Equations& equations, std::shared_ptr<const rule> r)
+        : equations_(equations), rule_(std::move(r)) {}
+
+    const rule& lifting() const { return *rule_; }
+    const std::shared_ptr<const rule>& shared_lifting() const { return rule_; }
+    bool usual() const { return rule_->nodes() == usual_nodes; }
+    /// Elimination costs less than sweeps as long as it has about 16 unknowns.
+    bool small() const { return unknowns<0>() <= 16; }
+
+    /// To be called before the intervals of a mesh are looked at: takes room for them, and forgets the factors of Jacobians
+    /// that the equations no longer hold.
+    void begin(const iterate& x) {
+        const int size = unknowns<0>(), n = equations_.n(), m = rule_->nodes();
+        if (version_ == equations_.version()) return;
+        version_ = equations_.version();
+        kept_ = small() ? x.intervals() : 1;
+        panel_size_ = row_panel<scalar, 0, 0, 0>(size, size + 1, size).size();
+        const Eigen::Index all = kept_;
+        hJ_.resize(all * (n * n * m)), panels_.resize(all * panel_size_),
+            from_.resize(static_cast<std::size_t>(all * size));
+        interpolated_.assign(static_cast<std::size_t>(all), -1),
+            factored_.assign(static_cast<std::size_t>(all), -1);
+        x_.resize(size), moved_.resize((M + 1) * m);
+        own_.resize(n), change_.resize(n);
     }
 
-    /// The same for another d, with the factors at hand.
-    template <int Nodes, class Rule, class Jacobians, class Columns>
-    void solve_again(const Rule& rule, const Scalar& h, const Jacobians& hJ, const Columns& d, Columns& g) {
-        const int size = static_cast<int>(x_.size());
-        right_sides<Nodes>(rule, hJ, d, x_.data(), 1);
-        for (int k = 0; k < size; ++k) {
-            if (from_[k] != k) std::swap(x_[k], x_[from_[k]]);
-            const Scalar *by = by_.data() + static_cast<std::size_t>(k) * size, f = x_[k];
-            for (int i = k + 1; i < size; ++i) x_[i] -= by[i] * f;
+    /// h f_y at the nodes of interval i, n x n each, side by side.
+    template <int Nodes>
+    const scalar* jacobians(int i, const scalar& h) {
+        const int n = equations_.n(), m = nodes<Nodes>(), s = equations_.s(), k = slot(i);
+        scalar* hJ = hJ_.data() + static_cast<std::size_t>(k) * (n * n * m);
+        if (std::exchange(interpolated_[k], i) == i) return hJ;
+        const scalar* J = equations_.jacobians(i).data();
+        for (int l = 0; l < m; ++l)
+            combine<NN, S>(rule_->lagrange.data() + l * s, s, J, (n + equations_.np()) * n, hJ + l * n * n,
+                           n * n);
+        for (int l = 0; l < m * n * n; ++l) hJ[l] *= h;
+        return hJ;
+    }
+
+    /// g from d, both n x m.
+    template <int Nodes, class Columns>
+    void solve(int i, const scalar& h, const Columns& d, Columns& g) {
+        const auto p = panel<Nodes>();
+        const int size = p.rows(), k = slot(i);
+        scalar *a = panels_.data() + k * panel_size_, *x = x_.data();
+        int* from = from_.data() + static_cast<std::size_t>(k) * size;
+        const scalar* hJ = jacobians<Nodes>(i, h);
+        if (std::exchange(factored_[k], i) == i) {
+            right_sides<Nodes>(hJ, d, x, 1);
+            p.forward(a, from, x);
+        } else {
+            write<Nodes>(p, h, hJ, a);
+            right_sides<Nodes>(hJ, d, a + size, p.width());
+            p.eliminate(a, from);
+            for (int l = 0; l < size; ++l) x[l] = a[l * p.width() + size];
         }
-        back<Nodes>(rule, h, d, g);
+        p.back(a, 0, x);
+        take<Nodes>(h, d, g);
     }
 
     /// The same by sweeps from node to node, which cost least where h f_y is moderate; false where they do not contract, and
     /// with a mass matrix.
-    template <int Nodes, class Rule, class Mass, class Jacobians, class Columns>
-    bool sweep(const Rule& rule, const Mass&, const Jacobians& hJ, const Columns& d, Columns& g) {
+    template <int Nodes, class Columns>
+    bool sweep(int i, const scalar& h, const Columns& d, Columns& g) {
         using std::abs;
-        if constexpr (!Mass::identity) return false;
-        const int n = static_cast<int>(d.rows()), m = Nodes > 0 ? Nodes : rule.nodes();
+        if constexpr (!std::decay_t<decltype(equations_.mass())>::identity) return false;
+        const int n = equations_.n(), m = nodes<Nodes>();
+        const scalar* hJ = jacobians<Nodes>(i, h);
         g = d;
-        own_.resize(n), change_.resize(n);
-        Scalar before(0);
-        for (int k = 0; k < rule.order + 4; ++k) {
-            Scalar change(0), size(0);
+        scalar before(0);
+        for (int k = 0; k < rule_->order + 4; ++k) {
+            scalar change(0), size(0);
             for (int j = 0; j < m; ++j) {
-                combine<N, Nodes>(rule.integrals.data() + j * m, m, g.data(), n, own_.data(), n);
-                combine<N>(own_.data(), n, &hJ(0, j * n), n, change_.data(), n);
+                combine<N, Nodes>(rule_->integrals.data() + j * m, m, g.data(), n, own_.data(), n);
+                combine<N>(own_.data(), n, hJ + j * n * n, n, change_.data(), n);
                 for (int c = 0; c < n; ++c) {
-                    const Scalar value = d(c, j) + change_[c], move = abs(value - g(c, j));
+                    const scalar value = d(c, j) + change_[c], move = abs(value - g(c, j));
                     if (move > change) change = move;
                     if (abs(value) > size) size = abs(value);
                     g(c, j) = value;
                 }
             }
-            if (change <= Scalar(1) / 100000 * size) return true;
+            if (change <= scalar(1) / 100000 * size) return true;
             if (k > 2 && !(change < before / 2)) return false;
             before = change;
         }
@@ -101,98 +123,82 @@ class lifting_elimination {
     }
 
   private:
-    /// Of a row with its right-hand side, rounded up so that two numbers at a time may be combined.
-    static constexpr int width_of(int size) { return (size + 2) / 2 * 2; }
-
-    /// Every r-th number from `first` on, m in all.
     template <int Nodes>
-    static auto every(Scalar* first, int m, int r) {
-        using stride = Eigen::InnerStride<N >= 0 ? N - M : Eigen::Dynamic>;
-        return Eigen::Map<numbers<Nodes>, 0, stride>(first, m, stride(r));
+    int nodes() const {
+        return Nodes > 0 ? Nodes : rule_->nodes();
     }
+    template <int Nodes>
+    int unknowns() const {
+        return (equations_.n() - M) * nodes<Nodes>();
+    }
+    template <int Nodes>
+    auto panel() const {
+        constexpr int all = R * Nodes, known = all <= 16 ? all : 0;  // larger ones gain nothing by it
+        const int size = unknowns<Nodes>();
+        return row_panel < scalar, known, known ? known + 1 : 0, known > (size, size + 1, size);
+    }
+    /// Where the factors of interval i are kept.
+    int slot(int i) const { return kept_ > 1 ? i : 0; }
 
-    /// The integrals to node k of component c of W.
-    template <int Nodes, class Rule, class Columns>
-    static Scalar integral(const Rule& rule, const Columns& W, int c, int k) {
-        const int m = Nodes > 0 ? Nodes : rule.nodes();
-        const Scalar* weights = rule.integrals.data() + k * m;
-        Scalar sum(0);
-        for (int l = 0; l < m; ++l) sum += weights[l] * W(c, l);
-        return sum;
+    /// Unknowns and equations are ordered by components, those of each at all nodes one behind the other.
+    template <int Nodes, class Panel>
+    void write(const Panel& p, const scalar& h, const scalar* hJ, scalar* a) const {
+        const int n = equations_.n(), m = nodes<Nodes>(), width = p.width();
+        for (int c = M; c < n; ++c)
+            for (int k = 0; k < m; ++k) {
+                const scalar *once = rule_->integrals.data() + k * m, *twice = rule_->twice.data() + k * m,
+                             *J = hJ + k * n * n + c;
+                scalar* row = a + static_cast<std::ptrdiff_t>((c - M) * m + k) * width;
+                for (int d = M; d < n; ++d) {
+                    const bool velocity = d < 2 * M;
+                    add_multiples<Nodes>(m, scalar(-J[d * n]), once,
+                                         velocity ? scalar(-h * J[(d - M) * n]) : scalar(0),
+                                         velocity ? twice : nullptr, row + (d - M) * m);
+                }
+                for (int l = p.columns() - 1; l < width; ++l) row[l] = scalar(0);
+            }
+        for_mass<M>(equations_.mass(), n, [&](int row, int column, const scalar& value) {
+            for (int k = 0; k < m; ++k)
+                a[static_cast<std::ptrdiff_t>(row * m + k) * width + column * m + k] += value;
+        });
     }
 
     /// d + h f_q (integral of d_q) of the components that are eliminated, `stride` apart.
-    template <int Nodes, class Rule, class Jacobians, class Columns>
-    void right_sides(const Rule& rule, const Jacobians& hJ, const Columns& d, Scalar* out, int stride) const {
-        const int n = N > 0 ? N : static_cast<int>(d.rows()), m = Nodes > 0 ? Nodes : rule.nodes();
-        for (int k = 0; k < m; ++k) {
-            Scalar moved[M > 0 ? M : 1];
-            for (int q = 0; q < M; ++q) moved[q] = integral<Nodes>(rule, d, q, k);
-            for (int c = M; c < n; ++c, out += stride) {
+    template <int Nodes, class Columns>
+    void right_sides(const scalar* hJ, const Columns& d, scalar* out, int stride) {
+        const int n = equations_.n(), m = nodes<Nodes>();
+        bool moved = false;
+        for (int q = 0; q < M; ++q)
+            for (int k = 0; k < m; ++k) moved |= !(d(q, k) == scalar(0));
+        for (int q = 0; q < M && moved; ++q)
+            transform<Nodes, Nodes>(m, m, rule_->integrals_of.data(), &d(q, 0), n, moved_.data() + q * m);
+        for (int c = M; c < n; ++c)
+            for (int k = 0; k < m; ++k, out += stride) {
                 *out = d(c, k);
-                for (int q = 0; q < M; ++q) *out += hJ(c, k * n + q) * moved[q];
+                for (int q = 0; q < M && moved; ++q) *out += hJ[c + (k * n + q) * n] * moved_[q * m + k];
             }
+    }
+
+    /// g from what the elimination has left in x.
+    template <int Nodes, class Columns>
+    void take(const scalar& h, const Columns& d, Columns& g) {
+        const int n = equations_.n(), m = nodes<Nodes>();
+        for (int c = M; c < n; ++c)
+            for (int k = 0; k < m; ++k) g(c, k) = x_[(c - M) * m + k];
+        for (int q = 0; q < M; ++q) {
+            transform<Nodes, Nodes>(m, m, rule_->integrals_of.data(), x_.data() + q * m, 1, moved_.data());
+            for (int k = 0; k < m; ++k) g(q, k) = d(q, k) + h * moved_[k];
         }
     }
 
-    /// g from x as the elimination has left it. The newest x comes last in every sum, so that none waits for it.
-    template <int Nodes, class Rule, class Columns>
-    void back(const Rule& rule, const Scalar& h, const Columns& d, Columns& g) {
-        const int n = N > 0 ? N : static_cast<int>(d.rows()), m = Nodes > 0 ? Nodes : rule.nodes();
-        const int r = n - M, size = r * m, width = width_of(size);
-        for (int k = size - 1; k >= 0; --k) {
-            const Scalar* row = a_.data() + static_cast<std::size_t>(k) * width;
-            Scalar sum = x_[k];
-            for (int l = size - 1; l > k; --l) sum -= row[l] * x_[l];
-            x_[k] = sum * inverse_[k];
-        }
-        for (int k = 0; k < m; ++k)
-            for (int c = M; c < n; ++c) g(c, k) = x_[k * r + c - M];
-        for (int k = 0; k < m; ++k)
-            for (int q = 0; q < M; ++q) g(q, k) = d(q, k) + h * integral<Nodes>(rule, g, q + M, k);
-    }
-
-    /// LU with row pivoting; whole rows change places. Of few columns all are combined, as loops of known length cost less
-    /// than what they need not do: what is left of a pivot is zero, and not looked at again.
-    template <int Size>
-    void eliminate(int size) {
-        using std::abs;
-        if constexpr (Size > 0) size = Size;
-        constexpr bool few = 0 < Size && Size <= 16;
-        using part = numbers<few ? width_of(Size) : 0>;
-        const int width = width_of(size);
-        for (int k = 0; k < size; ++k) {
-            Scalar* pivot = a_.data() + static_cast<std::size_t>(k) * width;
-            int p = k;
-            Scalar largest = abs(pivot[k]);
-            for (int i = k + 1; i < size; ++i) {
-                const Scalar here = abs(a_[static_cast<std::size_t>(i) * width + k]);
-                if (here > largest) largest = here, p = i;
-            }
-            from_[k] = p;
-            if (p != k)
-                Eigen::Map<part>(pivot, width)
-                    .swap(Eigen::Map<part>(a_.data() + static_cast<std::size_t>(p) * width, width));
-            inverse_[k] = Scalar(1) / pivot[k];
-            Scalar* by = by_.data() + static_cast<std::size_t>(k) * size;
-            if (!usable_pivot(largest)) {
-                std::fill(by, by + size, Scalar(0));
-                continue;
-            }
-            const int begin = few ? 0 : k + 1, count = few ? width : width - begin;
-            const Eigen::Map<const part> of(pivot + begin, count);
-            for (int i = k + 1; i < size; ++i) {
-                Scalar* row = a_.data() + static_cast<std::size_t>(i) * width;
-                by[i] = row[k] * inverse_[k];
-                Eigen::Map<part>(row + begin, count) -= by[i] * of;
-            }
-        }
-    }
-
-    Eigen::Matrix<Scalar, N, N> mass_;
-    Eigen::Matrix<Scalar, N, 1> own_, change_;
-    std::vector<Scalar> a_, by_, inverse_, x_;
-    std::vector<int> from_;
+    const Equations& equations_;
+    std::shared_ptr<const rule> rule_;
+    long version_ = -1;
+    int kept_ = 1;
+    std::ptrdiff_t panel_size_ = 0;
+    typename Equations::column hJ_, panels_, x_, moved_;
+    std::vector<int> from_, interpolated_, factored_;
+    Eigen::Matrix<scalar, N, 1> own_, change_;
 };
 
 }  // namespace stagecraft::detail

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 #include <stagecraft/bvp/options.hpp>
 #include <stagecraft/tableau.hpp>
@@ -42,12 +43,14 @@ struct lifting_rule {
     int order;                    ///< at mesh points
     legendre_rule<Scalar> gauss;  ///< m nodes
     matrix integrals, twice;      ///< m x m, to the nodes; twice: their square, for y'' = g
-    matrix lagrange;              ///< m x s, from the method's nodes to the Gauss nodes
-    matrix lagrange_integrals;    ///< m x s, the integrals of the same polynomials to the Gauss nodes
-    matrix to_coefficients;       ///< values at the Gauss nodes to Legendre coefficients
+    matrix integrals_of;  ///< integrals transposed: row l is what the value at node l adds to each of them
+    matrix lagrange;      ///< m x s, from the method's nodes to the Gauss nodes
+    matrix lagrange_integrals_of;  ///< s x m, the integrals of the same polynomials to the Gauss nodes
+    matrix to_coefficients;        ///< values at the Gauss nodes to Legendre coefficients
     point check[2];
-    row at_start, at_end;  ///< from values at the Gauss nodes to those at 0 and 1
-    Scalar first, last;    ///< where f is evaluated first and last
+    std::vector<Scalar> ratios;  ///< k / (k + 1)
+    row at_start, at_end;        ///< from values at the Gauss nodes to those at 0 and 1
+    Scalar first, last;          ///< where f is evaluated first and last
 
     explicit lifting_rule(const tableau<Scalar, S>& t)
         : method(t),
@@ -60,8 +63,10 @@ struct lifting_rule {
             integrals.row(k) = gauss.integral(gauss.c[k]);
             lagrange.row(k) = lagrange_at(gauss.c[k]);
         }
+        for (int k = 0; k <= nodes(); ++k) ratios.push_back(Scalar(k) / Scalar(k + 1));
         twice = integrals * integrals;
-        lagrange_integrals = integrals * lagrange;
+        integrals_of = integrals.transpose();
+        lagrange_integrals_of = (integrals * lagrange).transpose();
         check[0] = point_at(check_point(Scalar(0), Scalar(3) / 10));
         check[1] = point_at(check_point(Scalar(3) / 10, Scalar(1)));
         at_start = gauss.value(Scalar(0));
@@ -71,6 +76,12 @@ struct lifting_rule {
     }
 
     int nodes() const { return gauss.size(); }
+    /// legendre_values() without a division, up to P_m.
+    void legendre(const Scalar& x, int most, Scalar* P) const {
+        const Scalar z = 2 * x - 1;
+        P[0] = Scalar(1), P[1] = z;
+        for (int k = 1; k < most; ++k) P[k + 1] = z * P[k] + ratios[k] * (z * P[k] - P[k - 1]);
+    }
 
   private:
     /// p - 1, which lifts to order p, but not above s + 2: more nodes cost more than the intervals they save. As Gauss methods

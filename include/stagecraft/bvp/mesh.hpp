@@ -74,6 +74,7 @@ std::vector<Scalar> equidistributed(const std::vector<Scalar>& t, const std::vec
     using std::ceil;
     using std::sqrt;
     std::vector<Scalar> sum{Scalar(0)};
+    sum.reserve(t.size());
     for (std::size_t i = 0; i + 1 < t.size(); ++i)
         sum.push_back(sum.back() + (t[i + 1] - t[i]) * (density[i] + density[i + 1]) / 2);
     std::vector<std::size_t> ends{0};
@@ -81,6 +82,7 @@ std::vector<Scalar> equidistributed(const std::vector<Scalar>& t, const std::vec
         ends.push_back(static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), point) - t.begin()));
     ends.push_back(t.size() - 1);
     std::vector<Scalar> mesh;
+    mesh.reserve(static_cast<std::size_t>(intervals) + ends.size() + 1);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
         const Scalar begin = sum[ends[k]], share = sum[ends[k + 1]] - begin;
         const double wanted = static_cast<double>(Scalar(share / sum.back())) * intervals;

@@ -128,12 +128,13 @@ class mesh_choice {
     Scalar reach(int i, int j) {
         using std::sqrt;
         const int n = equations_.n();
-        typename Equations::matrix J = equations_.jacobians(i).middleCols(j * (n + equations_.np()), n);
+        typename Equations::square J = equations_.jacobians(i).middleCols(j * (n + equations_.np()), n);
         Scalar step(2);  // over |J^16|^(1/16), by squares that are kept near 1
         for (const int root : {1, 2, 4, 8, 16}) {
             Scalar size = J.cwiseAbs().maxCoeff();
             if (!(size > Scalar(0))) return x_.t.back() - x_.t.front();
-            J = ((J / size) * (J / size)).eval();
+            J /= size;
+            J = J.lazyProduct(J).eval();
             for (int k = root; k > 1; k /= 2) size = sqrt(size);
             step /= size;
         }

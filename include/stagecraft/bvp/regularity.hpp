@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include <stagecraft/bvp/conditioning.hpp>
 #include <stagecraft/bvp/lifting_elimination.hpp>
@@ -33,8 +35,13 @@ class regularity {
     using rule = typename Equations::rule;
     static constexpr int N = wide::RowsAtCompileTime;
 
-    regularity(Equations& equations, conditioning_of<Equations>& conditioning, iterate& x, const rule& r)
-        : equations_(equations), conditioning_(conditioning), x_(x), rule_(r) {}
+    regularity(Equations& equations, conditioning_of<Equations>& conditioning, iterate& x,
+               lifting_elimination<Equations>& elimination)
+        : equations_(equations),
+          conditioning_(conditioning),
+          x_(x),
+          elimination_(elimination),
+          rule_(elimination.lifting()) {}
 
     /// Are the local errors small, and what they make of u not small beside it? `error` is that of x, relative, where f or r
     /// are nonlinear and M changes with x, else 0.
@@ -163,8 +170,7 @@ class regularity {
         }
         column ends(2 * n + np);
         ends << u_.col(0), u_.col(L), p_;
-        equations_.solve(x_, wide::Zero(n, equations_.s() * L), local,
-                         column(equations_.change_of_conditions(other) * ends), e);
+        equations_.solve_mesh_values(local, column(equations_.change_of_conditions(other) * ends), e);
         return share(e.y, e.p);
     }
 
@@ -206,20 +212,22 @@ class regularity {
             if (bound < scalar(1) / 20) return bound;
         }
         wide local(equations_.n(), x_.intervals());
-        const bool usual = rule_.nodes() == usual_nodes;
+        elimination_.begin(x_);
+        const bool usual = elimination_.usual();
         for (int i = 0; i < x_.intervals(); ++i)
             usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
         resolved_ = share(local) < scalar(1) / 10;
         if (!resolved_) return scalar(1);
         iterate e;
-        equations_.solve(x_, wide::Zero(local.rows(), equations_.s() * local.cols()), local,
-                         column::Zero(local.rows() + p_.rows()), e);
+        equations_.solve_mesh_values(local, column::Zero(local.rows() + p_.rows()), e);
         return share(e.y, e.p);
     }
 
-    /// u: the answer to the condition that moves it most, as its terms and the components of y are large.
+    /// u: the answer to the condition that moves it most, as its terms and the components of y are large; of equal ones, as
+    /// symmetric problems have them, the last, whatever rounding makes of them.
     void choose(const scalar& floor) {
         using std::abs;
+        using std::sqrt;
         conditioning_.fundamental();
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
@@ -229,7 +237,8 @@ class regularity {
         for (int j = 0; j < m - n; ++j) size[2 * n + j] = floor + abs(x_.p[j]);
         scale_ = size.head(n);
         int best = 0;
-        answer_ = scalar(-1);
+        answer_ = scalar(0);
+        const scalar noise = sqrt(std::numeric_limits<scalar>::epsilon());
         for (int k = 0; k < m; ++k) {
             const scalar terms = B.row(k).cwiseAbs().dot(size.transpose());
             const auto& phi = conditioning_.response(k);
@@ -238,7 +247,7 @@ class regularity {
                 most = std::max(most, scalar(terms * phi.row(c).cwiseAbs().maxCoeff() / size[c]));
             for (int j = 0; j < m - n; ++j)
                 most = std::max(most, scalar(terms * abs(P(j, k)) / size[2 * n + j]));
-            if (most > answer_) answer_ = most, best = k;
+            if (most > answer_ * (1 - noise)) answer_ = std::max(most, answer_), best = k;
         }
         u_ = conditioning_.response(best);
         p_ = P.col(best);
@@ -269,17 +278,18 @@ class regularity {
     void local_error(int i, wide& local) {
         const int n = equations_.n(), np = equations_.np(), s = equations_.s(), width = n + np;
         const int m = Nodes > 0 ? Nodes : rule_.nodes();
-        const scalar h = x_.h(i);
-        J_.resize(n, width), hJ_.resize(n, n * m), d_.resize(n, m), g_.resize(n, m);
+        const scalar h = x_.h(i), *hJ = elimination_.template jacobians<Nodes>(i, h), *u = &u_(0, i);
+        J_.resize(n, np), d_.resize(n, m), g_.resize(n, m);
         for (int k = 0; k < m; ++k) {
-            combine<NW, S>(rule_.lagrange.data() + k * s, s, equations_.jacobians(i).data(), width * n,
-                           J_.data(), width * n);
-            J_ *= h;
-            hJ_.middleCols(k * n, n) = J_.leftCols(n);
-            d_.col(k) = J_.leftCols(n).lazyProduct(u_.col(i));
-            if (np > 0) d_.col(k) += J_.rightCols(np).lazyProduct(p_);
+            scalar* d = &d_(0, k);
+            combine<N, N>(u, n, hJ + k * n * n, n, d, n);
+            if (np == 0) continue;
+            combine<NP, S>(rule_.lagrange.data() + k * s, s, equations_.jacobians(i).data() + n * n,
+                           width * n, J_.data(), np * n);
+            for (int j = 0; j < np; ++j)
+                for (int c = 0; c < n; ++c) d[c] += h * J_(c, j) * p_[j];
         }
-        elimination_.template solve<Nodes>(rule_, equations_.mass(), h, hJ_, d_, g_);
+        elimination_.template solve<Nodes>(i, h, d_, g_);
         combine<N, Nodes>(rule_.gauss.b.data(), m, g_.data(), n, &local(0, i), n);
         local.col(i) += u_.col(i) - u_.col(i + 1);
     }
@@ -305,13 +315,18 @@ class regularity {
     /// The answer of the linearised problem to one rounding error in every entry, y and p being of these sizes.
     template <class Parameters>
     wide answer_to_rounding(const wide& size, const column& p, Parameters& shift) {
+        using std::abs;
         const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
         const scalar eps = std::numeric_limits<scalar>::epsilon();
         wide local(n, L), e(n, L + 1);
-        for (int i = 0; i < L; ++i)
-            local.col(i) = sign(i) * eps *
-                           (equations_.left_block(i).cwiseAbs() * size.col(i) +
-                            equations_.right_block(i).cwiseAbs() * size.col(i + 1));
+        for (int i = 0; i < L; ++i) {
+            const auto E = equations_.left_block(i), F = equations_.right_block(i);
+            for (int c = 0; c < n; ++c) {
+                scalar sum(0);
+                for (int d = 0; d < n; ++d) sum += abs(E(c, d)) * size(d, i) + abs(F(c, d)) * size(d, i + 1);
+                local(c, i) = sign(i) * eps * sum;
+            }
+        }
         column ends(2 * n + np);
         ends << size.col(0), size.col(L), p;
         column conditions = eps * (equations_.conditions().cwiseAbs() * ends);
@@ -327,13 +342,15 @@ class regularity {
     Equations& equations_;
     conditioning_of<Equations>& conditioning_;
     iterate& x_;
+    lifting_elimination<Equations>& elimination_;
     const rule& rule_;
-    static constexpr int S = Equations::stages, W = added<N, Equations::parameters::RowsAtCompileTime>,
-                         NW = N > 0 && W > 0 ? N *W : Eigen::Dynamic, usual_nodes = S > 0 ? S + 2 : 0;
+    static constexpr int S = Equations::stages > 0 ? Equations::stages : 0,
+                         P = Equations::parameters::RowsAtCompileTime,
+                         NP = N > 0 && P > 0 ? N *P : Eigen::Dynamic,
+                         usual_nodes = lifting_elimination<Equations>::usual_nodes;
 
-    wide u_, hJ_, d_, g_;
-    Eigen::Matrix<scalar, N, W> J_;
-    lifting_elimination<scalar, N, Equations::positions> elimination_;
+    wide u_, d_, g_;
+    Eigen::Matrix<scalar, N, P> J_;
     column p_, size_, scale_;
     scalar answer_{0};
     std::optional<scalar> doubt_;
@@ -343,13 +360,15 @@ class regularity {
 /// Is M of a linear problem known on the mesh of x as well, where `finer` are its equations, and its relative condition number
 /// `kappa` but for a factor of 2?
 template <class Equations>
-bool confirms_condition(Equations& finer, typename Equations::iterate x, const typename Equations::rule& rule,
+bool confirms_condition(Equations& finer, typename Equations::iterate x,
+                        std::shared_ptr<const typename Equations::rule> rule,
                         const typename regularity<Equations>::scalar& floor,
                         const typename regularity<Equations>::scalar& kappa) {
     finer.resize(x);
     if (!finer.linearise(x)) return false;
     conditioning_of<Equations> conditioning(finer, x);
-    if (regularity<Equations>(finer, conditioning, x, rule).unknown(floor)) return false;
+    lifting_elimination<Equations> elimination(finer, std::move(rule));
+    if (regularity<Equations>(finer, conditioning, x, elimination).unknown(floor)) return false;
     const auto found = conditioning.relative(floor);
     return found < 2 * kappa && kappa < 2 * found;
 }

@@ -224,8 +224,9 @@ class two_point_system {
     /// f(t, y, p) as n + n_p numbers, the last n_p zero.
     template <class Y>
     const joint& f(const scalar& t, const Y& y, const Parameters& p) {
-        z_.head(n_) = y;
-        z_.tail(parameters_) = p;
+        const int n = N > 0 ? N : n_, np = P >= 0 ? P : parameters_;
+        for (int c = 0; c < n; ++c) z_[c] = y[c];
+        for (int k = 0; k < np; ++k) z_[n + k] = p[k];
         f_(t, z_, out_);
         return out_;
     }
