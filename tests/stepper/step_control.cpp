@@ -5,7 +5,9 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/control/inverse_root.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
 #include <stagecraft/tableau/step_doubling.hpp>
@@ -32,6 +34,22 @@ double kepler_error(const sc::tableau<double>& m, double tol) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(the_root_that_a_step_size_takes_has_the_digits_it_needs_and_is_that_of_pow_elsewhere) {
+    for (int q = 1; q <= 20; ++q) {
+        for (int k = -4000; k <= 60; ++k) {  // from where 2^-q no longer matters to beyond 4/3
+            const double x = std::pow(10.0, k / 400.0);
+            BOOST_TEST(std::abs(sc::inverse_root(x, q) * std::pow(x, 1.0 / q) - 1) < 2e-4 / q);
+        }
+        using limits = std::numeric_limits<double>;
+        for (const double x :
+             {0.0, limits::denorm_min(), limits::min(), 1e-300, 1e300, limits::max(), limits::infinity()})
+            BOOST_TEST(sc::inverse_root(x, q) == std::pow(x, -1.0 / q));
+        for (const double x : {limits::quiet_NaN(), -limits::quiet_NaN(), -limits::infinity()})
+            BOOST_TEST(std::isnan(sc::inverse_root(x, q)) == std::isnan(std::pow(x, -1.0 / q)));
+        BOOST_TEST(sc::inverse_root(0.5L, q) == std::pow(0.5L, -1.0L / q));
+    }
+}
 
 BOOST_AUTO_TEST_CASE(step_doubling_of_the_classical_method_has_its_order_and_eleven_stages) {
     const auto m = sc::step_doubling(methods::classical());

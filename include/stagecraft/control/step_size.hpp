@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <stagecraft/control/inverse_root.hpp>
 #include <stagecraft/control/options.hpp>
 
 namespace stagecraft {
@@ -22,19 +23,19 @@ class step_size_controller {
         using std::abs;
         using std::pow;
         const Scalar e = err > floor() ? err : floor();
-        const Scalar root = pow(e, Scalar(1) / Scalar(q));
-        Scalar factor = safety / root;
+        const Scalar inverse = inverse_root(e, q);  // of the root of e
+        Scalar factor = safety * inverse;
         if (kind_ == step_control::proportional_integral) {
-            const Scalar before = has_last_ && last_q_ == q ? last_root_ : root;
-            factor = safety * pow(root, Scalar(-7) / 10) * pow(before, Scalar(4) / 10);
+            const Scalar before = has_last_ && last_q_ == q ? last_inverse_ : inverse;
+            factor = safety * pow(inverse, Scalar(7) / 10) * pow(before, Scalar(-4) / 10);
         } else if (has_last_ && last_q_ == q) {
-            const Scalar predicted = factor * abs(h / last_h_) * (last_root_ / root);
+            const Scalar predicted = factor * inverse * abs(h / (last_h_ * last_inverse_));
             if (predicted < factor) factor = predicted;
         }
         has_last_ = true;
         last_h_ = h;
         last_q_ = q;
-        last_root_ = root > Scalar(1) / 4 ? root : Scalar(1) / 4;
+        last_inverse_ = inverse < Scalar(4) ? inverse : Scalar(4);
         return clamp(factor);
     }
 
@@ -48,7 +49,8 @@ class step_size_controller {
     Scalar expected(const Scalar& h, int q) const {
         using std::abs;
         using std::pow;
-        return has_last_ && last_q_ == q ? Scalar(pow(last_root_ * abs(h / last_h_), Scalar(q))) : Scalar(0);
+        return has_last_ && last_q_ == q ? Scalar(pow(abs(h / (last_h_ * last_inverse_)), Scalar(q)))
+                                         : Scalar(0);
     }
 
     void forget() { has_last_ = false; }
@@ -56,7 +58,7 @@ class step_size_controller {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(has_last_, last_q_, last_h_, last_root_);
+        bag(has_last_, last_q_, last_h_, last_inverse_);
     }
 
   private:
@@ -68,7 +70,7 @@ class step_size_controller {
     step_control kind_;
     bool has_last_ = false;
     int last_q_ = 0;
-    Scalar last_h_{0}, last_root_{0};
+    Scalar last_h_{0}, last_inverse_{0};
 };
 
 }  // namespace stagecraft
