@@ -12,6 +12,7 @@
 
 #include <stagecraft/bvp/collocation_equations.hpp>
 #include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/contradiction.hpp>
 #include <stagecraft/bvp/damped_newton.hpp>
 #include <stagecraft/bvp/error_estimate.hpp>
 #include <stagecraft/bvp/guess.hpp>
@@ -301,7 +302,7 @@ class bvp_solver {
         // Of components as large as that, rounding errors may be as small as of others.
         if ((!large || (converged() && error_ <= o_.rtol && relative_kappa() < least &&
                         regular_.rounding(floor_) < Scalar(1) / 10000)) &&
-            !regular_.contradicted())
+            !answers_contradict(equations_, conditioning_, x_))
             return false;
         if (!large) answers = largest_answers(Scalar(0));
         const std::string which = dependent_condition(equations_.conditions());

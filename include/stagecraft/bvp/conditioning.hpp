@@ -38,27 +38,29 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
     using scalar = typename Matrix::Scalar;
     using std::abs;
     using std::sqrt;
-    const int n = static_cast<int>(a.cols());
+    const int n = static_cast<int>(a.cols()), rows = static_cast<int>(a.rows());
     const scalar largest = a.size() == 0 ? scalar(0) : a.cwiseAbs().maxCoeff();
     if (values) values->assign(static_cast<std::size_t>(n), scalar(0));
     if (!(largest > scalar(0)) || !(largest - largest == scalar(0))) return largest;
-    if constexpr (Matrix::RowsAtCompileTime == 2 && Matrix::ColsAtCompileTime == 2)
-        if (!values) {  // |z| + |w| of the rotations z and reflections w of which a is the sum
-            const scalar p = a(0, 0) / largest, q = a(0, 1) / largest, r = a(1, 0) / largest,
-                         t = a(1, 1) / largest;
+    Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
+    if constexpr (Matrix::RowsAtCompileTime == 2 && Matrix::ColsAtCompileTime == 2) {
+        if (!values) {  // |z| + |w| of the rotations z and reflections w of which u is the sum
+            const scalar p = u(0, 0), q = u(0, 1), r = u(1, 0), t = u(1, 1);
             return largest *
                    (sqrt((p + t) * (p + t) + (r - q) * (r - q)) +
                     sqrt((p - t) * (p - t) + (r + q) * (r + q))) /
                    2;
         }
-    Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
-    if (!values) return largest * sqrt(largest_eigenvalue(u.lazyProduct(u.transpose()).eval()));
+    } else {
+        if (!values) return largest * sqrt(largest_eigenvalue(u.lazyProduct(u.transpose()).eval()));
+    }
     for (int sweep = 0; sweep < 40; ++sweep) {  // one-sided: columns made orthogonal
         bool rotated = false;
         for (int p = 0; p < n; ++p)
             for (int q = p + 1; q < n; ++q) {
-                const scalar alpha = u.col(p).squaredNorm(), beta = u.col(q).squaredNorm(),
-                             gamma = u.col(p).dot(u.col(q));
+                scalar alpha(0), beta(0), gamma(0);
+                for (int k = 0; k < rows; ++k)
+                    alpha += u(k, p) * u(k, p), beta += u(k, q) * u(k, q), gamma += u(k, p) * u(k, q);
                 if (abs(gamma) <= std::numeric_limits<scalar>::epsilon() * sqrt(alpha * beta) ||
                     gamma == scalar(0))
                     continue;
@@ -67,15 +69,19 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
                 const scalar root = sqrt(1 + zeta * zeta);
                 const scalar t = zeta > scalar(0) ? scalar(1 / (zeta + root)) : scalar(1 / (zeta - root));
                 const scalar c = 1 / sqrt(1 + t * t), s = c * t;
-                const auto old = u.col(p).eval();
-                u.col(p) = c * old - s * u.col(q);
-                u.col(q) = s * old + c * u.col(q);
+                for (int k = 0; k < rows; ++k) {
+                    const scalar old = u(k, p);
+                    u(k, p) = c * old - s * u(k, q);
+                    u(k, q) = s * old + c * u(k, q);
+                }
             }
         if (!rotated) break;
     }
     scalar best(0);
     for (int j = 0; j < n; ++j) {
-        const scalar norm = largest * sqrt(u.col(j).squaredNorm());
+        scalar sum(0);
+        for (int k = 0; k < rows; ++k) sum += u(k, j) * u(k, j);
+        const scalar norm = largest * sqrt(sum);
         (*values)[j] = norm;
         if (norm > best) best = norm;
     }
@@ -161,7 +167,7 @@ class conditioning_of {
             if (!(size <= most)) most = size, values = found;
         };
         for (int i = 0; i <= x_.intervals(); ++i) look(phi(i));
-        look(parameters_);
+        if constexpr (NP != N || N < 0) look(parameters_);
         return most;
     }
 
@@ -170,12 +176,13 @@ class conditioning_of {
         using std::abs;
         scalar kappa(0);
         for (Eigen::Index j = 0; j < parameters_.rows(); ++j)
-            kappa =
-                std::max(kappa, scalar(parameters_.row(j).cwiseAbs().maxCoeff() / (floor + abs(x_.p[j]))));
-        for (const wide& response : phi_)
-            for (int r = 0; r < equations_.n(); ++r)
-                kappa = std::max(kappa, scalar(response.row(r).cwiseAbs().maxCoeff() /
-                                               (floor + x_.y.row(r).cwiseAbs().maxCoeff())));
+            for (Eigen::Index k = 0; k < parameters_.cols(); ++k)
+                kappa = std::max(kappa, scalar(abs(parameters_(j, k)) / (floor + abs(x_.p[j]))));
+        for (int c = 0; c < equations_.n(); ++c) {
+            const scalar size = floor + x_.y.row(c).cwiseAbs().maxCoeff();
+            for (const wide& response : phi_)
+                kappa = std::max(kappa, scalar(response.row(c).cwiseAbs().maxCoeff() / size));
+        }
         return kappa;
     }
 
@@ -186,19 +193,27 @@ class conditioning_of {
         using std::abs;
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
-        wide error = wide::Zero(n, x_.intervals() + 1);
-        column shift = column::Zero(m);  // the first n_p: of the parameters
+        const scalar epsilon = std::numeric_limits<scalar>::epsilon();
+        const int L = x_.intervals();
+        wide error = wide::Zero(n, L + 1);
+        column shift = column::Zero(m), sizes(n);  // shift: the first n_p, of the parameters
+        for (int c = 0; c < n; ++c) sizes[c] = x_.y.row(c).cwiseAbs().maxCoeff();
         for (int k = 0; k < m; ++k) {
             scalar size(0);
-            for (int j = 0; j < 2 * n; ++j) size += abs(B(k, j)) * x_.y.row(j % n).cwiseAbs().maxCoeff();
+            for (int j = 0; j < 2 * n; ++j) size += abs(B(k, j)) * sizes[j % n];
             for (int j = 0; j < m - n; ++j) size += abs(B(k, 2 * n + j) * x_.p[j]);
-            error += std::numeric_limits<scalar>::epsilon() * size * phi_[k].cwiseAbs();
-            for (int j = 0; j < m - n; ++j)
-                shift[j] += std::numeric_limits<scalar>::epsilon() * size * abs(parameters_(j, k));
+            for (int i = 0; i <= L; ++i)
+                for (int c = 0; c < n; ++c) error(c, i) += epsilon * size * abs(phi_[k](c, i));
+            for (int j = 0; j < m - n; ++j) shift[j] += epsilon * size * abs(parameters_(j, k));
         }
-        scalar worst = (error.array() / (floor + x_.y.array().abs())).maxCoeff();
+        scalar worst(0);
+        for (int i = 0; i <= L; ++i)
+            for (int c = 0; c < n; ++c) {
+                const scalar here = error(c, i) / (floor + abs(x_.y(c, i)));
+                if (!(here <= worst)) worst = here;
+            }
         for (int j = 0; j < m - n; ++j) worst = std::max(worst, scalar(shift[j] / (floor + abs(x_.p[j]))));
-        for (int i = 0; i < x_.intervals(); ++i)
+        for (int i = 0; i < L; ++i)
             for (int c = 0; c < n; ++c)
                 if ((x_.y(c, i) < scalar(0)) != (x_.y(c, i + 1) < scalar(0)))
                     worst = std::max(worst, scalar(std::max(error(c, i), error(c, i + 1)) / floor));
@@ -207,8 +222,12 @@ class conditioning_of {
 
     /// The largest |y_c| at a mesh point by floor + the smallest, of the component c where that is most.
     scalar spread(const scalar& floor) const {
-        const auto sizes = x_.y.cwiseAbs();
-        return (sizes.rowwise().maxCoeff().array() / (floor + sizes.rowwise().minCoeff().array())).maxCoeff();
+        scalar most(0);
+        for (int c = 0; c < equations_.n(); ++c) {
+            const auto sizes = x_.y.row(c).cwiseAbs();
+            most = std::max(most, scalar(sizes.maxCoeff() / (floor + sizes.minCoeff())));
+        }
+        return most;
     }
 
     /// The factors are those of another matrix from now on.

@@ -64,9 +64,9 @@ struct lifting_rule {
             lagrange.row(k) = lagrange_at(gauss.c[k]);
         }
         for (int k = 0; k <= nodes(); ++k) ratios.push_back(Scalar(k) / Scalar(k + 1));
-        twice = integrals * integrals;
+        twice = integrals.lazyProduct(integrals);
         integrals_of = integrals.transpose();
-        lagrange_integrals_of = (integrals * lagrange).transpose();
+        lagrange_integrals_of = integrals.lazyProduct(lagrange).transpose();
         check[0] = point_at(check_point(Scalar(0), Scalar(3) / 10));
         check[1] = point_at(check_point(Scalar(3) / 10, Scalar(1)));
         at_start = gauss.value(Scalar(0));

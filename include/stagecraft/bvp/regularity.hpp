@@ -88,41 +88,39 @@ class regularity {
         return share(e, shift);
     }
 
-    /// Do the answers to the conditions leave their equations, every row beside its largest terms, by more than rounding does?
-    /// Of a singular M elimination makes a regular one of its rounding errors, whose answers leave the condition that they
-    /// are for as it was. Of an M that only answers much, in whatever units, they do not.
-    bool contradicted() {
-        using std::sqrt;
-        conditioning_.fundamental();
-        for (int k = 0; k < equations_.n() + equations_.np(); ++k)
-            if (!(left_over(k) < sqrt(std::numeric_limits<scalar>::epsilon()))) return true;
-        return false;
-    }
-
     /// Is u large because solutions grow from one end to the other, rounding errors leaving it what it is? M is regular then.
     bool grows(const scalar& floor) {
         using std::abs;
         using std::sqrt;
         if (!(rounding(floor) < scalar(1) / 10000)) return false;
-        const wide beside = scale_.cwiseInverse().asDiagonal() * u_.cwiseAbs();
-        const column sizes = beside.colwise().maxCoeff().transpose();
+        scalar most(0), least = std::numeric_limits<scalar>::infinity();  // of u at a mesh point
+        for (int i = 0; i <= x_.intervals(); ++i) {
+            scalar size(0);
+            for (int c = 0; c < equations_.n(); ++c) size = std::max(size, scalar(abs(u_(c, i)) / scale_[c]));
+            most = std::max(most, size), least = std::min(least, size);
+        }
         // Where nothing fixes an unknown parameter, y may say nothing of it.
         for (Eigen::Index k = 0; k < p_.size(); ++k)
-            if (abs(p_[k]) > (floor + abs(x_.p[k])) * sizes.maxCoeff()) return false;
-        return sizes.minCoeff() < sqrt(std::numeric_limits<scalar>::epsilon()) * sizes.maxCoeff();
+            if (abs(p_[k]) > (floor + abs(x_.p[k])) * most) return false;
+        return least < sqrt(std::numeric_limits<scalar>::epsilon()) * most;
     }
 
     /// What one rounding error in every entry makes of y, relative to floor + |y|. Values far below floor count as if they
     /// were as large as they are elsewhere, at most floor: that they are small may be a rounding error itself.
     scalar rounding_of_y(const scalar& floor) {
+        using std::abs;
         wide size = x_.y.cwiseAbs();
-        for (Eigen::Index c = 0; c < size.rows(); ++c) {
-            const scalar most = size.row(c).maxCoeff();
-            size.row(c) = size.row(c).cwiseMax(most < floor ? most : floor).eval();
+        for (int c = 0; c < equations_.n(); ++c) {
+            const scalar least = std::min(scalar(size.row(c).maxCoeff()), floor);
+            for (int i = 0; i <= x_.intervals(); ++i) size(c, i) = std::max(size(c, i), least);
         }
         typename Equations::parameters shift(equations_.np());
         const wide e = answer_to_rounding(size, x_.p.cwiseAbs(), shift);
-        return (e.array().abs() / (floor + x_.y.array().abs())).maxCoeff();
+        scalar worst(0);
+        for (int i = 0; i <= x_.intervals(); ++i)
+            for (int c = 0; c < equations_.n(); ++c)
+                worst = std::max(worst, scalar(abs(e(c, i)) / (floor + abs(x_.y(c, i)))));
+        return worst;
     }
 
     /// Do f or r depend on y or p nonlinearly? `size` is that of y.
@@ -162,48 +160,24 @@ class regularity {
             for (int c = 0; c < n; ++c)
                 other.y(c, i) += error * scale_[c] * sign(static_cast<int>(8 * i / (L + 1)) * n + c);
         for (int k = 0; k < np; ++k) other.p[k] += error * (1 + abs(other.p[k])) * sign(k);
-        wide local(n, L);
+        wide local = wide::Zero(n, L);
         for (int i = 0; i < L; ++i) {
             const auto change = equations_.change_of_jacobian(other, i);
-            local.col(i) =
-                x_.h(i) * (change.leftCols(n) * (u_.col(i) + u_.col(i + 1)) / 2 + change.rightCols(np) * p_);
+            for (int c = 0; c < n; ++c) {
+                for (int d = 0; d < n; ++d) local(c, i) += change(c, d) * (u_(d, i) + u_(d, i + 1)) / 2;
+                for (int k = 0; k < np; ++k) local(c, i) += change(c, n + k) * p_[k];
+                local(c, i) *= x_.h(i);
+            }
         }
-        column ends(2 * n + np);
-        ends << u_.col(0), u_.col(L), p_;
-        equations_.solve_mesh_values(local, column(equations_.change_of_conditions(other) * ends), e);
-        return share(e.y, e.p);
-    }
-
-    /// What the answer to condition k leaves of its equations.
-    scalar left_over(int k) {
-        using std::abs;
-        const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
-        const wide& u = conditioning_.response(k);
-        const column p = conditioning_.parameters().col(k), most = u.cwiseAbs().rowwise().maxCoeff();
-        column ends(2 * n + np), sizes(2 * n + np), left(n), terms(n);
-        ends << u.col(0), u.col(L), p;
-        sizes << most, most, p.cwiseAbs();
-        scalar worst(0);
-        const auto look = [&](const scalar& rest, const scalar& of) {
-            if (of > scalar(0) && !(abs(rest / of) <= worst)) worst = abs(rest / of);
-        };
-        const auto& B = equations_.conditions();
+        column conditions = column::Zero(n + np);
+        const auto change = equations_.change_of_conditions(other);
         for (int r = 0; r < n + np; ++r) {
-            const scalar unit(r == k ? 1 : 0);
-            look(B.row(r).dot(ends) - unit, B.row(r).cwiseAbs().dot(sizes) + unit);
+            for (int c = 0; c < n; ++c)
+                conditions[r] += change(r, c) * u_(c, 0) + change(r, n + c) * u_(c, L);
+            for (int k = 0; k < np; ++k) conditions[r] += change(r, 2 * n + k) * p_[k];
         }
-        left.setZero(), terms.setZero();
-        for (int i = 0; i < L; ++i) {
-            const auto E = equations_.left_block(i), F = equations_.right_block(i);
-            const auto P = equations_.parameter_block(i);
-            left = left.cwiseMax((E * u.col(i) + F * u.col(i + 1) + P * p).cwiseAbs()).eval();
-            terms =
-                terms.cwiseMax(E.cwiseAbs() * u.col(i).cwiseAbs() + F.cwiseAbs() * u.col(i + 1).cwiseAbs())
-                    .eval();
-            terms = terms.cwiseMax(P.cwiseAbs() * p.cwiseAbs()).eval();
-        }
-        for (int c = 0; c < n; ++c) look(left[c], terms[c]);
-        return worst;
+        equations_.solve_mesh_values(local, conditions, e);
+        return share(e.y, e.p);
     }
 
     scalar find_doubt() {
@@ -232,21 +206,31 @@ class regularity {
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
         const auto& P = conditioning_.parameters();
-        column size(2 * n + m - n);
-        for (int c = 0; c < n; ++c) size[c] = size[n + c] = floor + x_.y.row(c).cwiseAbs().maxCoeff();
-        for (int j = 0; j < m - n; ++j) size[2 * n + j] = floor + abs(x_.p[j]);
-        scale_ = size.head(n);
+        scale_.resize(n);
+        for (int c = 0; c < n; ++c) {
+            scale_[c] = scalar(0);
+            for (int i = 0; i <= x_.intervals(); ++i)
+                scale_[c] = std::max(scale_[c], scalar(abs(x_.y(c, i))));
+            scale_[c] += floor;
+        }
         int best = 0;
         answer_ = scalar(0);
         const scalar noise = sqrt(std::numeric_limits<scalar>::epsilon());
         for (int k = 0; k < m; ++k) {
-            const scalar terms = B.row(k).cwiseAbs().dot(size.transpose());
-            const auto& phi = conditioning_.response(k);
-            scalar most(0);
-            for (int c = 0; c < n; ++c)
-                most = std::max(most, scalar(terms * phi.row(c).cwiseAbs().maxCoeff() / size[c]));
-            for (int j = 0; j < m - n; ++j)
-                most = std::max(most, scalar(terms * abs(P(j, k)) / size[2 * n + j]));
+            const wide& phi = conditioning_.response(k);
+            scalar terms(0), most(0);
+            for (int c = 0; c < n; ++c) {
+                terms += (abs(B(k, c)) + abs(B(k, n + c))) * scale_[c];
+                scalar largest(0);
+                for (int i = 0; i <= x_.intervals(); ++i) largest = std::max(largest, scalar(abs(phi(c, i))));
+                most = std::max(most, scalar(largest / scale_[c]));
+            }
+            for (int j = 0; j < m - n; ++j) {
+                const scalar size = floor + abs(x_.p[j]);
+                terms += abs(B(k, 2 * n + j)) * size;
+                most = std::max(most, scalar(abs(P(j, k)) / size));
+            }
+            most *= terms;
             if (most > answer_ * (1 - noise)) answer_ = std::max(most, answer_), best = k;
         }
         u_ = conditioning_.response(best);
@@ -327,10 +311,14 @@ class regularity {
                 local(c, i) = sign(i) * eps * sum;
             }
         }
-        column ends(2 * n + np);
-        ends << size.col(0), size.col(L), p;
-        column conditions = eps * (equations_.conditions().cwiseAbs() * ends);
-        for (int k = 0; k < n + np; ++k) conditions[k] *= sign(k);
+        const auto& B = equations_.conditions();
+        column conditions(n + np);
+        for (int k = 0; k < n + np; ++k) {
+            scalar sum(0);
+            for (int d = 0; d < n; ++d) sum += abs(B(k, d)) * size(d, 0) + abs(B(k, n + d)) * size(d, L);
+            for (int j = 0; j < np; ++j) sum += abs(B(k, 2 * n + j)) * p[j];
+            conditions[k] = sign(k) * eps * sum;
+        }
         equations_.factors().solve(local, conditions, e, shift);
         return e;
     }

@@ -31,24 +31,39 @@ bool is_autonomous(Equations& equations, const Iterate& x) {
 template <class Equations, class Iterate, class Scalar>
 Scalar translation_missed(Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x,
                           const Scalar& floor, const Scalar& error) {
+    using std::abs;
     if (!std::decay_t<decltype(equations.mass())>::identity || !is_autonomous(equations, x)) return Scalar(0);
     const int n = equations.n(), np = equations.np(), L = x.intervals();
     typename Equations::wide v(n, L + 1);
     for (int i = 0; i <= L; ++i) v.col(i) = equations.slope((x.t[0] + x.t[1]) / 2, x.y.col(i), x.p);
     if (!(v.sum() - v.sum() == Scalar(0))) return Scalar(0);
-    typename Equations::column scale(n), noise = Equations::column::Zero(n);
+    typename Equations::column scale(n);
     for (int c = 0; c < n; ++c) scale[c] = floor + x.y.row(c).cwiseAbs().maxCoeff();
-    for (int i = 0; i < L; ++i)
-        noise = noise.cwiseMax(equations.jacobians(i).leftCols(n).cwiseAbs() * scale * error).eval();
-    const auto size = [&] {
-        return Scalar((v.cwiseAbs().rowwise().maxCoeff().array() / scale.array()).maxCoeff());
+    const auto size = [&] {  // of v beside y
+        Scalar most(0);
+        for (int i = 0; i <= L; ++i)
+            for (int c = 0; c < n; ++c) most = std::max(most, Scalar(abs(v(c, i)) / scale[c]));
+        return most;
     };
     const Scalar whole = size();
-    if (!(whole > Scalar(20 * (noise.array() / scale.array()).maxCoeff()))) return Scalar(0);
-    const typename Equations::column d =
-        equations.conditions().leftCols(n) * v.col(0) + equations.conditions().middleCols(n, n) * v.col(L);
+    Scalar noise(0);  // what `error` makes of f
+    for (int i = 0; i < L; ++i) {
+        const auto J = equations.jacobians(i);
+        for (int c = 0; c < n; ++c) {
+            Scalar sum(0);
+            for (int d = 0; d < n; ++d) sum += abs(J(c, d)) * scale[d];
+            noise = std::max(noise, Scalar(sum * error / scale[c]));
+        }
+    }
+    if (!(whole > 20 * noise)) return Scalar(0);
+    const auto& B = equations.conditions();
     conditioning.fundamental();
-    for (int k = 0; k < n + np; ++k) v -= d[k] * conditioning.response(k);
+    const typename Equations::wide slopes = v;
+    for (int k = 0; k < n + np; ++k) {
+        Scalar d(0);
+        for (int c = 0; c < n; ++c) d += B(k, c) * slopes(c, 0) + B(k, n + c) * slopes(c, L);
+        v -= d * conditioning.response(k);
+    }
     return size() / whole;
 }
 

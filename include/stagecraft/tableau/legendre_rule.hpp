@@ -59,13 +59,13 @@ struct legendre_rule {
     Eigen::Matrix<Scalar, 1, Eigen::Dynamic> integral(const Scalar& x) const {
         Eigen::Matrix<Scalar, 1, Eigen::Dynamic> k(size());
         legendre_integrals(x, size() - 1, k.data());
-        return k * to_coefficients;
+        return k.lazyProduct(to_coefficients);
     }
     /// The weights of its value at x.
     Eigen::Matrix<Scalar, 1, Eigen::Dynamic> value(const Scalar& x) const {
         Eigen::Matrix<Scalar, 1, Eigen::Dynamic> k(size());
         legendre_values(x, size() - 1, k.data());
-        return k * to_coefficients;
+        return k.lazyProduct(to_coefficients);
     }
 
   private:

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include <stagecraft/bvp/conditioning.hpp>
+
+namespace stagecraft::detail {
+
+/// What the answer to condition k leaves of its equations, every row beside its largest terms.
+template <class Equations, class Iterate>
+auto left_over(Equations& equations, const conditioning_of<Equations>& conditioning, const Iterate& x,
+               int k) {
+    using std::abs;
+    using scalar = std::decay_t<decltype(x.t[0])>;
+    using column = typename Equations::column;
+    const int n = equations.n(), np = equations.np(), L = x.intervals();
+    const auto& u = conditioning.response(k);
+    const auto& p = conditioning.parameters();
+    const auto& B = equations.conditions();
+    scalar worst(0);
+    const auto look = [&](const scalar& rest, const scalar& of) {
+        if (of > scalar(0) && !(abs(rest / of) <= worst)) worst = abs(rest / of);
+    };
+    column most = column::Zero(n), left = most, terms = most;
+    for (int i = 0; i <= L; ++i)
+        for (int c = 0; c < n; ++c) most[c] = std::max(most[c], scalar(abs(u(c, i))));
+    for (int r = 0; r < n + np; ++r) {
+        scalar rest(r == k ? -1 : 0), of = -rest;
+        for (int c = 0; c < n; ++c) {
+            rest += B(r, c) * u(c, 0) + B(r, n + c) * u(c, L);
+            of += (abs(B(r, c)) + abs(B(r, n + c))) * most[c];
+        }
+        for (int j = 0; j < np; ++j) rest += B(r, 2 * n + j) * p(j, k), of += abs(B(r, 2 * n + j) * p(j, k));
+        look(rest, of);
+    }
+    for (int i = 0; i < L; ++i) {
+        const auto E = equations.left_block(i), F = equations.right_block(i);
+        const auto P = equations.parameter_block(i);
+        for (int c = 0; c < n; ++c) {
+            scalar rest(0), of_y(0), of_p(0);
+            for (int d = 0; d < n; ++d) {
+                const scalar one = E(c, d) * u(d, i), other = F(c, d) * u(d, i + 1);
+                rest += one + other, of_y += abs(one) + abs(other);
+            }
+            for (int j = 0; j < np; ++j) rest += P(c, j) * p(j, k), of_p += abs(P(c, j) * p(j, k));
+            left[c] = std::max(left[c], scalar(abs(rest)));
+            terms[c] = std::max(terms[c], std::max(of_y, of_p));
+        }
+    }
+    for (int c = 0; c < n; ++c) look(left[c], terms[c]);
+    return worst;
+}
+
+/// Do the answers to the conditions leave their equations, every row beside its largest terms, by more than rounding does?
+/// Of a singular M elimination makes a regular one of its rounding errors, whose answers leave the condition that they
+/// are for as it was. Of an M that only answers much, in whatever units, they do not.
+template <class Equations, class Iterate>
+bool answers_contradict(Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x) {
+    using std::sqrt;
+    using scalar = std::decay_t<decltype(x.t[0])>;
+    conditioning.fundamental();
+    for (int k = 0; k < equations.n() + equations.np(); ++k)
+        if (!(left_over(equations, conditioning, x, k) < sqrt(std::numeric_limits<scalar>::epsilon())))
+            return true;
+    return false;
+}
+
+}  // namespace stagecraft::detail
