@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>

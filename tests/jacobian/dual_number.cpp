@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stagecraft/jacobian/automatic.hpp>
 
 using namespace stagecraft;
@@ -132,4 +133,45 @@ BOOST_AUTO_TEST_CASE(matrices_are_filled_from_numbers_of_any_type) {
     BOOST_TEST(G(1, 2).derivatives()[0].derivatives()[0] == 2);  // its second derivative
     BOOST_TEST((3 * G * G.transpose())(1, 1).value().value() == 3 * (1 + 6.25 + 16));
     BOOST_TEST((G.row(1).norm()).value().value() == std::sqrt(1 + 6.25 + 16));
+}
+
+// As right-hand sides of plain numbers are written; each is the function of the same name without std::.
+BOOST_AUTO_TEST_CASE(functions_may_be_called_with_std) {
+    const dual2 x(0.75, Eigen::Vector2d(1, 0)), y(-1.25, Eigen::Vector2d(0, 1)), one = 1;
+    const auto same = [](const dual2& a, const dual2& b) {
+        BOOST_TEST(a.value() == b.value());
+        BOOST_TEST((a.derivatives() == b.derivatives()));
+    };
+    same(std::sin(x) + std::cos(x) + std::tan(x), sin(x) + cos(x) + tan(x));
+    same(std::asin(x) + std::acos(x) + std::atan(x), asin(x) + acos(x) + atan(x));
+    same(std::sinh(x) + std::cosh(x) + std::tanh(x), sinh(x) + cosh(x) + tanh(x));
+    same(std::asinh(x) + std::acosh(one + x) + std::atanh(x), asinh(x) + acosh(one + x) + atanh(x));
+    same(std::exp(x) + std::exp2(x) + std::expm1(x), exp(x) + exp2(x) + expm1(x));
+    same(std::log(x) + std::log2(x) + std::log10(x) + std::log1p(x), log(x) + log2(x) + log10(x) + log1p(x));
+    same(std::abs(y) + std::fabs(y) + std::sqrt(x) + std::cbrt(x), abs(y) + fabs(y) + sqrt(x) + cbrt(x));
+    same(std::erf(x) + std::erfc(y), erf(x) + erfc(y));
+    same(std::floor(y) + std::ceil(y) + std::trunc(y) + std::round(y),
+         floor(y) + ceil(y) + trunc(y) + round(y));
+    same(std::rint(y) + std::nearbyint(y), rint(y) + nearbyint(y));
+    same(std::pow(x, 3) + std::pow(2.0, x) + std::pow(x, y), pow(x, 3) + pow(2.0, x) + pow(x, y));
+    same(std::hypot(x, y) + std::hypot(x, 2.0) + std::hypot(x, y, one),
+         hypot(x, y) + hypot(x, 2.0) + hypot(x, y, one));
+    same(std::atan2(x, y) + std::atan2(1.0, y), atan2(x, y) + atan2(1.0, y));
+    same(std::fmod(x, y) + std::remainder(x, 0.5), fmod(x, y) + remainder(x, 0.5));
+    same(std::copysign(x, y) + std::copysign(1.0, y), copysign(x, y) + copysign(1.0, y));
+    same(std::max(x, y) + 2 * std::max(x, 0.0) + 3 * std::max(0, y), x + 2 * x);
+    same(std::min(x, y) + 2 * std::min(x, 0.0) + 3 * std::min(0, y), y + 3 * y);
+    same(std::fmax(x, y) + 2 * std::fmin(x, 0.0), x);
+    same(std::clamp(x, 0.0, 1.0) + 2 * std::clamp(y, 0, 1) + std::clamp(x, y, one), 2 * x);
+    BOOST_TEST((std::isfinite(x) && !std::isnan(x) && !std::isinf(x) && std::signbit(y)));
+    BOOST_TEST(std::numeric_limits<dual2>::max() == std::numeric_limits<double>::max());
+}
+
+BOOST_AUTO_TEST_CASE(a_value_can_be_printed_and_choose_an_entry_of_a_table) {
+    const dual2 x(2.75, Eigen::Vector2d(1, 0));
+    std::ostringstream text;
+    text << x;
+    BOOST_TEST(text.str() == "2.75");
+    BOOST_TEST((int(x) == 2 && bool(x) && !bool(dual2(0)) && int(dual22(x)) == 2));
+    BOOST_TEST((!std::is_convertible_v<dual2, double> && !std::is_convertible_v<dual2, int>));
 }

@@ -9,9 +9,9 @@
 /// The functions of <cmath> that a right-hand side may call with dual numbers, by the chain rule: abs, fabs, sqrt, cbrt,
 /// hypot, pow; exp, exp2, expm1, log, log2, log10, log1p; sin, cos, tan, asin, acos, atan, atan2; sinh, cosh, tanh, asinh,
 /// acosh, atanh; erf, erfc; floor, ceil, trunc, round, rint, nearbyint, fmod, remainder; max, min, fmax, fmin,
-/// copysign; isfinite, isnan, isinf, signbit. Those of two arguments take a plain number as one of them. There are no others:
-/// tgamma and lgamma, say, need a Jacobian or a right-hand side of plain numbers. Derivatives that do not exist are not
-/// finite: those of sqrt and cbrt at 0, of asin at 1.
+/// copysign, clamp; isfinite, isnan, isinf, signbit. Those of two arguments take a plain number as one of them. All may be
+/// written with std:: or without, as for plain numbers. There are no others: tgamma and lgamma, say, need a Jacobian or
+/// a right-hand side of plain numbers. Derivatives that do not exist are not finite: those of sqrt and cbrt at 0, of asin at 1.
 namespace stagecraft {
 
 namespace detail {
@@ -343,5 +343,43 @@ D fmin(const A& a, const B& b) {
     const D &x = a, &y = b;
     return isnan(x) ? y : isnan(y) ? x : min(x, y);
 }
+/// x between plain bounds, where it is constant outside of them.
+template <class S, int W, detail::plain_operand<S> A, detail::plain_operand<S> B>
+dual_number<S, W> clamp(const dual_number<S, W>& x, const A& low, const B& high) {
+    return min(max(x, low), high);
+}
+
+template <class S, int W>
+dual_number<S, W> lgamma(const dual_number<S, W>& x) {
+    static_assert(W < 0,
+                  "tgamma and lgamma are not differentiated automatically: give the problem a jacobian, or "
+                  "write `const Eigen::Vector3d& y` (the type of y0) in place of `const auto& y`");
+    return x;
+}
+template <class S, int W>
+dual_number<S, W> tgamma(const dual_number<S, W>& x) {
+    return lgamma(x);
+}
 
 }  // namespace stagecraft
+
+// A generic right-hand side is written for plain numbers first, with std::sin. Strictly, the standard keeps this namespace
+// to itself; these names are found there for dual numbers alone, and no other call can mean them.
+namespace std {
+
+using stagecraft::abs, stagecraft::fabs, stagecraft::sqrt, stagecraft::cbrt, stagecraft::hypot,
+    stagecraft::pow;
+using stagecraft::acos, stagecraft::acosh, stagecraft::cos, stagecraft::cosh, stagecraft::tan,
+    stagecraft::tanh;
+using stagecraft::asin, stagecraft::asinh, stagecraft::sin, stagecraft::sinh, stagecraft::atan,
+    stagecraft::atanh;
+using stagecraft::atan2, stagecraft::erf, stagecraft::erfc, stagecraft::lgamma, stagecraft::tgamma;
+using stagecraft::ceil, stagecraft::floor, stagecraft::nearbyint, stagecraft::rint, stagecraft::round;
+using stagecraft::clamp, stagecraft::copysign, stagecraft::fmax, stagecraft::fmin, stagecraft::max,
+    stagecraft::min;
+using stagecraft::exp, stagecraft::exp2, stagecraft::expm1, stagecraft::fmod, stagecraft::remainder,
+    stagecraft::trunc;
+using stagecraft::isfinite, stagecraft::isinf, stagecraft::isnan, stagecraft::signbit;
+using stagecraft::log, stagecraft::log10, stagecraft::log1p, stagecraft::log2;
+
+}  // namespace std

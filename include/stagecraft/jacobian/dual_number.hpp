@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <iosfwd>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -22,6 +23,16 @@ inline constexpr bool is_dual<dual_number<S, Width>> = true;
 template <class T, class S>
 concept plain_operand = std::is_same_v<T, S> || std::is_arithmetic_v<T>;
 
+/// Named where dual numbers are given to what holds plain ones, and would lose their derivatives.
+template <class T>
+struct without_derivatives {
+    static_assert(!sizeof(T),
+                  "a right-hand side with `const auto& y` is differentiated by calling it with dual "
+                  "numbers, which no double holds: keep what follows from y as `auto k = y[0];`, vectors "
+                  "as `std::decay_t<decltype(y)> g = y;`, or write `const Eigen::Vector3d& y`, with the "
+                  "type of y0");
+};
+
 }  // namespace detail
 
 /// A value with its derivatives in Width directions, for forward-mode automatic differentiation (Griewank and
@@ -31,7 +42,8 @@ concept plain_operand = std::is_same_v<T, S> || std::is_arithmetic_v<T>;
 /// Every operation returns a dual_number, never an expression that refers to its operands, and every built-in
 /// number converts. So right-hand sides and models may keep intermediate results with `auto`, return them, mix
 /// in literals of any type and fill matrices by Eigen's comma initialiser (`G << q[0], 1, 0;`), all of which
-/// silently give wrong derivatives with Eigen::AutoDiffScalar. Comparisons look at the value alone.
+/// silently give wrong derivatives with Eigen::AutoDiffScalar. Comparisons, and casts to whole numbers, look at the value
+/// alone.
 /// jacobian/dual_functions.hpp has the functions of <cmath>.
 template <class S, int Width>
 class dual_number {
@@ -68,6 +80,14 @@ class dual_number {
         else
             for (int i = 0; i < Width; ++i) r.slope(i) = a.slope(i) * x + b.slope(i) * y;
         return r;
+    }
+
+    /// To an integer or a bool, which are constant between their jumps, as floor(x) is.
+    template <class T>
+    requires std::is_arithmetic_v<T>
+    explicit operator T() const {
+        if constexpr (!std::is_integral_v<T>) static_assert(sizeof(detail::without_derivatives<T>) > 0);
+        return static_cast<T>(value_);
     }
 
     const S& value() const { return value_; }
@@ -174,9 +194,30 @@ class dual_number {
     derivatives_type derivatives_;
 };
 
+/// Prints the value.
+template <class Traits, class S, int Width>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
+                                             const dual_number<S, Width>& x) {
+    return out << x.value();
+}
+
 }  // namespace stagecraft
 
+/// That of the values.
+template <class S, int Width>
+struct std::numeric_limits<stagecraft::dual_number<S, Width>> : std::numeric_limits<S> {};
+
 namespace Eigen {
+
+namespace internal {
+
+/// Plain numbers := dual ones.
+template <class S, int W>
+struct assign_op<S, stagecraft::dual_number<S, W>> : stagecraft::detail::without_derivatives<S> {
+    void assignCoeff(S&, const stagecraft::dual_number<S, W>&) const {}
+};
+
+}  // namespace internal
 
 template <class S, int W>
 struct NumTraits<stagecraft::dual_number<S, W>> : NumTraits<typename NumTraits<S>::Real> {
