@@ -77,8 +77,9 @@ class event_watch {
         if (events_.empty()) throw std::invalid_argument("events: give at least one event");
     }
 
-    /// The events of the last run that this observer has seen, in the order of the run.
-    const std::vector<occurrence<Vector>>& found() const { return found_; }
+    /// The events of the last run that this observer has seen, in the order of the run, a std::vector. (Its type is
+    /// deduced: a loop over `found` without parentheses is refused in five lines then, not in a hundred.)
+    const auto& found() const { return found_; }
     auto begin() const { return found_.begin(); }
     auto end() const { return found_.end(); }
     /// True if the last entry of found() has ended the run.
