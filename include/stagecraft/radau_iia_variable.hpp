@@ -17,6 +17,16 @@ requires(sizeof...(Stages) > 1) auto radau_iia_variable() {
 }
 inline auto radau_iia_variable() { return radau_iia_variable<3, 5, 7, 9>(); }
 
+/// One number of stages leaves no choice.
+template <int Stages>
+auto radau_iia_variable() {
+    constexpr bool several = Stages < 0;
+    static_assert(
+        several,
+        "radau_iia_variable<3, 5>() chooses among several numbers of stages; radau_iia<3>() has one");
+    return radau_iia_variable<3, 5>();
+}
+
 /// The parentheses are missing.
 template <class... Arguments>
 auto integrate(decltype(radau_iia_variable()) (*)(), const Arguments&... arguments) {

@@ -134,3 +134,29 @@ BOOST_AUTO_TEST_CASE(a_generic_right_hand_side_may_fill_f_with_commas) {
     const auto r = sc::integrate(sc::radau_iia<3>(), commas, Vector2d(0, 1), 0, 1);
     BOOST_TEST(r.y[0] == std::sin(1.0), boost::test_tools::tolerance(1e-5));
 }
+
+// As it is written for doubles; the Jacobian is exact all the same.
+BOOST_AUTO_TEST_CASE(a_generic_right_hand_side_may_call_the_functions_of_std) {
+    const auto pendulum = [](const auto& t, const auto& y, auto& f) {
+        f[0] = y[1];
+        f[1] = -std::sin(y[0]) + std::pow(2.0, -t) * std::max(y[1], -0.5);
+    };
+    const auto by_hand = [](const auto& t, const auto& y, auto& f) {
+        using std::sin, std::pow, std::max;
+        f[0] = y[1];
+        f[1] = -sin(y[0]) + pow(2.0, -t) * max(y[1], -0.5);
+    };
+    const auto r = sc::integrate(sc::radau_iia<3>(), pendulum, Vector2d(0, 1), 0, 1);
+    const auto expected = sc::integrate(sc::radau_iia<3>(), by_hand, Vector2d(0, 1), 0, 1);
+    BOOST_TEST((r.y == expected.y));
+    BOOST_TEST((r.report.found.jacobian == expected.report.found.jacobian));
+    BOOST_TEST(r.report.f == expected.report.f);
+}
+
+BOOST_AUTO_TEST_CASE(a_generic_right_hand_side_may_take_everything_by_reference) {
+    const auto careless = [](auto&, auto& y, auto& f) { f[0] = y[1], f[1] = -y[0]; };
+    const auto forwarding = [](auto&&, auto&& y, auto&& f) { f[0] = y[1], f[1] = -y[0]; };
+    const auto expected = sc::integrate(sc::radau_iia<3>(), circle, Vector2d(0, 1), 0, 1).y;
+    BOOST_TEST((sc::integrate(sc::radau_iia<3>(), careless, Vector2d(0, 1), 0, 1).y == expected));
+    BOOST_TEST((sc::integrate(sc::radau_iia<3>(), forwarding, Vector2d(0, 1), 0, 1).y == expected));
+}

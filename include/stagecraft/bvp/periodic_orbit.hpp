@@ -192,7 +192,7 @@ struct call_of_periodic_orbit {
 /// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. One of the
 /// multipliers is 1; for how they and their errors are found see bvp/multipliers.hpp.
 template <class Scalar, int S, class Rhs, class Vector>
-requires std::is_invocable_v<Rhs&, const Scalar&, const Vector&, Vector&> orbit_result<Vector> periodic_orbit(
+requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> periodic_orbit(
     const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
     const orbit_options<std::type_identity_t<Scalar>>& o = {}) {
     detail::validate_period(guess, "periodic_orbit");

@@ -40,8 +40,8 @@ struct rival<F, K, std::index_sequence<I...>, Args...> : F {
 
 template <class F, std::size_t K, class... Args>
 concept converts_argument =
-    requires(rival<std::remove_const_t<F>, K, std::index_sequence_for<Args...>, Args...>& f, Args... args) {
-    { f(args...) } -> std::same_as<rival_called>;
+    requires(rival<std::remove_const_t<F>, K, std::index_sequence_for<Args...>, Args...>& f) {
+    { f(std::declval<Args>()...) } -> std::same_as<rival_called>;
 };
 
 /// A vector of dual numbers that is read, which Eigen's matrices of plain numbers are constructible from, if only by
@@ -69,5 +69,24 @@ template <class F, class... Args>
 concept callable_unconverted = !converts_duals<F, Args...>() && requires(F & f, Args... args) {
     f(args...);
 };
+
+/// F is generic and takes a temporary as its last argument: it does not write into that.
+template <class F, class Out, class... In>
+constexpr bool reads_last() {
+    if constexpr (has_member_named<F, call_operator_member> && !std::is_final_v<F> &&
+                  !requires { &F::operator(); })
+        return !converts_argument<F, sizeof...(In), const In&..., Out>;
+    else
+        return false;
+}
+
+/// F can be called with these arguments and writes into the last. A generic F that takes them in another order would not
+/// compile, and say so from inside: so the others are given as temporaries, to which the `auto&` of what is
+/// written into cannot refer, and as they are only where F may mean to write into its last argument.
+template <class F, class Out, class... In>
+concept writes_last = requires(F& f, Out& out) {
+    f(std::declval<In>()..., out);
+}
+|| (!reads_last<F, Out, In...>() && requires(F & f, const In&... in, Out& out) { f(in..., out); });
 
 }  // namespace stagecraft::detail

@@ -24,7 +24,7 @@ struct returned_by {
 };
 template <class F, class Vector>
 struct returned_by<F, Vector, true> {
-    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&, const double&>>;
+    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&, double>>;
 };
 
 /// True if T is a callable, but no template: its address can be taken.
@@ -174,9 +174,8 @@ class lagrangian_model : public lagrangian_energies<Coordinates, Parts> {
     using Constraint = decltype(Parts::constraint);
     template <class S>
     using vector = Eigen::Matrix<S, Coordinates, 1>;
-    /// True if the constraint depends on t as well; what it returns, a number as 1 x 1.
-    static constexpr bool moves =
-        std::is_invocable_v<const Constraint&, const vector<double>&, const double&>;
+    /// True if the constraint depends on t as well (a temporary, which none that writes takes); what it returns, a number as 1 x 1.
+    static constexpr bool moves = std::is_invocable_v<const Constraint&, const vector<double>&, double>;
     static constexpr auto shape = [] {
         using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
         if constexpr (std::is_arithmetic_v<returned>)
@@ -266,7 +265,7 @@ struct given_energies {
                           kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
                           potential = std::is_invocable_v<const Potential&, const vector&>,
                           on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
-                          usable = kinetic && potential && on_the_stack;
+                          usable = generic && kinetic && potential && on_the_stack;
 };
 
 template <int Coordinates, class Kinetic, class Potential, class Forces>
@@ -284,8 +283,8 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
         using parts = lagrangian_parts<Kinetic, Potential, no_constraint, Forces>;
         return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
     } else {
-        using parts = lagrangian_parts<refused_energy, refused_energy, no_constraint, Forces>;
-        return lagrangian_energies<Coordinates, parts>(parts{{}, {}, {}, std::move(Q)});
+        using parts = lagrangian_parts<refused_energy, refused_energy, no_constraint, no_forces>;
+        return lagrangian_energies<Coordinates, parts>(parts{});
     }
 }
 
@@ -318,11 +317,13 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
         fewer,
         "lagrangian<n, m>: m must be less than n: with as many constraints as coordinates nothing "
         "moves, unless some depend on others: independent_constraints<m>(constraint, q) keeps m of them");
-    if constexpr (!fewer) {
-        using energy = detail::refused_energy;
-        using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
-        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
-    } else if constexpr (given::usable) {
+    using vector = typename given::vector;
+    constexpr bool constrained = std::is_invocable_v<const Constraint&, const vector&> ||
+                                 std::is_invocable_v<const Constraint&, const vector&, double>;
+    static_assert(constrained,
+                  "lagrangian<n, m>(T, V, g): the constraint must be callable as g(q) or g(q, t) and return "
+                  "its values, a number where m is 1");
+    if constexpr (fewer && constrained && given::usable) {
         using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
         using model = lagrangian_model<Coordinates, Constraints, parts>;
         constexpr bool columns = model::columns_fit, rows = model::rows_fit;
@@ -334,9 +335,8 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
         return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
     } else {
         using energy = detail::refused_energy;
-        using parts = detail::lagrangian_parts<energy, energy, Constraint, Forces>;
-        return lagrangian_model<Coordinates, Constraints, parts>(
-            parts{{}, {}, std::move(constraint), std::move(Q)});
+        using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
+        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
@@ -48,10 +49,7 @@ auto output_parameter() {
 }
 
 template <class Problem, class Vector>
-concept callable_right_hand_side = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y,
-                                            Vector& f) {
-    p(t, y, f);
-};
+concept callable_right_hand_side = writes_last<Problem, Vector, typename Vector::Scalar, Vector>;
 
 /// A vector that cannot be passed by value.
 template <class Vector>
@@ -62,7 +60,8 @@ struct passed_by_reference : Vector {
 /// Problem is generic and takes its last argument by value: it can be called with a temporary, which no reference binds to
 /// but `auto&&` and `const auto&`, and not with what cannot be copied.
 template <class Problem, class Vector, class... Others>
-concept takes_copy = std::is_invocable_v<Problem&, const Others&..., Vector> &&
+concept takes_copy =
+    writes_last<Problem, Vector, Others...> && std::is_invocable_v<Problem&, const Others&..., Vector> &&
     !std::is_invocable_v<Problem&, const Others&..., passed_by_reference<Vector>&>;
 /// What a callable writes into its last argument, a Vector, reaches the caller: that is neither a copy nor const.
 template <class Problem, class Vector, class... Others>

@@ -14,9 +14,10 @@ namespace detail {
 
 /// F(t, y, v, out)
 template <class F, class T, class S, int N>
-concept implicit_equations = callable_unconverted < const F,
-        const T&, const Eigen::Matrix<S, N, 1>
-&, const Eigen::Matrix<S, N, 1>&, Eigen::Matrix<S, N, 1>& > ;
+concept implicit_equations =
+    !reads_last<const F, Eigen::Matrix<S, N, 1>, T, Eigen::Matrix<S, N, 1>, Eigen::Matrix<S, N, 1>>() &&
+    callable_unconverted<const F, const T&, const Eigen::Matrix<S, N, 1>&, const Eigen::Matrix<S, N, 1>&,
+                         Eigen::Matrix<S, N, 1>&>;
 /// F.jacobian(t, y, v, F_y, F_v)
 template <class F, class S, int N>
 concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix<S, N, 1>& y,
@@ -36,8 +37,8 @@ concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix
 template <int N, class F>
 class fully_implicit_problem : public detail::optional_jacobian<fully_implicit_problem<N, F>,
                                                                 detail::implicit_jacobian<F, double, N>> {
-    static_assert(detail::implicit_equations<F, double, double, N>,
-                  "fully_implicit: F must be callable as F(t, y, v, out) with v for y'");
+    static constexpr bool fits = detail::implicit_equations<F, double, double, N>;
+    static_assert(fits, "fully_implicit: F must be callable as F(t, y, v, out) with v for y'");
     static_assert(
         !detail::has_member_named<F, detail::jacobian_member> || detail::implicit_jacobian<F, double, N>,
         "fully_implicit: F.jacobian must be callable as F.jacobian(t, y, v, F_y, F_v) on a const F");

@@ -22,9 +22,9 @@ concept differential_equations = callable_unconverted < const F,
 &, const column<S, Sizes::second>&, column<S, Sizes::first>& > ;
 /// g(t, y, out): the constraint of a problem of index 2
 template <class G, class T, class S, class Sizes>
-concept constraint_without_z = callable_unconverted < const G,
-        const T&, const column<S, Sizes::first>
-&, column<S, Sizes::second>& > ;
+concept constraint_without_z =
+    !reads_last<const G, column<S, Sizes::second>, T, column<S, Sizes::first>>() &&
+    callable_unconverted<const G, const T&, const column<S, Sizes::first>&, column<S, Sizes::second>&>;
 /// g(t, y, z, out): that of a problem of index 1
 template <class G, class T, class S, class Sizes>
 concept constraint_with_z = callable_unconverted < const G,
@@ -74,10 +74,10 @@ class semi_explicit_problem
                                        detail::differential_jacobian<F, double, Sizes> ||
                                            detail::constraint_jacobian<G, double, Sizes>> {
     static constexpr bool sees_z = detail::constraint_with_z<G, double, double, Sizes>;
-    static_assert(detail::differential_equations<F, double, double, Sizes>,
-                  "semi_explicit: f must be callable as f(t, y, z, out)");
-    static_assert(detail::constraint_equations<G, double, double, Sizes>,
-                  "semi_explicit: g must be callable as g(t, y, out) or g(t, y, z, out)");
+    static constexpr bool f_fits = detail::differential_equations<F, double, double, Sizes>,
+                          g_fits = detail::constraint_equations<G, double, double, Sizes>;
+    static_assert(f_fits, "semi_explicit: f must be callable as f(t, y, z, out)");
+    static_assert(g_fits, "semi_explicit: g must be callable as g(t, y, out) or g(t, y, z, out)");
     static_assert(!(sees_z && detail::constraint_without_z<G, double, double, Sizes>),
                   "semi_explicit: g must be callable in one of its two forms, not in both");
 

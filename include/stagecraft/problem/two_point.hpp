@@ -54,11 +54,11 @@ struct condition_values : R {
 
 /// Whether conditions can be called with these arguments and an R to write into.
 template <class Conditions, class R, class... Arguments>
-concept writes_watched_conditions =
+concept writes_watched_conditions = writes_last<Conditions, condition_values<R>, Arguments...> &&
     callable_unconverted<Conditions, const Arguments&..., std::add_lvalue_reference_t<condition_values<R>>>;
 template <class Conditions, class R, class... Arguments>
 concept writes_conditions = writes_watched_conditions<Conditions, R, Arguments...> ||
-    callable_unconverted<Conditions, const Arguments&..., R&>;
+    (writes_last<Conditions, R, Arguments...>&& callable_unconverted<Conditions, const Arguments&..., R&>);
 
 /// Whether f and r can be called as two_point() says with states of the type Vector and these Parameters.
 template <class Rhs, class Conditions, class Vector, class Parameters>
@@ -67,9 +67,8 @@ struct checked_two_point {
     using scalar = typename Vector::Scalar;
     using values = Eigen::Matrix<scalar, added<N, P>, 1>;
     static constexpr bool alone = P == 0;
-    static constexpr bool rhs =
-        alone ? std::is_invocable_v<Rhs&, const scalar&, const Vector&, Vector&>
-              : std::is_invocable_v<Rhs&, const scalar&, const Vector&, const Parameters&, Vector&>;
+    static constexpr bool rhs = alone ? writes_last<Rhs, Vector, scalar, Vector>
+                                      : writes_last<Rhs, Vector, scalar, Vector, Parameters>;
     static constexpr bool conditions =
         alone ? writes_conditions<Conditions, values, Vector, Vector>
               : writes_conditions<Conditions, values, Vector, Vector, Parameters>;

@@ -33,10 +33,7 @@ concept transformed_method = requires(const Method& m) {
 /// What sensitivities() and adjoint_gradient() may be called with.
 template <class Method, class Problem, class Vector, class Parameters>
 concept run_with_parameters = transformed_method<Method> &&
-    requires(const Problem& problem, const typename Vector::Scalar& t, const Vector& y, const Parameters& p,
-             Vector& f) {
-    problem(t, y, p, f);
-};
+    writes_last<const Problem, Vector, typename Vector::Scalar, Vector, Parameters>;
 
 /// A Problem with its parameters, and with jacobian(t, y, J) where it has jacobian(t, y, p, J).
 template <class Problem, class Parameters>
@@ -71,10 +68,12 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
         Problem, T, Y, Eigen::Matrix<typename F::Scalar, Parameters::RowsAtCompileTime, 1>, F>
     void operator()(const T& t, const Y& y, F& f) const {
         const auto& problem = static_cast<const Problem&>(*this);
-        if constexpr (std::is_same_v<typename F::Scalar, typename Parameters::Scalar>)
+        if constexpr (std::is_same_v<typename F::Scalar, typename Parameters::Scalar>) {
             problem(t, y, p, f);
-        else
-            problem(t, y, detail::promoted<typename F::Scalar>(p), f);
+        } else {
+            const auto q = detail::promoted<typename F::Scalar>(p);
+            problem(t, y, q, f);
+        }
     }
 
     /// F := df/dp, n x m: by problem.parameter_jacobian(t, y, p, F) where that exists (F is zero at the first
@@ -99,6 +98,7 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
                 "auto& y, "
                 "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
             constexpr int width = dual_width<M>;
+            [[maybe_unused]] const number time(t);
             const state at = detail::promoted<number>(y);
             values q = detail::promoted<number>(p);
             state f(y.size());
@@ -106,7 +106,7 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
                 for (Eigen::Index k = first; k < p.size() && k < first + width; ++k)
                     q[k].derivatives()[k - first] = Scalar(1);
                 if constexpr (dual_time)
-                    problem(number(t), at, q, f);
+                    problem(time, at, q, f);
                 else if constexpr (generic)
                     problem(t, at, q, f);
                 for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: dual_number
-// lines: 13
+// lines: 16
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 
