@@ -238,7 +238,7 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                   "const`");
     static_assert(given::lower_case,
                   "integrate: members of the problem are called jacobian, mass, index, bandwidth and "
-                  "sparsity, without a capital");
+                  "sparsity, without a capital, and not jac or mass_matrix");
     static_assert(
         given::observed,
         "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, "
@@ -350,7 +350,8 @@ requires std::is_arithmetic_v<Number> result<Eigen::VectorXd> integrate(const Me
                                                                         const More&...) {
     static_assert(detail::never<Method>,
                   "integrate: a number in place of the options; name what it is: {.rtol = 1e-6, .atol = "
-                  "1e-9}, {.fixed_step = 0.01}");
+                  "1e-9}, {.fixed_step = 0.01}; a Jacobian goes with the problem: with_jacobian(f, J) of "
+                  "stagecraft/problem/with.hpp");
     return {};
 }
 

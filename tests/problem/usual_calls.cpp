@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stagecraft/families.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/observe/output_times.hpp>
 #include <stagecraft/observe/progress.hpp>
 #include <stagecraft/observe/table.hpp>
 #include <stdexcept>
@@ -159,4 +160,13 @@ BOOST_AUTO_TEST_CASE(a_generic_right_hand_side_may_take_everything_by_reference)
     const auto expected = sc::integrate(sc::radau_iia<3>(), circle, Vector2d(0, 1), 0, 1).y;
     BOOST_TEST((sc::integrate(sc::radau_iia<3>(), careless, Vector2d(0, 1), 0, 1).y == expected));
     BOOST_TEST((sc::integrate(sc::radau_iia<3>(), forwarding, Vector2d(0, 1), 0, 1).y == expected));
+}
+
+BOOST_AUTO_TEST_CASE(output_times_are_given_as_a_list_or_as_a_vector) {
+    sc::output_times<Vector2d> list({0, 0.5, 1}), vector(Eigen::VectorXd::LinSpaced(3, 0, 1));
+    for (auto* table : {&list, &vector}) {
+        sc::integrate(sc::radau_iia<3>(), circle, Vector2d(0, 1), 0, 1, {}, *table);
+        BOOST_TEST((table->filled() == 3 && table->time(1) == 0.5));
+        BOOST_TEST(table->y(1)[0] == std::sin(0.5), boost::test_tools::tolerance(1e-5));
+    }
 }

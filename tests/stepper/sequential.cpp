@@ -146,6 +146,9 @@ BOOST_AUTO_TEST_CASE(a_method_that_cannot_do_what_is_asked_is_named) {
     BOOST_TEST(has(said(methods::classical(), 0), "method has no embedded weights"));
     BOOST_TEST(said(methods::dormand_prince(), 0) == "success");
     method m = methods::classical();
+    m.c.setZero();
+    BOOST_TEST(has(said(m, 0.1), "method.c is zero and method.A is not: set c = A 1"));
+    m = methods::classical();
     m.b *= 0.5;
     BOOST_TEST(has(said(m, 0.1), "method.b must sum to one"));
     m = methods::classical();

@@ -39,6 +39,11 @@ class output_times {
         if (!up && !down) throw std::invalid_argument("output_times: times must be in order");
     }
 
+    /// The same from a vector of Eigen's, VectorXd::LinSpaced(11, 0, 1), say.
+    template <class Derived>
+    explicit output_times(const Eigen::MatrixBase<Derived>& times, bool with_derivatives = false)
+        : output_times(std::vector<scalar>(times.begin(), times.end()), with_derivatives) {}
+
     /// How many of the times the run has reached: all of them after a success, fewer where it ended early.
     /// Times equal to t0 always count.
     int filled() const { return filled_; }

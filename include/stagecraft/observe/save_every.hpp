@@ -34,8 +34,15 @@ class saving_observer {
 /// `file << last` writes it, `file >> last` reads it. Together with others: observers(watch, save_every(...)). A
 /// checkpoint costs a copy of the Jacobian and a few states. std::invalid_argument unless steps > 0.
 template <class Store>
-saving_observer<Store> save_every(long steps, Store store) {
-    return {steps, std::move(store)};
+auto save_every(long steps, Store store) {
+    constexpr bool takes_points = !requires { store.y; };
+    static_assert(takes_points,
+                  "save_every(steps, store): store is called with each checkpoint: write "
+                  "[&](auto point) { last = std::move(point); } in place of last");
+    if constexpr (takes_points)
+        return saving_observer<Store>(steps, std::move(store));
+    else
+        return saving_observer(steps, [](const auto&) {});
 }
 
 }  // namespace stagecraft

@@ -111,8 +111,10 @@ const tableau<Scalar, Stages>& checked(const tableau<Scalar, Stages>& m) {
     demand(m.c.size() == s, "integrate: method.c must have the size of b");
     demand(e == 0 || e == s, "integrate: method.b_embedded must be empty or have the size of b");
     Scalar defect(0), embedded(0), difference(0);  // finite only if every entry is
+    bool without_c = true;
     for (Eigen::Index i = 0; i < s; ++i) {
         defect += (m.b[i] - m.b[i]) + (m.c[i] - m.c[i]);
+        without_c = without_c && m.c[i] == Scalar(0);
         for (Eigen::Index j = 0; j < s; ++j) defect += m.A(i, j) - m.A(i, j);
         if (e == 0) continue;
         using std::abs;
@@ -121,6 +123,8 @@ const tableau<Scalar, Stages>& checked(const tableau<Scalar, Stages>& m) {
         difference += abs(m.b_embedded[i] - m.b[i]);
     }
     demand(defect == Scalar(0), "integrate: method must have finite entries");
+    demand(!without_c || m.A.isZero(Scalar(0)),
+           "integrate: method.c is zero and method.A is not: set c = A 1");
     demand(quadrature_conditions(m, 1) == 1, "integrate: method.b must sum to one");
     demand(e == 0 || detail::holds(embedded, Scalar(1)), "integrate: method.b_embedded must sum to one");
     demand(e == 0 || difference > Scalar(0), "integrate: method.b_embedded must differ from b");

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "stagecraft/named_member.hpp"
 #include "stagecraft/tableaux/nodal.hpp"
 #include "stagecraft/theory/judging/certificate.hpp"
 #include "stagecraft/theory/models/legendre_model.hpp"
@@ -309,5 +310,23 @@ inline certificate certify(const tableaux::nodal_polynomial& nodes, tableaux::co
     return detail::certify(legendre_model<tableaux::rational>(nodes.legendre(), rule),
                            nodes.name() + " (" + std::string(name(rule)) + ")", "Sturm's theorem");
 }
+
+namespace detail {
+struct call_of_certify {
+    template <class T>
+    static constexpr bool say() {
+        static_assert(!sizeof(T),
+                      "certify(tableaux::family::radau_iia, 3), or certify(nodes, "
+                      "tableaux::construction::collocation) with nodes = "
+                      "tableaux::nodal_polynomial::from_nodes({0, rational(1, 3), 1}); what a file holds is "
+                      "certified by judging/certify_file.hpp");
+        return true;
+    }
+};
+}  // namespace detail
+
+/// Doubles, which prove nothing, or nodes without their construction.
+certificate certify(stagecraft::detail::refused_call<detail::call_of_certify>,
+                    stagecraft::detail::anything = 0);
 
 }  // namespace stagecraft::theory
