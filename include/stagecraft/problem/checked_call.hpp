@@ -194,7 +194,8 @@ struct checked_call {
             return usable_in<
                 Eigen::Matrix<typename Vector::Scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>>;
     }();
-    /// An optional member with a capital, or under the name of other programs, would be passed over; a number called Mass is something else.
+    /// An optional member with a capital, or under the name of other programs, would be passed over; a number called Mass is
+    /// something else.
     static constexpr bool lower_case = !requires(
         Problem & p, const typename Vector::Scalar& t, const Vector& y,
         Eigen::Matrix<typename Vector::Scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>& J) {
