@@ -230,4 +230,13 @@ BOOST_AUTO_TEST_CASE(growth_is_bounded_where_that_is_proved) {
     }
     BOOST_TEST(proved > 200);
     BOOST_TEST(refused > 200);
+    // Weights prove what no sum shows: a cascade whose loop amplifies by 1/10, and one by 10, with the eigenvalue
+    // 10^(1/3) - 1.
+    MatrixXd cascade = -MatrixXd::Identity(3, 3);
+    cascade(1, 0) = cascade(2, 1) = 1000;
+    cascade(0, 2) = 1e-7;
+    BOOST_TEST(holds(cascade, 1, 0.01));
+    cascade(0, 2) = -1e-5;
+    BOOST_TEST(!holds(cascade, 1, 1.15));
+    BOOST_TEST(holds(cascade, 1, 1.16));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE dense
 #include <Eigen/LU>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <complex>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <stagecraft/linear/coupling.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/sparse_elimination.hpp>
+#include <stagecraft/stages/sparse_pairs.hpp>
 
 namespace sc = stagecraft;
 using Eigen::MatrixXd;
@@ -197,6 +199,49 @@ BOOST_AUTO_TEST_CASE(few_entries_are_eliminated_without_the_zeros_and_as_exactly
     arrow(5, 5) = 1e-6;  // too small for a pivot: rows are exchanged
     BOOST_TEST(!leaves_out_zeros(arrow));
     BOOST_TEST(real_error(arrow) < 120 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(systems_of_few_entries_are_solved_two_at_once) {
+    const int n = 25;
+    const MatrixXd J = -kinetics_matrix(n, 2 * n);
+    const auto shifted = [&](std::complex<double> shift) {
+        return Eigen::MatrixXcd(shift * Eigen::MatrixXcd::Identity(n, n) - J);
+    };
+    for (const int real : {0, 1})
+        for (int complex = 1 - real; complex <= 4; ++complex) {
+            sc::sparse_pairs<double> systems(real, complex);
+            const VectorXd shift =
+                VectorXd::Random(real + 2 * complex) + VectorXd::Constant(real + 2 * complex, 2);
+            BOOST_REQUIRE(systems.factor(J, shift.data()));
+            const MatrixXd b = MatrixXd::Random(n, shift.size());
+            MatrixXd x = b, first = b;
+            systems.solve(x.data());
+            systems.solve_first(first.data(), real > 0 ? nullptr : first.data() + n);
+            BOOST_TEST_CONTEXT(real << " real and " << complex << " complex systems") {
+                if (real > 0) {
+                    const MatrixXd A = shifted(shift[0]).real();
+                    BOOST_TEST(backward_error(A, VectorXd(x.col(0)), VectorXd(b.col(0))) < 10 * n * eps);
+                    BOOST_TEST(systems.negative_determinant() == (A.determinant() < 0));
+                    BOOST_TEST((first.col(0) - x.col(0)).norm() <= 1e-14 * x.col(0).norm());
+                } else {
+                    BOOST_TEST((first.leftCols(2) - x.leftCols(2)).norm() <= 1e-14 * x.leftCols(2).norm());
+                }
+                for (int k = real; k < shift.size(); k += 2) {
+                    const std::complex<double> i(0, 1);
+                    const Eigen::VectorXcd z = x.col(k) + i * x.col(k + 1), r = b.col(k) + i * b.col(k + 1);
+                    BOOST_TEST(backward_error(shifted({shift[k], shift[k + 1]}), z, r) < 10 * n * eps);
+                }
+            }
+        }
+    sc::sparse_pairs<double> systems(1, 1);
+    const std::array<double, 3> shift{1, 1, 1};
+    BOOST_TEST(!systems.factor(random_matrix(n, 1), shift.data()));
+    BOOST_TEST(
+        !systems.factor(MatrixXd(MatrixXd::Identity(n, n)), shift.data()));  // the real one is singular
+    BOOST_TEST(!systems.factored());
+    MatrixXd infinite = J;
+    infinite(3, 3) = std::numeric_limits<double>::infinity();
+    BOOST_TEST(!systems.factor(infinite, shift.data()));
 }
 
 BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_what_was_factored_before) {

@@ -93,6 +93,10 @@ class number_per_lane {
     }
     number_per_lane& operator+=(const number_per_lane& b) { return *this = *this + b; }
     number_per_lane& operator-=(const number_per_lane& b) { return *this = *this - b; }
+    /// Becomes the larger one, in each lane.
+    void raise(const number_per_lane& b) {
+        for (int l = 0; l < Lanes; l += size) put(l, Eigen::internal::pmax(b.at(l), at(l)));
+    }
     number_per_lane abs() const {
         number_per_lane r;
         for (int l = 0; l < Lanes; l += size) r.put(l, Eigen::internal::pabs(at(l)));

@@ -54,10 +54,12 @@ class growth_watch {
 
     /// True if what moves at the left end, as f and `weights` (the inverses of the tolerances) show it, is nearer to
     /// rest than the tolerance and grows notably in a step h. Costs a product J f; where it is so near, the cost of
-    /// proving that nothing grows (growth_bound), and where there is no proof up to three factorisations and 180 solves.
+    /// proving that nothing grows (growth_bound), and where there is no proof up to three factorisations and 180 solves,
+    /// a third where a step has been searched with the same Jacobian.
     template <class System, class Slope, class Vector>
     bool sees_in(const System& system, Slope&& slope, const Vector& weights, const Scalar& h) {
         if constexpr (!System::structured && System::sums_type::complete) {
+            using std::abs;
             const int n = system.size();
             if (n > largest_size || mass_sign(system) == 0) return false;
             const Vector& f = slope();
@@ -66,14 +68,23 @@ class growth_watch {
             if (!(size > Scalar(0)) || !is_near_rest(system, size, f.data(), weights, h)) return false;
             if (cannot_grow(system, h)) return false;
             Scalar a = Scalar(12) / h;  // shows h |lambda| from one to a hundred; then the next decades
-            for (int k = 0; k < 3; ++k, a *= Scalar(25)) {
+            for (int k = 0; k < 3 && !(abs(a) >= searched_); ++k, a *= Scalar(25)) {
                 if (!is_quiet(system, f, size, weights, h, a)) return false;
                 if ((n > small || has_growth(system, a)) && amplifies(system, weights, a)) return true;
             }
+            if (Scalar(12) / abs(h) < searched_) searched_ = Scalar(12) / abs(h);
             return false;
         } else {
             return false;
         }
+    }
+
+    /// What has been searched is of no use any more.
+    void jacobian_changes() { searched_ = std::numeric_limits<Scalar>::max(); }
+    /// What the next step depends on (checkpoint.hpp).
+    template <class Bag>
+    void carry(Bag& bag) {
+        bag(searched_);
     }
 
   private:
@@ -283,7 +294,9 @@ class growth_watch {
     static constexpr int small = 16;          // squares of matrices cost less than powers times a vector
     static constexpr int far = 1000;          // times the shift: of growth beyond that nothing is left to see
     int mass_sign_ = unknown, far_sign_ = unknown;
-    std::unique_ptr<workplace> work_;  // made when it is needed first
+    Scalar searched_ =
+        std::numeric_limits<Scalar>::max();  // from where on the Jacobian shows no growth in what moved
+    std::unique_ptr<workplace> work_;        // made when it is needed first
 };
 
 }  // namespace stagecraft

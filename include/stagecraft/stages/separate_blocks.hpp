@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/stages/sparse_pairs.hpp>
 #include <stagecraft/stages/together.hpp>
 
 namespace stagecraft {
@@ -15,7 +18,9 @@ namespace stagecraft {
 template <class Scalar, class Blocks>
 class separate_blocks {
   public:
-    separate_blocks(int n, int real, int complex) : n_(n) {
+    separate_blocks(int n, int real, int complex) : n_(n), pairs_(real, complex) {
+        real_.reserve(static_cast<std::size_t>(real));
+        complex_.reserve(static_cast<std::size_t>(complex));
         for (int k = 0; k < real; ++k) real_.emplace_back(n);
         for (int k = 0; k < complex; ++k) complex_.emplace_back(n);
     }
@@ -23,6 +28,11 @@ class separate_blocks {
     /// Factors shift M - J for every shift; false if one is singular or not finite.
     template <class System>
     bool factor(const System& system, const Scalar* shift) {
+        if constexpr (may_be_sparse && System::mass_type::identity) {
+            if (pairs_.factor(system.jacobian(), shift)) return true;
+            for (auto& block : real_) block.ignore_zeros();
+            for (auto& block : complex_) block.ignore_zeros();
+        }
         if constexpr (requires {
                           Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
                       })
@@ -43,6 +53,8 @@ class separate_blocks {
     /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
     template <class System>
     void solve(const System& system, Scalar* x) {
+        if constexpr (may_be_sparse)
+            if (pairs_.factored()) return pairs_.solve(x);
         each(system, x, [](auto& block, auto*... parts) { block.solve(parts...); });
     }
     /// The same, where the largest right-hand side may be solved up to `part` of it (0: as usual), and each other one up
@@ -67,6 +79,8 @@ class separate_blocks {
     /// + i y.
     template <class System, class Vector>
     void solve_first(const System& system, Vector& x, Vector& y) {
+        if constexpr (may_be_sparse)
+            if (pairs_.factored()) return pairs_.solve_first(x.data(), y.data());
         solve_together(system, [&] {
             if (!real_.empty())
                 real_.front().solve(x.data());
@@ -94,6 +108,8 @@ class separate_blocks {
     };
     /// Sign of det(gamma_1/h M - J), 0 where no eigenvalue of A^-1 is real.
     int determinant_sign() requires knows_determinant {
+        if constexpr (may_be_sparse)
+            if (pairs_.factored() && !real_.empty()) return pairs_.negative_determinant() ? -1 : 1;
         return real_.empty() ? 0 : real_.front().negative_determinant() ? -1 : 1;
     }
 
@@ -120,9 +136,13 @@ class separate_blocks {
         }
     }
 
+    // Dense blocks that look for zeros, as those of small fixed size do not.
+    static constexpr bool may_be_sparse = std::is_same_v<typename Blocks::real, dense_lu<Scalar>>;
+
     int n_;
     std::vector<typename Blocks::real> real_;
     std::vector<typename Blocks::complex> complex_;
+    [[no_unique_address]] std::conditional_t<may_be_sparse, sparse_pairs<Scalar>, no_sparse_pairs> pairs_;
 };
 
 }  // namespace stagecraft

@@ -113,6 +113,7 @@ class linearisation {
             }
         }
         jacobian_ = age::fresh;
+        growth_.jacobian_changes();
         factored_for(scalar(0), 0);
     }
 
@@ -190,11 +191,12 @@ class linearisation {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(factored_h_, theta_, fresh_theta_, hold_, factored_method_, jacobian_, ahead_, contradicted_);
+        bag(factored_h_, theta_, fresh_theta_, hold_, factored_method_, jacobian_, ahead_, contradicted_,
+            growth_);
     }
 
   private:
-    enum class age { wanted, kept, fresh };
+    enum class age : unsigned char { wanted, kept, fresh };
 
     /// As the Jacobian gets older theta grows, and with it the number of iterations: of those that the next step
     /// needs a new Jacobian saves all but log(2 theta) / log(theta when new), if theta doubles. It is due when they
