@@ -87,3 +87,24 @@ BOOST_AUTO_TEST_CASE(the_order_follows_what_the_linear_systems_of_the_step_cost)
     BOOST_TEST(chosen({{0, 1}, {0, 1e3}}) == 0);
     BOOST_TEST(chosen({{0, 0}, {1e3, 0}}) == 0);
 }
+
+// The same steps, every second attempt of which Newton's iteration fails to solve with five stages: the order falls, does
+// not rise at once, and does when the failures are long ago.
+BOOST_AUTO_TEST_CASE(failed_iterations_lower_the_order) {
+    sc::order_controller<double, 2> order;
+    order.prepare(0, {3, 4, 1, {100, 10}}, 1e-6);
+    order.prepare(1, {5, 6, 1, {160, 20}}, 1e-6);
+    const sc::step_work<double> work{{}, {1000, 50}};
+    const sc::order_evidence<double> with_three{1, 0.5, 0.03, 0.01, 3, work},
+        with_five{1, 0.5, 0.3, 0.01, 3, work};
+    BOOST_TEST(order.decide(with_three) > 1);
+    BOOST_TEST(order.current() == 1);
+    BOOST_TEST(order.decide(with_five) == 0);
+    for (int k = 0; k < 10; ++k) order.newton_failed(false), order.accepted();
+    BOOST_TEST(order.decide(with_five) < 1);
+    BOOST_TEST(order.current() == 0);
+    int steps = 0;
+    for (; order.decide(with_three) == 0 && steps < 1000; ++steps) order.accepted();
+    BOOST_TEST(steps > 5);
+    BOOST_TEST(steps < 200);
+}

@@ -42,7 +42,8 @@ class order_controller {
 /// estimate of the present one and the decay q of the Legendre coefficients of its polynomial (two stages
 /// more change the estimate by q^2); Newton's contraction is taken as proportional to the step. The work is
 /// counted in operations, not in seconds, so the choice is the same on every machine; that of linear systems as the
-/// factors of the present step tell it.
+/// factors of each method told it last, the present one's where it has not been used. Attempts that
+/// Newton's iteration fails to solve count as well, as often as each method made them lately.
 template <class Scalar, int Count>
 requires(Count > 1) class order_controller<Scalar, Count> {
   public:
@@ -55,21 +56,25 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         admitted_[k] = c.stages <= 7 || rtol <= Scalar(1) / 10000000000;
     }
 
-    /// After a step that Newton's iteration failed to solve twice: methods of fewer stages are less
+    /// Newton's iteration has failed to solve an attempt, `again` in this step: methods of fewer stages are less
     /// demanding.
-    bool newton_failed() {
-        if (current_ == 0) return false;
+    void newton_failed(bool again) {
+        failing_[current_] += Scalar(1) / 8;
+        if (!again || current_ == 0) return;
         --current_;
         wait_ = 10;
-        return true;
     }
-
+    /// A step has been accepted. Of the other methods less is forgotten, but all in time: conditions change.
+    void accepted() {
+        for (Scalar& share : failing_) share -= share / (&share == &failing_[current_] ? 8 : 64);
+    }
     bool wants_evidence() { return --wait_ <= 0; }
 
     /// Decides; returns the factor by which the step of `e` changes for the new order, or 0 if the order
     /// stays.
     Scalar decide(const order_evidence<Scalar>& e) {
         wait_ = 6;
+        known_[current_] = e.work;
         const Scalar here = work_per_length(current_, e);
         int best = current_;
         Scalar least = here;
@@ -91,7 +96,9 @@ requires(Count > 1) class order_controller<Scalar, Count> {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(current_, wait_);
+        bag(current_, wait_, failing_);
+        for (auto& [once, per_stage] : known_)
+            bag(once.step, once.iteration, per_stage.step, per_stage.iteration);
     }
 
   private:
@@ -115,14 +122,21 @@ requires(Count > 1) class order_controller<Scalar, Count> {
         const Scalar now = e.theta < low ? low : e.theta > high ? high : e.theta;
         const Scalar iterations = Scalar(e.iterations) * log(now) / log(theta);
         const auto& [stages, power, ratio, own] = candidates_[k];
-        const auto& [once, per_stage] = e.work;
+        const auto& known = known_[k];
+        const auto& [once, per_stage] =
+            known.once.step + known.per_stage.iteration > Scalar(0) ? known : e.work;
         const Scalar once_a_step = own.step + (once.step + Scalar(stages) * per_stage.step),
                      iteration = own.iteration + (once.iteration + Scalar(stages) * per_stage.iteration);
-        return (once_a_step + iterations * iteration) / step;
+        // An attempt that fails is given up after about two iterations. More stages fail no less.
+        const bool more = k > current_ && failing_[k] < failing_[current_];
+        const Scalar failed = failing_[more ? current_ : k] * (once_a_step + 2 * iteration);
+        return (once_a_step + iterations * iteration + failed) / step;
     }
 
     std::array<order_candidate<Scalar>, static_cast<std::size_t>(Count)> candidates_{};
     std::array<bool, static_cast<std::size_t>(Count)> admitted_{};
+    std::array<Scalar, static_cast<std::size_t>(Count)> failing_{};
+    std::array<step_work<Scalar>, static_cast<std::size_t>(Count)> known_{};
     int current_ = 0, wait_ = 2;
 };
 

@@ -66,12 +66,9 @@ class acceptance {
                            rtol_);
         }
     }
-    /// Newton's iteration failed more than once: true if another method is to try.
-    bool newton_failed() {
-        if constexpr (Methods > 1)
-            return order_.newton_failed();
-        else
-            return false;
+    /// Newton's iteration has failed though the Jacobian is new; `again` in this step: another method is to try.
+    void newton_failed(bool again) {
+        if constexpr (Methods > 1) order_.newton_failed(again);
     }
 
     /// The error of an attempt, of tolerance 1; `first` in the run.
@@ -132,6 +129,7 @@ class acceptance {
         scalar factor = controller_.after_accepted(trial.plan.h, err, method.estimate_power(), safety);
         if (refused.all > 0 && factor > scalar(1)) factor = scalar(1);
         if constexpr (Methods > 1) {
+            order_.accepted();
             if (order_.wants_evidence() && refused.all == 0 && !jumps_.doubted()) {
                 const scalar decay = method.decay(trial.now, trial.weights, sums);
                 const scalar change = order_.decide({trial.plan.h, err, decay, theta, newton.iterations,

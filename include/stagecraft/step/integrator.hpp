@@ -311,7 +311,7 @@ class integrator {
             return progress::again;
         }
         const int usual = system_.rough_stages() ? 2 : 1;  // one of them from a constant
-        if (refused_.all > usual) acceptance_.newton_failed();
+        acceptance_.newton_failed(refused_.all > usual);
         return shorten(plan, plan.h / 2);
     }
 
