@@ -146,10 +146,10 @@ class sparse_factors {
   private:
     template <class Entries>
     static Number entry(const elimination_order& order, const Entries& a, int t, int column) {
-        const auto& [row, place] = order.entry_at(t);
-        if constexpr (requires { a.on_diagonal(place); })
-            if (row == column) return a.on_diagonal(place);
-        return a[place];
+        const auto& at = order.entry_at(t);
+        if constexpr (requires { a.on_diagonal(at.place); })
+            if (at.row == column) return a.on_diagonal(at.place);
+        return a[at.place];
     }
     template <class Entries>
     bool small_in_rows(const elimination_order& order, const Entries& a) {
