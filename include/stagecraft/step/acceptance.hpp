@@ -124,6 +124,8 @@ class acceptance {
             const scalar smooth = smooth_ratio(system, this->method());
             if (smooth < scalar(1)) err *= smooth;
         }
+        // An error of multipliers that many refusals have not explained was there before: no trend that goes on.
+        if (share_ < scalar(1) && refused.for_error > 3) controller_.forget();
         const int most = usual_iterations(method.coupled_stages_count());
         const scalar safety = usual_safety() * scalar(2 * most + 1) / scalar(2 * most + newton.iterations);
         scalar factor = controller_.after_accepted(trial.plan.h, err, method.estimate_power(), safety);
