@@ -148,26 +148,26 @@ class collocation_blocks {
         const int q = slopes(), width = panel_.width(), columns = panel_.columns();
         for (int c = m; c < n(); ++c)
             for (int j = 0; j < s(); ++j) {
-                Scalar* row = a + static_cast<std::ptrdiff_t>((c - m) * s() + j) * width;
+                Scalar* out = a + static_cast<std::ptrdiff_t>((c - m) * s() + j) * width;
                 const Scalar *once = A_by_rows_.data() + j * s(), *twice = twice_by_rows_.data() + j * s();
                 const auto entry = [&](int d) { return Scalar(-h * J[(j * (n() + np()) + d) * n() + c]); };
                 for (int d = m; d < n(); ++d) {
                     const bool velocity = d < 2 * m;
                     add_multiples<stages>(s(), entry(d), once,
                                           velocity ? Scalar(h * entry(d - m)) : Scalar(0),
-                                          velocity ? twice : nullptr, row + (d - m) * s());
+                                          velocity ? twice : nullptr, out + (d - m) * s());
                 }
                 for (int d = 0; d < n(); ++d) {
-                    row[q + d] = entry(d);
-                    if (d >= m && d < 2 * m) row[q + d] += h * method_.c[j] * entry(d - m);
-                    row[q + n() + d] = Scalar(0);
+                    out[q + d] = entry(d);
+                    if (d >= m && d < 2 * m) out[q + d] += h * method_.c[j] * entry(d - m);
+                    out[q + n() + d] = Scalar(0);
                 }
-                for (int d = 0; d < np(); ++d) row[q + 2 * n() + d] = entry(n() + d);
-                for (int d = columns; d < width; ++d) row[d] = Scalar(0);
+                for (int d = 0; d < np(); ++d) out[q + 2 * n() + d] = entry(n() + d);
+                for (int d = columns; d < width; ++d) out[d] = Scalar(0);
             }
-        for_mass<m>(mass, n(), [&](int row, int column, const Scalar& value) {
+        for_mass<m>(mass, n(), [&](int r, int column, const Scalar& value) {
             for (int j = 0; j < s(); ++j)
-                a[static_cast<std::ptrdiff_t>(row * s() + j) * width + column * s() + j] += value;
+                a[static_cast<std::ptrdiff_t>(r * s() + j) * width + column * s() + j] += value;
         });
         write_continuity(a + static_cast<std::ptrdiff_t>(q) * width, h);
     }

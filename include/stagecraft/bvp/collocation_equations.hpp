@@ -217,13 +217,13 @@ class collocation_equations {
         const int size = n(), count = s();
         const Scalar *Z = &x.Z(0, i * count), *y = &x.y(0, i), h = x.h(i);
         for (int c = 0; c < size; ++c) {
-            Scalar* stages = &stages_(0, c);
+            Scalar* at_nodes = &stages_(0, c);
             const bool twice = c < Positions;
             detail::transform<known, known>(count, count, twice ? blocks_.twice().data() : method_.A.data(),
-                                            Z + c + (twice ? Positions : 0), size, stages);
+                                            Z + c + (twice ? Positions : 0), size, at_nodes);
             for (int j = 0; j < count; ++j)
-                stages[j] =
-                    y[c] + (twice ? Scalar(h * (method_.c[j] * y[c + Positions] + stages[j])) : stages[j]);
+                at_nodes[j] = y[c] + (twice ? Scalar(h * (method_.c[j] * y[c + Positions] + at_nodes[j]))
+                                            : at_nodes[j]);
         }
     }
     void set_stage(int j) {

@@ -205,7 +205,7 @@ class regularity {
         conditioning_.fundamental();
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
-        const auto& P = conditioning_.parameters();
+        const auto& shifts = conditioning_.parameters();
         scale_.resize(n);
         for (int c = 0; c < n; ++c) {
             scale_[c] = scalar(0);
@@ -228,13 +228,13 @@ class regularity {
             for (int j = 0; j < m - n; ++j) {
                 const scalar size = floor + abs(x_.p[j]);
                 terms += abs(B(k, 2 * n + j)) * size;
-                most = std::max(most, scalar(abs(P(j, k)) / size));
+                most = std::max(most, scalar(abs(shifts(j, k)) / size));
             }
             most *= terms;
             if (most > answer_ * (1 - noise)) answer_ = std::max(most, answer_), best = k;
         }
         u_ = conditioning_.response(best);
-        p_ = P.col(best);
+        p_ = shifts.col(best);
         size_ = u_.cwiseAbs().rowwise().maxCoeff();
     }
 
