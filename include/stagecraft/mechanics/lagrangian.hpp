@@ -174,7 +174,8 @@ class lagrangian_model : public lagrangian_energies<Coordinates, Parts> {
     using Constraint = decltype(Parts::constraint);
     template <class S>
     using vector = Eigen::Matrix<S, Coordinates, 1>;
-    /// True if the constraint depends on t as well (a temporary, which none that writes takes); what it returns, a number as 1 x 1.
+    /// True if the constraint depends on t as well (a temporary, which none that writes takes); what it returns, a number as
+    /// 1 x 1.
     static constexpr bool moves = std::is_invocable_v<const Constraint&, const vector<double>&, double>;
     static constexpr auto shape = [] {
         using returned = typename detail::returned_by<Constraint, vector<double>, moves>::type;
