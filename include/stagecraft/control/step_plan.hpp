@@ -44,12 +44,12 @@ class step_plan {
         if (size > span) size = span;
         if (most_ > Scalar(0) && size > most_) size = most_;
         if (size < least_) size = least_;
-        return size * Scalar(direction_);
+        return size * direction_;
     }
     /// h, or the largest step allowed.
     Scalar bounded(const Scalar& h) const {
         using std::abs;
-        return most_ > Scalar(0) && abs(h) > most_ ? Scalar(most_ * Scalar(direction_)) : h;
+        return most_ > Scalar(0) && abs(h) > most_ ? Scalar(most_ * direction_) : h;
     }
 
     /// The step to try from t where `h` is wanted, `done` steps have been accepted and the present one has
@@ -86,7 +86,7 @@ class step_plan {
             step.h = not_beyond(t, Scalar(t1_ - t), t1_);
         } else {
             if (size * 2 > rest) size = rest / 2;
-            step.t_next = t + size * Scalar(direction_);
+            step.t_next = t + size * direction_;
             step.h = step.t_next - t;
         }
         if (failures > most_failures || step.t_next == t || abs(wanted) < least_)
@@ -99,8 +99,7 @@ class step_plan {
 
     equal_steps<Scalar> equal_;
     Scalar t1_;
-    int direction_;
-    Scalar least_, most_;
+    Scalar direction_, least_, most_;
     long most_attempts_, attempts_ = 0;
 };
 

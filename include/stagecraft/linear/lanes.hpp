@@ -62,7 +62,10 @@ requires(built_in<Scalar>) class lanes {
     }
     template <int... p, int... i>
     [[gnu::always_inline]] bool finite(packs<p...>, packs<i...>) const {
-        Scalar sum = (Scalar(0) + ... + (numbers_[i] - numbers_[i]));
+        Scalar sum = (Scalar(0) + ... + numbers_[i]);
+        if constexpr (whole > 0) sum += P::sum((... + packets_[p]));
+        if (sum - sum == Scalar(0)) return true;  // else it may be no more than the sum that has overflowed
+        sum = (Scalar(0) + ... + (numbers_[i] - numbers_[i]));
         if constexpr (whole > 0) sum += P::sum((... + (packets_[p] - packets_[p])));
         return sum == Scalar(0);
     }
