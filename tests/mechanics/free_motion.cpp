@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(forces_stand_beside_the_energies) {
                              tight),
                b = integrate(radau_iia<3>(), written, Vector2d(0.5, 0), 0.0, 4.0, tight);
     BOOST_TEST((a.y - b.y).norm() < 1e-8);
-    const auto undriven = free_motion(lagrangian<1>(kinetic, potential));
+    const auto undriven = free_motion(lagrangian<1, 0>(kinetic, potential));
     const auto c =
         integrate(radau_iia<3>(), undriven, undriven.initial_state(angle(0.5), angle(0)), 0.0, 4.0, tight);
     BOOST_TEST((a.y - c.y).norm() > 0.1);

@@ -352,6 +352,12 @@ requires detail::forces_on<Forces, Coordinates>
 auto lagrangian(Kinetic T, Potential V, Forces Q) {
     return detail::free_energies<Coordinates>(std::move(T), std::move(V), std::move(Q));
 }
+/// The same written lagrangian<n, 0>(T, V).
+template <int Coordinates, int Constraints, class Kinetic, class Potential>
+auto lagrangian(Kinetic T, Potential V) {
+    static_assert(Constraints == 0, "lagrangian<n, m>(T, V, g): the m constraints g are missing");
+    return detail::free_energies<Coordinates>(std::move(T), std::move(V), no_forces{});
+}
 
 /// The number of constraints is missing.
 template <int Coordinates, class Kinetic, class Potential, class Constraint, class Forces = no_forces>
