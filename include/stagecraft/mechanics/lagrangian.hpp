@@ -342,21 +342,16 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
 }
 
 /// The model without constraints that these energies give, and with the forces Q(q, v, t): M and F for `free_motion`,
-/// where the coordinates are as many as the degrees of freedom (angles, say).
-template <int Coordinates, class Kinetic, class Potential>
+/// where the coordinates are as many as the degrees of freedom (angles, say). Constraints, if given, is 0.
+template <int Coordinates, int Constraints = 0, class Kinetic, class Potential>
 auto lagrangian(Kinetic T, Potential V) {
+    static_assert(Constraints == 0, "lagrangian<n, m>(T, V, g): the m constraints g are missing");
     return detail::free_energies<Coordinates>(std::move(T), std::move(V), no_forces{});
 }
 template <int Coordinates, class Kinetic, class Potential, class Forces>
 requires detail::forces_on<Forces, Coordinates>
 auto lagrangian(Kinetic T, Potential V, Forces Q) {
     return detail::free_energies<Coordinates>(std::move(T), std::move(V), std::move(Q));
-}
-/// The same written lagrangian<n, 0>(T, V).
-template <int Coordinates, int Constraints, class Kinetic, class Potential>
-auto lagrangian(Kinetic T, Potential V) {
-    static_assert(Constraints == 0, "lagrangian<n, m>(T, V, g): the m constraints g are missing");
-    return detail::free_energies<Coordinates>(std::move(T), std::move(V), no_forces{});
 }
 
 /// The number of constraints is missing.
