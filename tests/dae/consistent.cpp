@@ -6,7 +6,9 @@
 #include <problems/equations.hpp>
 #include <stagecraft/dae/consistent.hpp>
 #include <stagecraft/problem/semi_explicit.hpp>
+#include <stagecraft/problem/with.hpp>
 #include <string>
+#include <vector>
 
 #include "problems.hpp"
 
@@ -201,4 +203,48 @@ BOOST_AUTO_TEST_CASE(an_ordinary_equation_has_no_constraints) {
     BOOST_TEST(c.constraints.empty());
     BOOST_TEST(c.within(0));
     BOOST_TEST((sc::consistent_initial_values(f, 0, Vector2d(1, 2)).y - Vector2d(1, 2)).norm() == 0);
+}
+
+// Pendulums of all sizes and weights with positions and velocities off by 1e-4 ... 0.3 of the length, and no idea of the
+// multiplier, with derivatives by differences and automatic ones. At the consistent state the multiplier is
+// (m v^2 - m g y) / (2 l^2).
+BOOST_AUTO_TEST_CASE(rough_pendulums_of_all_scales_become_consistent) {
+    const auto values = [](auto&& pendulum, double m, double l, double g, const state& rough, int& refused) {
+        try {
+            const state x = sc::consistent_initial_values(pendulum, 0, rough).y;
+            const double v2 = x[2] * x[2] + x[3] * x[3], multiplier = m * (v2 - g * x[1]) / (2 * l * l);
+            BOOST_TEST(std::abs(x[0] * x[0] + x[1] * x[1] - l * l) < 1e-9 * l * l);
+            BOOST_TEST(std::abs(x[0] * x[2] + x[1] * x[3]) < 1e-8 * l * (l + std::sqrt(v2)));
+            BOOST_TEST(std::abs(x[4] - multiplier) < 1e-4 * (1 + std::abs(multiplier)));
+        } catch (const std::runtime_error&) {
+            ++refused;
+        }
+    };
+    int refused = 0;
+    for (int i = 0; i < 200; ++i) {
+        const auto part = [i](double irrational) { return 2 * std::fmod((i + 1) * irrational, 1.0) - 1; };
+        const double l = std::pow(10, part(std::sqrt(2))), m = std::pow(10, part(std::sqrt(3)));
+        const double g = std::pow(10, 1 + part(std::sqrt(5))), angle = 3 * part(std::sqrt(7));
+        const double w = 3 * part(std::sqrt(11)), off = l * std::pow(10, -2.25 + 1.75 * part(std::sqrt(13)));
+        const double c = l * std::cos(angle), s = l * std::sin(angle);
+        state rough;
+        rough << s + off * part(std::sqrt(17)), -c - off * part(std::sqrt(19)),
+            w * c + off * part(std::sqrt(23)), w * s - off * part(std::sqrt(29)), 0;
+        const auto equations = [m, g, l](const auto& x, auto& f) {
+            f[0] = x[2];
+            f[1] = x[3];
+            f[2] = -2.0 * x[0] * x[4];
+            f[3] = -m * g - 2.0 * x[1] * x[4];
+            f[4] = x[0] * x[0] + x[1] * x[1] - l * l;
+        };
+        const state weights = (state() << 1, 1, m, m, 0).finished();
+        const auto flagged = [&](auto f) {
+            return sc::with_index(sc::with_mass(f, Eigen::DiagonalMatrix<double, 5>(weights)),
+                                  std::vector<int>{1, 1, 2, 2, 3});
+        };
+        values(flagged([&](double, const state& x, state& f) { equations(x, f); }), m, l, g, rough, refused);
+        values(flagged([&](const auto&, const auto& x, auto& f) { equations(x, f); }), m, l, g, rough,
+               refused);
+    }
+    BOOST_TEST(refused <= 1);
 }

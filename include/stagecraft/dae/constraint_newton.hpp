@@ -99,7 +99,8 @@ class constraint_newton {
             return along_algebraic ? correction(detail::product(work, along, moved), block)
                                    : correction(moved, block);
         };
-        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
+        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, system_.noise(),
+                                    what_.c_str());
     }
 
     /// Moves the algebraic components so that all constraints hold. Returns the number of iterations.
@@ -116,7 +117,8 @@ class constraint_newton {
                                         detail::singular_text(system_.depth(), block.rank(), N.cols(), t));
             return correction(detail::product(work, N, block.solve(r)), block);
         };
-        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
+        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, system_.noise(),
+                                    what_.c_str());
     }
 
     /// Moves exactly the components in `free`, by least change, so that all constraints hold.
@@ -140,7 +142,8 @@ class constraint_newton {
             for (std::size_t j = 0; j < free.size(); ++j) change[free[j]] = moved[j];
             return correction(change, block);
         };
-        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, what_.c_str());
+        return detail::gauss_newton(system_.states(), x, residual, step, iterations_, system_.noise(),
+                                    what_.c_str());
     }
 
     /// Entries below it, relative to their rows, count as zero.

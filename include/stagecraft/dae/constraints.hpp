@@ -218,7 +218,8 @@ class constraint_system {
         result.tail(s.twice.rows()) = twice_hidden(t, x, s);
         return result;
     }
-    /// Their derivatives by x: exact for the constraints, differences for the others.
+    /// Their derivatives by x: exact for the constraints, differences for the others. Those of `twice_hidden`, itself
+    /// a difference, need increments that are seen in it: a multiplier that is zero is moved like the largest component.
     matrix all_jacobian(const scalar& t, const Vector& x, const selection& s) {
         matrix result = work_.take(count() + s.once.rows() + s.twice.rows(), n_);
         result.topRows(count()) = constraint_jacobian(linearise(t, x));
@@ -226,7 +227,7 @@ class constraint_system {
         if (s.twice.rows() > 0)
             result.bottomRows(s.twice.rows()) = differences(
                 x, [&](const Vector& moved) { return twice_hidden(t, moved, s); },
-                static_cast<int>(s.twice.rows()), wide_root());
+                static_cast<int>(s.twice.rows()), wide_root(), scalar(1));
         return result;
     }
 
@@ -247,6 +248,15 @@ class constraint_system {
     static scalar difference_zero() {
         using std::sqrt;
         return sqrt(std::numeric_limits<scalar>::epsilon()) * scalar(10);
+    }
+
+    /// Corrections below this part of the state may be noise: rounding, or with index 3 what is left of it (eps^(2/3)
+    /// where derivatives are differences) by a difference over eps^(1/5), times what scales may differ by.
+    scalar noise() const {
+        using std::pow;
+        const scalar eps = std::numeric_limits<scalar>::epsilon();
+        if (depth_ < 3) return 1000 * eps;
+        return 100 * pow(eps, (generic ? scalar(4) / scalar(5) : scalar(7) / scalar(15)));
     }
 
   private:
@@ -289,10 +299,11 @@ class constraint_system {
     }
 
     template <class F>
-    matrix differences(const Vector& x, F&& value, int rows, const scalar& relative) {
+    matrix differences(const Vector& x, F&& value, int rows, const scalar& relative,
+                       const scalar& floor = scalar(1) / 1000) {
         matrix result = work_.take(rows, n_);
         state moved = states_.take(n_);
-        central_differences<Vector>(x, moved, value, relative, result);
+        central_differences<Vector>(x, moved, value, relative, result, floor);
         return result;
     }
 

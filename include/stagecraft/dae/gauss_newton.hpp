@@ -15,11 +15,11 @@
 namespace stagecraft::detail {
 
 /// Damped Gauss-Newton for r(x) = 0: `step(x, r)` returns the correction and the scale of the rows it was
-/// computed with. Ends when the correction is at the level of rounding, or near it and no longer decreasing.
-/// States come from the pool.
+/// computed with. Ends when the correction is at the level of rounding, or below `noise` times the state and no
+/// longer decreasing. States come from the pool.
 template <class Vector, class Residual, class Step>
 int gauss_newton(matrix_pool<Vector>& states, Vector& x, Residual&& residual, Step&& step, int most,
-                 const char* what) {
+                 const typename Vector::Scalar& noise, const char* what) {
     using std::sqrt;
     using Scalar = typename Vector::Scalar;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
@@ -51,7 +51,7 @@ int gauss_newton(matrix_pool<Vector>& states, Vector& x, Residual&& residual, St
             r_next.emplace(residual(next));
         };
         move(Scalar(1));
-        const bool tiny = size <= 1000 * eps * state;
+        const bool tiny = size <= noise * state;
         Scalar damping(1);
         while (!tiny && !(scale.cwiseProduct(*r_next).norm() <= violation) && damping > Scalar(1) / 1024) {
             damping /= 2;

@@ -7,14 +7,15 @@
 namespace stagecraft {
 
 /// J := the derivative of value(x) by central differences, two values per column, with increments of
-/// `relative` times max(|x_j|, max |x| / 1000): cbrt(eps) for a value good to rounding. `moved` is scratch.
+/// `relative` times max(|x_j|, floor max |x|): cbrt(eps) for a value good to rounding. `moved` is scratch.
 template <class Vector, class F, class Matrix>
 void central_differences(const Vector& x, Vector& moved, F&& value, const typename Vector::Scalar& relative,
-                         Matrix& J) {
+                         Matrix& J,
+                         const typename Vector::Scalar& floor = typename Vector::Scalar(1) / 1000) {
     using std::abs;
     using scalar = typename Vector::Scalar;
     if (x.size() == 0) return;
-    const scalar least = x.cwiseAbs().maxCoeff() / 1000;
+    const scalar least = floor * x.cwiseAbs().maxCoeff();
     moved = x;
     for (Eigen::Index j = 0; j < x.size(); ++j) {
         const scalar own = abs(x[j]), size = own > least ? own : least;
