@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <istream>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -53,7 +54,7 @@ checkpoint()->checkpoint<detail::unstated>;
 
 namespace detail {
 
-inline constexpr const char* checkpoint_header = "stagecraft checkpoint 1";
+inline constexpr const char* checkpoint_header = "stagecraft checkpoint 2";
 
 template <class Scalar>
 using bits_of = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;
@@ -165,45 +166,67 @@ void read_bits(std::istream& in, const char* name, Take&& take) {
     }
 }
 
+/// FNV-1a of 64 bits, which any change of one character changes.
+inline std::string checksum(const std::string& lines) {
+    std::uint64_t sum = 14695981039346656037U;
+    for (const char c : lines) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    return std::to_string(sum);
+}
+
+/// The lines of a checkpoint behind its header, up to the one with their checksum.
+inline std::string checked_lines(std::istream& in) {
+    std::string line;
+    std::getline(in >> std::ws, line);
+    if (line != checkpoint_header)
+        throw std::invalid_argument(std::string("checkpoint: the text should begin with ") +
+                                    checkpoint_header);
+    std::string lines = line + '\n';
+    const std::size_t header = lines.size();
+    while (std::getline(in, line) && !line.starts_with("checksum ")) lines += line + '\n';
+    if (line != "checksum " + checksum(lines))
+        throw std::invalid_argument("checkpoint: the text is not as it was written: its checksum is another");
+    return lines.substr(header);
+}
+
 }  // namespace detail
 
 /// Writes a checkpoint of doubles or floats as text that reads back to the same bits everywhere: the line
-/// "stagecraft checkpoint 1" (the version of the form), then the lists t, y, numbers and counts, each as a line with its name and
-/// size and a line for every entry. A floating-point number is the hexadecimal digits of its IEEE 754 bits,
-/// most significant first (Python: struct.unpack('>d', bytes.fromhex(line))); a count is decimal.
+/// "stagecraft checkpoint 2" (the version of the form), then the lists t, y, numbers and counts, each as a line with its
+/// name and size and a line for every entry, then "checksum" and the FNV-1a hash (64 bits, decimal) of all lines
+/// before. A floating-point number is the hexadecimal digits of its IEEE 754 bits, most significant first (Python:
+/// struct.unpack('>d', bytes.fromhex(line))); a count is decimal.
 template <class Vector>
 std::ostream& operator<<(std::ostream& out, const checkpoint<Vector>& point) {
     static_assert(std::is_floating_point_v<typename Vector::Scalar> && sizeof(typename Vector::Scalar) <= 8,
                   "checkpoint: only those of float and double are written; copy the members of others");
-    out << detail::checkpoint_header << '\n';
-    detail::write_bits(out, "t", Eigen::Matrix<typename Vector::Scalar, 1, 1>(point.t));
-    detail::write_bits(out, "y", point.y);
-    detail::write_bits(out, "numbers", point.numbers);
-    out << "counts " << point.counts.size() << '\n';
-    for (const long count : point.counts) out << std::to_string(count) << '\n';
-    return out;
+    std::ostringstream text;
+    text << detail::checkpoint_header << '\n';
+    detail::write_bits(text, "t", Eigen::Matrix<typename Vector::Scalar, 1, 1>(point.t));
+    detail::write_bits(text, "y", point.y);
+    detail::write_bits(text, "numbers", point.numbers);
+    text << "counts " << point.counts.size() << '\n';
+    for (const long count : point.counts) text << std::to_string(count) << '\n';
+    const std::string lines = text.str();
+    return out << lines << "checksum " << detail::checksum(lines) << '\n';
 }
 
-/// Reads what operator<< has written. Throws std::invalid_argument where it is something else.
+/// Reads what operator<< has written. Throws std::invalid_argument where it is something else, or not all of it as it
+/// was written.
 template <class Vector>
 std::istream& operator>>(std::istream& in, checkpoint<Vector>& point) {
     using scalar = typename Vector::Scalar;
-    std::string line;
-    std::getline(in >> std::ws, line);
-    if (line != detail::checkpoint_header)
-        throw std::invalid_argument(std::string("checkpoint: the text should begin with ") +
-                                    detail::checkpoint_header);
+    std::istringstream text(detail::checked_lines(in));
     std::vector<scalar> y;
     checkpoint<Vector> read;
-    detail::read_bits<scalar>(in, "t", [&](const scalar& x) { read.t = x; });
-    detail::read_bits<scalar>(in, "y", [&](const scalar& x) { y.push_back(x); });
+    detail::read_bits<scalar>(text, "t", [&](const scalar& x) { read.t = x; });
+    detail::read_bits<scalar>(text, "y", [&](const scalar& x) { y.push_back(x); });
     if (Vector::SizeAtCompileTime >= 0 && static_cast<Eigen::Index>(y.size()) != Vector::SizeAtCompileTime)
         throw std::invalid_argument("checkpoint: y has another size");
     read.y = Eigen::Map<const Vector>(y.data(), static_cast<Eigen::Index>(y.size()));
-    detail::read_bits<scalar>(in, "numbers", [&](const scalar& x) { read.numbers.push_back(x); });
-    for (std::size_t size = detail::read_size(in, "counts"); size > 0; --size) {
+    detail::read_bits<scalar>(text, "numbers", [&](const scalar& x) { read.numbers.push_back(x); });
+    for (std::size_t size = detail::read_size(text, "counts"); size > 0; --size) {
         long count = 0;
-        if (!(in >> count)) throw std::invalid_argument("checkpoint: a count is missing");
+        if (!(text >> count)) throw std::invalid_argument("checkpoint: a count is missing");
         read.counts.push_back(count);
     }
     point = std::move(read);

@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
     auto longer = point;
     longer.numbers.push_back(1);
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), longer, 1, free), "another method or problem"));
-    for (const char* text : {"", "stagecraft checkpoint 0\n", "stagecraft checkpoint 1\nt 1\n3ff\n"}) {
+    for (const char* text : {"", "stagecraft checkpoint 0\n", "stagecraft checkpoint 2\nt 1\n3ff\n"}) {
         std::istringstream file(text);
         sc::checkpoint<Vector2d> read;
         BOOST_CHECK_THROW(file >> read, std::invalid_argument);
@@ -76,6 +76,20 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
     std::ostringstream text;
     text << sc::checkpoint<Vector2d>{1.5, Vector2d(1, -2), {}, {7}};
     BOOST_TEST(text.str() ==
-               "stagecraft checkpoint 1\nt 1\n3ff8000000000000\ny 2\n3ff0000000000000\nc000000000000000\n"
-               "numbers 0\ncounts 1\n7\n");
+               "stagecraft checkpoint 2\nt 1\n3ff8000000000000\ny 2\n3ff0000000000000\nc000000000000000\n"
+               "numbers 0\ncounts 1\n7\nchecksum 12061889195501014478\n");
+    // One bit that is not as it was written.
+    const std::string written = text.str();
+    for (std::size_t i = 0; i < written.size(); ++i)
+        for (int bit = 0; bit < 8; ++bit) {
+            std::string flipped = written;
+            flipped[i] = static_cast<char>(flipped[i] ^ (1 << bit));
+            std::istringstream file(flipped);
+            sc::checkpoint<Vector2d> read;
+            BOOST_CHECK_THROW(file >> read, std::invalid_argument);
+        }
+    std::istringstream file(written);
+    sc::checkpoint<Vector2d> read;
+    file >> read;
+    BOOST_TEST(read.y == Vector2d(1, -2));
 }
