@@ -26,9 +26,10 @@ template <class Scalar>
 struct newton_limits {
     Scalar factor, floor, noise;
     int iterations;
-    bool affine = false;    ///< f is affine in y with the Jacobian in use: the first iteration is exact
-    int patience = 1;       ///< contractions to be seen before slow ones are believed
-    int most_at_once = 10;  ///< tolerances that the second increment may have where it is the last one
+    bool affine = false;   ///< f is affine in y with the Jacobian in use: the first iteration is exact
+    int patience = 1;      ///< contractions to be seen before slow ones are believed
+    int most_at_once = 2;  ///< tolerances that the second increment may have where it is the last one
+    Scalar far{0};         ///< > 0: a guess that the first increment leaves so far behind is given up at once
 };
 
 /// Iterations a step by s coupled stages may take.
@@ -78,6 +79,7 @@ class newton_monitor {
         const int k = outcome_.iterations++;
         if (!(size - size == Scalar(0))) return end(newton_end::non_finite);
         if (size <= limits_.floor || limits_.affine) return end(newton_end::converged);
+        if (k == 0 && limits_.far > Scalar(0) && size > limits_.far) return end(newton_end::diverged);
         if (k > 0) {
             const Scalar rate = size / last_;
             Scalar& theta = outcome_.theta;

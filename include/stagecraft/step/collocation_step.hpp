@@ -10,6 +10,7 @@
 #include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/stages/transformed.hpp>
 #include <stagecraft/step/one_step_method.hpp>
+#include <stagecraft/step/stage_extrapolation.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
 #include <stagecraft/tableau/remembered.hpp>
@@ -41,6 +42,7 @@ class collocation_step : public step_defaults<Space> {
     collocation_step(const method_type& method, int n)
         : stages_(method, n),
           known_(remembered(checked(method), [&] { return look_at(method); })),
+          extrapolation_(Space::columns < 0 ? method.stages() : Space::columns, method.stages()),
           scratch_(n),
           second_(n),
           rest_(n) {}
@@ -75,8 +77,9 @@ class collocation_step : public step_defaults<Space> {
         });
     }
 
-    /// First guess: the polynomial of the step before, extrapolated; zero if there is none. `from` says where
-    /// in that step this one starts: at its end (1), or together with it (0).
+    /// First guess: the polynomial of the step before, extrapolated (of more than three stages: as far as its
+    /// terms are to be trusted); zero if there is none. `from` says where in that step this one starts: at its
+    /// end (1), or together with it (0).
     void guess(const output* before, const vector& y, const Scalar& h, output& now,
                const Scalar& from = Scalar(1)) {
         const int s = count();
@@ -87,6 +90,12 @@ class collocation_step : public step_defaults<Space> {
         }
         const Scalar ratio = h / before->step();
         const auto& old = before->nodes();
+        if constexpr (Stages < 0 || Stages > 3) {
+            if (s > 3) {
+                extrapolation_(*before, stages_.method().c, s, ratio, from, Z);
+                return;
+            }
+        }
         scratch_ = before->y0() - y;
         basis_values<Scalar, Space::columns> l(old.size);
         for (int i = 0; i < s; ++i) {
@@ -377,6 +386,7 @@ class collocation_step : public step_defaults<Space> {
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
     coefficient_facts known_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
+    stage_extrapolation<Scalar> extrapolation_;
     vector scratch_, second_, rest_;
     Scalar last_coefficient_{0},
         components_{0};  // of the decay: a_s, and how many components all processes have

@@ -22,6 +22,7 @@
 #include <stagecraft/step/linearisation.hpp>
 #include <stagecraft/step/method_set.hpp>
 #include <stagecraft/step/newton_room.hpp>
+#include <stagecraft/step/solve_from_guess.hpp>
 
 namespace stagecraft {
 
@@ -245,8 +246,8 @@ class integrator {
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
             const bool ahead = extrapolates() && refused_.all == 0 && !plan_.fixed();
-            linear_.evaluate(system_, t_, y_, f_.value(), h, ahead ? &outputs_[current_] : nullptr, options_,
-                             y1_);
+            linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? &outputs_[current_] : nullptr,
+                             ahead, options_, y1_);
         }
         const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
         const bool longer = 2 * abs(h) > 3 * abs(last);
@@ -263,9 +264,8 @@ class integrator {
         newton_limits<scalar> limits{};
         if (method.iterates()) limits = newton_limits_for(method.coupled_stages_count(), h);
         if (linear == linear_state::factored) {
-            method.guess(extrapolates() ? &outputs_[current_] : nullptr, y_, h, now);
-            newton = method.stages().solve(system_, t_, y_, h, weights(), limits, now.increments(),
-                                           report_.solves);
+            newton = solve_from_guess(method, system_, extrapolates() ? &outputs_[current_] : nullptr, t_, y_,
+                                      h, weights(), limits, now, report_.solves);
         }
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
             if (solve_by_continuation(method, system_, t_, y_, h, weights(), limits, now, report_, newton))

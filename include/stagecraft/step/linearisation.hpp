@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <stagecraft/control/first_step.hpp>
 #include <stagecraft/control/options.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/stages/growth.hpp>
@@ -81,25 +82,20 @@ class linearisation {
     bool constant(System& system) const { return !contradicted_ && system.constant_jacobian(); }
 
     /// Evaluates the Jacobian for a step h from (t, y), with f0 = f(t, y) where differences need it. `before`
-    /// is the step before where its solution may be extrapolated, else null; point is scratch. Two fifths
-    /// into the step the Jacobian serves all stages best; not further than the last step was long, as that is
-    /// where the state comes from. (Differences need f there as well: they stay at the left end, where it is
-    /// known.)
+    /// is the step before, null in the first; `ahead` says that its solution may be extrapolated; point is
+    /// scratch. Two fifths into the step the Jacobian serves all stages best; not further than the last step
+    /// was long, as that is where the state comes from. (Differences need f there as well: they stay at the
+    /// left end, where it is known.)
     template <class Output>
     void evaluate(System& system, const scalar& t, const Vector& y, const Vector& f0, const scalar& h,
-                  const Output* before, const options<scalar>& o, Vector& point) {
+                  const Output* before, bool ahead, const options<scalar>& o, Vector& point) {
         using std::abs;
-        if constexpr (System::finite_difference) {
-            for (int i = 0; i < system.size(); ++i) {
-                const scalar moved = abs(h * f0[i]), small = absolute_tolerance(o, i) / o.rtol / 1000;
-                negligible_[i] = moved > small ? moved : small;
-            }
-        }
-        ahead_ = !System::finite_difference && before != nullptr;
+        if constexpr (System::finite_difference) look_for_negligible(system, y, f0, h, before, o);
+        ahead_ = !System::finite_difference && ahead;
         if (ahead_) {
-            const scalar last = before->step(), ahead = (abs(h) < abs(last) ? h : last) * 2 / 5;
-            before->evaluate(t + ahead, point);
-            system.evaluate_jacobian(t + ahead, point, f0, negligible_);
+            const scalar last = before->step(), at = t + (abs(h) < abs(last) ? h : last) * 2 / 5;
+            before->evaluate(at, point);
+            system.evaluate_jacobian(at, point, f0, negligible_);
         } else {
             system.evaluate_jacobian(t, y, f0, negligible_);
             // A derivative may be infinite where f is not, as that of sqrt(y) at 0: then a little further along the
@@ -197,6 +193,31 @@ class linearisation {
 
   private:
     enum class age : unsigned char { wanted, kept, fresh };
+
+    /// Increments of differences are to be small beside what a component is, or moves by: h f0 where it is not stiff.
+    /// Where it is, f0 is |J| times what the step before left of it beside the smooth solution, which may be anything;
+    /// so it is not taken to move faster than in that step (which may have been an eighth of this one), and in the
+    /// first one not by more than an automatic first step would have it.
+    template <class Output>
+    void look_for_negligible(const System& system, const Vector& y, const Vector& f0, const scalar& h,
+                             const Output* last, const options<scalar>& o) {
+        using std::abs;
+        scalar reach = abs(h);
+        if (last == nullptr) {
+            set_weights(o, y, negligible_);
+            const scalar first = first_step(system.mass(), y, f0, negligible_, reach, system.sums());
+            if (first < reach) reach = first;
+        }
+        for (int i = 0; i < system.size(); ++i) {
+            const scalar small = absolute_tolerance(o, i) / o.rtol / 1000;
+            scalar moved = reach * abs(f0[i]);
+            if (last != nullptr) {
+                const scalar seen = 8 * abs(y[i] - last->y0()[i]);
+                if (seen < moved) moved = seen;
+            }
+            negligible_[i] = moved > small ? moved : small;
+        }
+    }
 
     /// As the Jacobian gets older theta grows, and with it the number of iterations: of those that the next step
     /// needs a new Jacobian saves all but log(2 theta) / log(theta when new), if theta doubles. It is due when they

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include <stagecraft/linear/split_lu.hpp>
@@ -93,30 +94,44 @@ Eigen::Matrix<Scalar, Stages, 1> leading_legendre_coefficient(const tableau<Scal
     return w;
 }
 
-/// Column r: z -> a_{n-2r}, the shifted Legendre coefficients of the polynomial of degree n through y and
-/// the n values z_j at c_j != 0: rows of the inverse of P_k at the nodes {0, c}, where z_0 = 0.
+/// p[k] := P_k(x), the Legendre functions on [-1, 1], k = 0, ..., n.
+template <class Scalar>
+void legendre_functions(const Scalar& x, int n, Scalar* p) {
+    p[0] = Scalar(1);
+    if (n > 0) p[1] = x;
+    for (int k = 1; k < n; ++k) p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / Scalar(k + 1);
+}
+
+/// Column k: z -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the n
+/// values z_j at c_j != 0: rows of the inverse of P_k at the nodes {0, c}, where z_0 = 0.
 template <class Scalar, class Nodes>
-Eigen::Matrix<Scalar, Eigen::Dynamic, 2> highest_legendre_coefficients(const Nodes& c, int n) {
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> legendre_coefficients(const Nodes& c, int n) {
     const int m = n + 1;
     split_lu<Scalar, -1> lu(m);
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top(n, 2);
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> all(n, m);
     std::vector<Scalar> row(static_cast<std::size_t>(m));
-    for (int r = 0; r < 2; ++r) {
-        for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
-            const Scalar x = 2 * (j == 0 ? Scalar(0) : c[j - 1]) - 1;
-            Scalar before = Scalar(0), p = Scalar(1);
-            for (int k = 0; k < m; ++k) {
-                lu.entries()[k + j * m] = p;
-                const Scalar next = ((2 * k + 1) * x * p - k * before) / Scalar(k + 1);
-                before = p;
-                p = next;
-            }
-        }
-        lu.factor();
-        for (int k = 0; k < m; ++k) row[k] = Scalar(k == m - 1 - 2 * r ? 1 : 0);
+    for (int j = 0; j < m; ++j)  // transposed, so that a solve gives a row of the inverse
+        legendre_functions(Scalar(2 * (j == 0 ? Scalar(0) : c[j - 1]) - 1), n, lu.entries() + j * m);
+    lu.factor();
+    for (int k = 0; k < m; ++k) {
+        std::fill(row.begin(), row.end(), Scalar(0));
+        row[k] = Scalar(1);
         lu.solve(row.data());
-        for (int j = 1; j < m; ++j) top(j - 1, r) = row[j];
+        for (int j = 1; j < m; ++j) all(j - 1, k) = row[j];
     }
+    return all;
+}
+
+/// Of these, columns: a_n and a_{n-2} (zero for n = 1).
+template <class Scalar, class Nodes>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 2> highest_legendre_coefficients(const Nodes& c, int n) {
+    const auto all = legendre_coefficients<Scalar>(c, n);
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top(n, 2);
+    top.col(0) = all.col(n);
+    if (n > 1)
+        top.col(1) = all.col(n - 2);
+    else
+        top.col(1).setZero();
     return top;
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stagecraft/stages/newton.hpp>
+
+namespace stagecraft {
+
+/// Newton's iteration for the stages of a step h from (t, y), begun at the polynomial of the step `before`, or at a
+/// constant where there is none. A first increment larger than the solution (limits.far) says that the polynomial does
+/// not reach as far as this step, and nothing that follows could be believed: a stiff component may have been led to
+/// where f is flat, or to another solution of the stage equations. Then it begins again, at a constant.
+template <class Step, class System, class Vector, class Scalar>
+newton_outcome<Scalar> solve_from_guess(Step& method, System& system, const typename Step::output* before,
+                                        const Scalar& t, const Vector& y, const Scalar& h,
+                                        const Vector& weights, newton_limits<Scalar> limits,
+                                        typename Step::output& now, long& solves) {
+    const auto solve_from = [&](const typename Step::output* start) {
+        method.guess(start, y, h, now);
+        return method.stages().solve(system, t, y, h, weights, limits, now.increments(), solves);
+    };
+    if (before == nullptr) limits.far = Scalar(0);
+    const newton_outcome<Scalar> newton = solve_from(before);
+    const bool far = limits.far > Scalar(0) && newton.end == newton_end::diverged && newton.iterations == 1;
+    if (!far) return newton;
+    limits.far = Scalar(0);
+    return solve_from(nullptr);
+}
+
+}  // namespace stagecraft

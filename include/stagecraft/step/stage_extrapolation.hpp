@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+#include <stagecraft/tableau/collocation_functionals.hpp>
+
+namespace stagecraft {
+
+/// First guess of many stages by the polynomial of the step before. Beyond its step the Legendre function of degree k
+/// grows like (2 + 4 h/h_before)^k: with seven stages and equal steps what Newton's iteration left of the polynomial is
+/// multiplied by 10^5, and a guess that far off has been seen to lead a stiff component to where f is flat, where the
+/// iteration ends though nothing is solved. So, as one does with a divergent series, every component keeps the terms
+///     a_k P_k(2 x - 1),  k <= d,
+/// with the d behind which they are smallest at the end of the new step: all of them for a smooth component.
+template <class Scalar>
+class stage_extrapolation {
+  public:
+    /// Room for polynomials of up to `degree` at `stages` points.
+    stage_extrapolation(int degree, int stages) {
+        const auto k = static_cast<std::size_t>(degree);
+        nodes_.reserve(k);
+        a_.resize(k + 1);
+        at_start_.resize(k + 1);
+        grid_.resize((k + 1) * static_cast<std::size_t>(stages));
+        to_coefficients_.resize(degree + 1, degree);
+    }
+
+    /// Z.col(i) := u(from + c_i ratio) - u(from), u being the polynomial of `before`, ratio the new step over
+    /// its step. n s (s + d) operations.
+    template <class Output, class Nodes, class Stages>
+    void operator()(const Output& before, const Nodes& c, int s, const Scalar& ratio, const Scalar& from,
+                    Stages& Z) {
+        know(before.nodes());
+        const int first = before.nodes().first_column;
+        legendre(from, at_start_.data());
+        for (int i = 0; i < s; ++i) {
+            Scalar* p = grid_.data() + i * (degree_ + 1);
+            legendre(from + c[i] * ratio, p);
+            for (int k = 0; k <= degree_; ++k) p[k] -= at_start_[k];
+        }
+        for (int r = 0; r < static_cast<int>(Z.rows()); ++r) {
+            look_at(before, first, r);
+            const int d = trusted(grid_.data() + (s - 1) * (degree_ + 1));
+            for (int i = 0; i < s; ++i) Z(r, i) = sum(grid_.data() + i * (degree_ + 1), d);
+        }
+    }
+
+  private:
+    /// The coefficients follow from the values at these nodes.
+    template <class Nodes>
+    void know(const Nodes& nodes) {
+        const auto end = nodes.c.begin() + nodes.size;
+        if (std::equal(nodes.c.begin(), end, nodes_.begin(), nodes_.end())) return;
+        nodes_.assign(nodes.c.begin(), end);
+        degree_ = nodes.size;
+        to_coefficients_.topLeftCorner(degree_ + 1, degree_) =
+            legendre_coefficients<Scalar>(nodes_, degree_).transpose();
+    }
+    /// p[k] = P_k(2 x - 1).
+    void legendre(const Scalar& x, Scalar* p) const { legendre_functions(Scalar(2 * x - 1), degree_, p); }
+
+    /// a_1, a_2, ... of component r.
+    template <class Output>
+    void look_at(const Output& before, int first, int r) {
+        for (int k = 1; k <= degree_; ++k) a_[k] = Scalar(0);
+        for (int j = 0; j < degree_; ++j) {
+            const Scalar z = before.increments()(r, first + j);
+            for (int k = 1; k <= degree_; ++k) a_[k] += to_coefficients_(k, j) * z;
+        }
+    }
+    /// The degree d, p being the functions at the last stage.
+    int trusted(const Scalar* p) const {
+        using std::abs;
+        Scalar after(0), last = abs(a_[degree_] * p[degree_]), least = last;
+        int d = degree_;
+        for (int k = degree_ - 1; k > 0; --k) {  // the next two terms, as every other one may vanish
+            const Scalar next = last > after ? last : after;
+            if (next < least) {
+                least = next;
+                d = k;
+            }
+            after = last;
+            last = abs(a_[k] * p[k]);
+        }
+        return abs(a_[1] * p[1]) < least ? 0 : d;
+    }
+    Scalar sum(const Scalar* p, int d) const {
+        Scalar z(0);
+        for (int k = 1; k <= d; ++k) z += a_[k] * p[k];
+        return z;
+    }
+
+    int degree_ = 0;
+    std::vector<Scalar> nodes_, a_, at_start_, grid_;
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> to_coefficients_;  // row k: z -> a_k
+};
+
+}  // namespace stagecraft
