@@ -7,54 +7,10 @@
 #include <utility>
 
 #include <stagecraft/mechanics/derivatives.hpp>
+#include <stagecraft/mechanics/given_energies.hpp>
 #include <stagecraft/mechanics/model.hpp>
 
 namespace stagecraft {
-
-/// No generalised forces: only those of the potential act.
-struct no_forces {};
-/// No constraint: every coordinate is free.
-struct no_constraint {};
-
-namespace detail {
-
-template <class F, class Vector, bool Moves>
-struct returned_by {
-    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&>>;
-};
-template <class F, class Vector>
-struct returned_by<F, Vector, true> {
-    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&, double>>;
-};
-
-/// True if T is a callable, but no template: its address can be taken.
-template <class T>
-concept takes_one_scalar = requires {
-    &T::operator();
-};
-
-/// What the caller of `lagrangian` gives.
-template <class Kinetic, class Potential, class Constraint, class Forces>
-struct lagrangian_parts {
-    Kinetic T;
-    Potential V;
-    Constraint constraint;
-    Forces Q;
-};
-
-/// Stands in for a kinetic or potential energy that is refused, so that the one sentence that says why is all.
-struct refused_energy {
-    template <class Vector>
-    auto operator()(const Vector&, const Vector& v) const {
-        return v.squaredNorm();
-    }
-    template <class Vector>
-    auto operator()(const Vector& q) const {
-        return q.squaredNorm();
-    }
-};
-
-}  // namespace detail
 
 /// What kinetic energy T(q, v), potential energy V(q) and generalised forces Q(q, v, t) give: M and F of the equations
 /// of Lagrange
@@ -251,23 +207,15 @@ class lagrangian_model : public lagrangian_energies<Coordinates, Parts> {
 
 namespace detail {
 
-/// True for generalised forces Q(q, v, t), which no constraint can be called as.
-template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
-concept forces_on = std::is_invocable_v<const Q&, const Vector&, const Vector&, const double&>;
-
-/// What is to be known of the energies in a call of `lagrangian`, and of what stands beside them.
-template <int Coordinates, class Kinetic, class Potential, class... Others>
-struct given_energies {
-    using vector = Eigen::Matrix<double, Coordinates, 1>;
-    static constexpr std::size_t dual_numbers =
-        sizeof(dual_number<dual_number<double, Coordinates>, Coordinates>);
-    static constexpr bool generic = !takes_one_scalar<Kinetic> && !takes_one_scalar<Potential> &&
-                                    !(takes_one_scalar<Others> || ...),
-                          kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
-                          potential = std::is_invocable_v<const Potential&, const vector&>,
-                          on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
-                          usable = generic && kinetic && potential && on_the_stack;
-};
+/// A model in place of one that has been refused.
+template <int Coordinates, bool Constrained>
+auto refused_lagrangian() {
+    using parts = lagrangian_parts<refused_energy, refused_energy, refused_energy, no_forces>;
+    if constexpr (Constrained)
+        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
+    else
+        return lagrangian_energies<Coordinates, parts>(parts{});
+}
 
 template <int Coordinates, class Kinetic, class Potential, class Forces>
 auto free_energies(Kinetic T, Potential V, Forces Q) {
@@ -278,14 +226,19 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
     static_assert(given::on_the_stack,
                   "lagrangian: n is too large for arrays of dual numbers on the stack (24 fit by default); "
                   "write M^-1 F by hand on Eigen::VectorXd as an ordinary differential equation");
-    static_assert(given::kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
+    static_assert(
+        given::kinetic,
+        "lagrangian: the kinetic energy must be callable as T(q, v), and comes before the potential "
+        "energy V(q)");
     static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
+    static_assert(given::forces,
+                  "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
+                  "do not depend on it, and return a vector of n numbers");
     if constexpr (given::usable) {
         using parts = lagrangian_parts<Kinetic, Potential, no_constraint, Forces>;
         return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
     } else {
-        using parts = lagrangian_parts<refused_energy, refused_energy, no_constraint, no_forces>;
-        return lagrangian_energies<Coordinates, parts>(parts{});
+        return refused_lagrangian<Coordinates, false>();
     }
 }
 
@@ -302,7 +255,7 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
           class Forces = no_forces>
 auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
-    using given = detail::given_energies<Coordinates, Kinetic, Potential, Constraint, Forces>;
+    using given = detail::given_energies<Coordinates, Kinetic, Potential, Forces, Constraint>;
     static_assert(
         given::generic,
         "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are differentiated "
@@ -311,8 +264,14 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
                   "lagrangian: n is too large for arrays of dual numbers on the stack (24 fit by default); "
                   "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
                   "(stagecraft/mechanics/sized_model.hpp) has any size");
-    static_assert(given::kinetic, "lagrangian: the kinetic energy must be callable as T(q, v)");
+    static_assert(
+        given::kinetic,
+        "lagrangian: the kinetic energy must be callable as T(q, v), and comes before the potential "
+        "energy V(q)");
     static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
+    static_assert(given::forces,
+                  "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
+                  "do not depend on it, and return a vector of n numbers");
     constexpr bool fewer = Constraints < Coordinates;
     static_assert(
         fewer,
@@ -335,9 +294,7 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
         static_assert(rows, "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
         return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
     } else {
-        using energy = detail::refused_energy;
-        using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
-        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
+        return detail::refused_lagrangian<Coordinates, true>();
     }
 }
 
@@ -354,16 +311,16 @@ auto lagrangian(Kinetic T, Potential V, Forces Q) {
     return detail::free_energies<Coordinates>(std::move(T), std::move(V), std::move(Q));
 }
 
-/// The number of constraints is missing.
+/// The number of constraints is missing, or forces do not take t.
 template <int Coordinates, class Kinetic, class Potential, class Constraint, class Forces = no_forces>
-requires(!detail::forces_on<Constraint, Coordinates>) auto lagrangian(Kinetic T, Potential V,
-                                                                      Constraint constraint, Forces Q = {}) {
-    using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
-    using model = lagrangian_model<Coordinates, 1, parts>;
-    constexpr bool number_of_constraints = std::is_void_v<model>;
-    static_assert(number_of_constraints,
-                  "lagrangian<n, m>: give m, the number of constraints, as well: lagrangian<2, 1>(T, V, g)");
-    return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
+requires(!detail::forces_on<Constraint, Coordinates>) auto lagrangian(const Kinetic&, const Potential&,
+                                                                      const Constraint&, const Forces& = {}) {
+    constexpr bool constraint =
+        std::is_invocable_v<const Constraint&, const Eigen::Matrix<double, Coordinates, 1>&>;
+    static_assert(detail::never<Constraint>,
+                  "lagrangian<n, m>: give m, the number of constraints, as well: lagrangian<2, 1>(T, V, g); "
+                  "forces without constraints, lagrangian<n>(T, V, Q), must be callable as Q(q, v, t)");
+    return detail::refused_lagrangian<Coordinates, constraint>();
 }
 
 /// So are both numbers.
@@ -372,9 +329,7 @@ auto lagrangian(const Kinetic&, const Parts&...) {
     static_assert(detail::never<Kinetic>,
                   "lagrangian<n, m>(T, V, constraint): give n, the number of coordinates, and m, that of "
                   "constraints; lagrangian<n>(T, V) has none");
-    using energy = detail::refused_energy;
-    using parts = detail::lagrangian_parts<energy, energy, energy, no_forces>;
-    return lagrangian_model<2, 1, parts>(parts{});
+    return detail::refused_lagrangian<2, true>();
 }
 
 }  // namespace stagecraft

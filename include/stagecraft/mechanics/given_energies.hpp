@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+#include <stagecraft/jacobian/dual_number.hpp>
+#include <stagecraft/mechanics/model.hpp>
+
+namespace stagecraft {
+
+/// No generalised forces: only those of the potential act.
+struct no_forces {};
+/// No constraint: every coordinate is free.
+struct no_constraint {};
+
+namespace detail {
+
+template <class F, class Vector, bool Moves>
+struct returned_by {
+    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&>>;
+};
+template <class F, class Vector>
+struct returned_by<F, Vector, true> {
+    using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Vector&, double>>;
+};
+
+/// True if T is a callable, but no template: its address can be taken.
+template <class T>
+concept takes_one_scalar = requires {
+    &T::operator();
+};
+
+/// What the caller of `lagrangian` gives.
+template <class Kinetic, class Potential, class Constraint, class Forces>
+struct lagrangian_parts {
+    Kinetic T;
+    Potential V;
+    Constraint constraint;
+    Forces Q;
+};
+
+/// Stands in for a kinetic or potential energy that is refused, so that the one sentence that says why is all.
+struct refused_energy {
+    template <class Vector>
+    auto operator()(const Vector&, const Vector& v) const {
+        return v.squaredNorm();
+    }
+    template <class Vector>
+    auto operator()(const Vector& q) const {
+        return q.squaredNorm();
+    }
+};
+
+/// True for generalised forces Q(q, v, t), which no constraint can be called as.
+template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
+concept forces_on = std::is_invocable_v<const Q&, const Vector&, const Vector&, const double&>;
+
+/// True for forces of which a vector can be made, and where there are none.
+template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
+concept returns_forces = std::is_same_v<Q, no_forces> ||
+    requires(const Q& forces, const Vector& q, const double& t) {
+    { forces(q, q, t) } -> std::convertible_to<Vector>;
+};
+
+/// What is to be known of the energies in a call of `lagrangian`, and of what stands beside them. The potential energy is
+/// looked at where the kinetic one is good, so that the first complaint is the only one.
+template <int Coordinates, class Kinetic, class Potential, class Forces, class... Others>
+struct given_energies {
+    using vector = Eigen::Matrix<double, Coordinates, 1>;
+    static constexpr std::size_t dual_numbers =
+        sizeof(dual_number<dual_number<double, Coordinates>, Coordinates>);
+    static constexpr bool generic = !takes_one_scalar<Kinetic> && !takes_one_scalar<Potential> &&
+                                    !takes_one_scalar<Forces> && !(takes_one_scalar<Others> || ...),
+                          kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
+                          potential = !kinetic || std::is_invocable_v<const Potential&, const vector&>,
+                          forces = returns_forces<Forces, Coordinates>,
+                          on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
+                          usable = generic && kinetic && potential && forces && on_the_stack;
+};
+
+}  // namespace detail
+
+}  // namespace stagecraft
