@@ -259,4 +259,34 @@ auto semi_explicit(F f, G g, int n, int m) {
                                                                                    n, m);
 }
 
+namespace detail {
+/// Stands in for a problem without its sizes, so that the one sentence that says so is all.
+struct refused_semi_explicit {
+    void operator()(const auto&, const auto&, auto&) const {}
+    template <class = double>
+    Eigen::Vector2d state(const auto&...) const {
+        return {0, 0};
+    }
+    template <class = double>
+    Eigen::VectorXd differential(const auto&) const {
+        return {};
+    }
+    template <class = double>
+    Eigen::VectorXd algebraic(const auto&) const {
+        return {};
+    }
+};
+}  // namespace detail
+
+/// The sizes are missing, or stand elsewhere.
+template <int... Sizes, class F>
+detail::refused_semi_explicit semi_explicit(const F&, detail::anything = 0, detail::anything = 0,
+                                            detail::anything = 0, detail::anything = 0) {
+    static_assert(detail::never<F>,
+                  "semi_explicit<n, m>(f, g): give n, the number of components of y, and m, that of z, in "
+                  "angle brackets, or behind the functions where they are known at run time: "
+                  "semi_explicit(f, g, n, m)");
+    return {};
+}
+
 }  // namespace stagecraft
