@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/stages/fixed_point.hpp>
 #include <stagecraft/step/method_set.hpp>
 
@@ -25,6 +26,22 @@ template <class Scalar, int Stages>
 variable_order<fixed_point_method<Scalar, Stages>> fixed_point(const tableau<Scalar, Stages>& method) {
     return {{fixed_point_method<Scalar, Stages>{method}}};  // a set of one
 }
+
+namespace detail {
+struct call_of_fixed_point {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(
+            never<Method>,
+            "fixed_point(method): the method must be a tableau, gauss<3>() with its parentheses, say");
+        return true;
+    }
+};
+}  // namespace detail
+
+/// Of what is no tableau.
+variable_order<fixed_point_method<double, 1>> fixed_point(detail::refused_call<detail::call_of_fixed_point>,
+                                                          ...);
 
 /// A step of such a method: a model of one_step_method.
 template <int Stages, class Space>

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
 
@@ -63,5 +64,20 @@ tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
     r.facts.r_infinity = m.facts.r_infinity * m.facts.r_infinity;
     return r;
 }
+
+namespace detail {
+struct call_of_step_doubling {
+    template <class Method>
+    static constexpr bool say() {
+        static_assert(
+            never<Method>,
+            "step_doubling(method): the method must be a tableau, gauss<3>() with its parentheses, say");
+        return true;
+    }
+};
+}  // namespace detail
+
+/// Of what is no tableau.
+tableau<double> step_doubling(detail::refused_call<detail::call_of_step_doubling>, ...);
 
 }  // namespace stagecraft
