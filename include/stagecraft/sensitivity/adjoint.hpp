@@ -221,9 +221,14 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
                       const options<typename DerivedY::Scalar>& o = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
-    constexpr bool differentiable = detail::differentiable_functional<Functional, vector>;
+    constexpr bool differentiable = detail::parameter_derivatives<Problem, vector, parameters>::exist,
+                   functional = detail::differentiable_functional<Functional, vector>;
     static_assert(
         differentiable,
+        "adjoint_gradient: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
+        "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
+    static_assert(
+        functional,
         "adjoint_gradient: g is called with a vector of dual numbers and must accept any scalar and return "
         "a number: [](const auto& y) { return y[0]; }");
     using bound = at_parameters<Problem, parameters>;
@@ -243,7 +248,7 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
         r.report = run.counts();
         if (!r.ok()) return r;
         vector slope = start;
-        if constexpr (differentiable) r.value = detail::differentiate_functional(g, r.y, slope);
+        if constexpr (functional) r.value = detail::differentiate_functional(g, r.y, slope);
         detail::adjoint_steps<Method, bound, vector> adjoint(method, at_p, slope, o);
         std::vector<std::pair<typename run_type::output_type, int>> steps;
         for (auto& points = kept.points(); !points.empty(); points.pop_back()) {

@@ -116,7 +116,13 @@ auto sensitivities(
                                              DerivedP::RowsAtCompileTime>>* S0 = nullptr,
     Observer&& observer = {}) {
     using vector = typename DerivedY::PlainObject;
-    using bound = at_parameters<Problem, typename DerivedP::PlainObject>;
+    using parameters = typename DerivedP::PlainObject;
+    constexpr bool differentiable = detail::parameter_derivatives<Problem, vector, parameters>::exist;
+    static_assert(
+        differentiable,
+        "sensitivities: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
+        "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
+    using bound = at_parameters<Problem, parameters>;
     using forward = detail::forward_sensitivities<bound, vector>;
     using matrix = typename forward::matrix;
     const bound at_p(problem, p);

@@ -35,6 +35,29 @@ template <class Method, class Problem, class Vector, class Parameters>
 concept run_with_parameters = transformed_method<Method> &&
     writes_last<const Problem, Vector, typename Vector::Scalar, Vector, Parameters>;
 
+/// How df/dp is found: by problem.parameter_jacobian(t, y, p, F), or in dual numbers.
+template <class Problem, class Vector, class Parameters>
+struct parameter_derivatives {
+    using scalar = typename Vector::Scalar;
+    static constexpr int N = Vector::RowsAtCompileTime, M = Parameters::RowsAtCompileTime;
+    using number = dual<scalar, M>;
+    using state = Eigen::Matrix<number, N, 1>;
+    using values = Eigen::Matrix<number, M, 1>;
+    static constexpr bool given = requires(const Problem& problem, const scalar& t, const Vector& y,
+                                           const Parameters& p, Eigen::Matrix<scalar, N, M>& F) {
+        problem.parameter_jacobian(t, y, p, F);
+    };
+    static constexpr bool dual_time = callable_with_parameters<Problem, number, state, values, state>;
+    static constexpr bool automatic =
+        dual_time || callable_with_parameters<Problem, scalar, state, values, state>;
+    static constexpr bool exist = [] {
+        if constexpr (given)
+            return true;
+        else
+            return automatic;
+    }();
+};
+
 /// A Problem with its parameters, and with jacobian(t, y, J) where it has jacobian(t, y, p, J).
 template <class Problem, class Parameters>
 struct parameters_of : Problem {
@@ -80,34 +103,23 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
     /// call), else by automatic differentiation.
     template <class Scalar, class Vector, class Matrix>
     void differentiate(const Scalar& t, const Vector& y, Matrix& F) const {
+        using by = detail::parameter_derivatives<Problem, Vector, Parameters>;
         const auto& problem = static_cast<const Problem&>(*this);
-        if constexpr (requires { problem.parameter_jacobian(t, y, p, F); }) {
+        if constexpr (by::given) {
             problem.parameter_jacobian(t, y, p, F);
-        } else {
-            constexpr int N = Vector::RowsAtCompileTime, M = Parameters::RowsAtCompileTime;
-            using number = dual<Scalar, M>;
-            using state = Eigen::Matrix<number, N, 1>;
-            using values = Eigen::Matrix<number, M, 1>;
-            constexpr bool dual_time =
-                detail::callable_with_parameters<Problem, number, state, values, state>;
-            constexpr bool generic =
-                dual_time || detail::callable_with_parameters<Problem, Scalar, state, values, state>;
-            static_assert(
-                generic,
-                "sensitivities: problem(t, y, p, f) must be generic in its scalar (const auto& t, const "
-                "auto& y, "
-                "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
-            constexpr int width = dual_width<M>;
+        } else if constexpr (by::automatic) {  // others are refused before a run
+            using number = typename by::number;
+            constexpr int width = dual_width<by::M>;
             [[maybe_unused]] const number time(t);
-            const state at = detail::promoted<number>(y);
-            values q = detail::promoted<number>(p);
-            state f(y.size());
+            const typename by::state at = detail::promoted<number>(y);
+            typename by::values q = detail::promoted<number>(p);
+            typename by::state f(y.size());
             for (Eigen::Index first = 0; first < p.size(); first += width) {
                 for (Eigen::Index k = first; k < p.size() && k < first + width; ++k)
                     q[k].derivatives()[k - first] = Scalar(1);
-                if constexpr (dual_time)
+                if constexpr (by::dual_time)
                     problem(time, at, q, f);
-                else if constexpr (generic)
+                else
                     problem(t, at, q, f);
                 for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {
                     for (Eigen::Index i = 0; i < y.size(); ++i) F(i, k) = f[i].derivatives()[k - first];
