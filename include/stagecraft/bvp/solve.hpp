@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -137,6 +138,26 @@ requires(!detail::is_two_point<Rhs>) bvp_result<Eigen::VectorXd, Eigen::VectorXd
     return {};
 }
 
+/// The guess is a list in braces, which has no type.
+template <class Method, class Rhs, class Conditions>
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(const Method&,
+                                                       const two_point_problem<Rhs, Conditions>&, double,
+                                                       double, std::initializer_list<double>,
+                                                       const bvp_options<double>& = {}) {
+    static_assert(detail::never<Method>,
+                  "solve_bvp: guess is a vector with its type, Eigen::Vector2d(0, 1), say, not {0, 1}");
+    return {};
+}
+template <class Method, class Rhs, class Conditions, class Parameters>
+requires requires(const Parameters& p) { p.size(); }
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(const Method& method,
+                                                       const two_point_problem<Rhs, Conditions>& problem,
+                                                       double a, double b,
+                                                       std::initializer_list<double> guess, const Parameters&,
+                                                       const bvp_options<double>& = {}) {
+    return solve_bvp(method, problem, a, b, guess);
+}
+
 /// Another first argument, or options of names that there are not.
 bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
                                                        detail::anything, detail::anything, detail::anything,
@@ -146,8 +167,10 @@ bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<deta
                                                        detail::anything, detail::anything,
                                                        const detail::misnamed_options&);
 bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
-                                                       detail::anything = 0, detail::anything = 0,
-                                                       detail::anything = 0, detail::anything = 0, ...);
+                                                       detail::anything = 0, detail::anything = 0);
+bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
+                                                       detail::anything, detail::anything, detail::anything,
+                                                       detail::anything, ...);
 bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<detail::call_of_solve_bvp>,
                                                        detail::anything, detail::anything, detail::anything,
                                                        ...);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: guess is a vector with its type, Eigen::Vector2d(0, 1), say, not {0, 1}
-// lines: 15
+// lines: 8
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 
