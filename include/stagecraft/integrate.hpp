@@ -92,34 +92,6 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
     }
 }
 
-template <class Derived>
-requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) void take_real(
-    const Eigen::MatrixBase<Derived>&);
-/// A real matrix of Eigen's.
-template <class State>
-concept eigen_object = requires(const State& y) {
-    take_real(y);
-};
-
-/// True of what may stand in the place of y0 by another overload than that of Eigen's vectors.
-template <class State>
-inline constexpr bool has_own_overload = false;
-template <class Vector>
-inline constexpr bool has_own_overload<checkpoint<Vector>> = true;
-template <class State>
-inline constexpr bool is_checkpoint = false;
-template <class Vector>
-inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
-
-template <class Scalar>
-void take_options(const options<Scalar>&);
-/// What may be meant for an observer where the options have been left out.
-template <class Observer>
-concept misplaced_observer = std::is_class_v<Observer> && !requires(const Observer& o) {
-    take_options(o);
-}
-&&!std::is_convertible_v<const Observer&, options<double>>;
-
 struct call_by_a_name {
     template <class T>
     static constexpr bool say() {
@@ -190,6 +162,10 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
             problem(t, y, f);
         };
     }
+    [[maybe_unused]] constexpr bool watches =
+        requires(const typename given::scalar& t, const typename given::vector& y) {
+        observer(t, y);
+    };
     static_assert(given::method_first,
                   "integrate(method, problem, y0, t0, t1, ...): the first argument must be a tableau, a "
                   "transformed_tableau or a variable_order set, radau_iia<3>() with its parentheses, say");
@@ -265,11 +241,20 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
                       "the one of which "
                       "the checkpoint was taken");
         using run_type = integrator<Method, problem_type, Vector>;
+        constexpr bool observed =
+            detail::can_observe<std::remove_reference_t<Observer>, Vector, typename run_type::output_type>;
+        static_assert(
+            observed,
+            "integrate(method, problem, checkpoint, t1, options, observer): the observer must be "
+            "callable as observer(t, y), (t, y, h) or (t, y, h, output), y of the type of the state");
         Vector start = from.y;
         run_type run(method, problem, start, from.t, t1, o,
                      detail::wants_output<std::remove_reference_t<Observer>, run_type, Vector>);
         restore(run, from);
-        return detail::run_to_the_end(run, start, t1, observer);
+        if constexpr (observed)
+            return detail::run_to_the_end(run, start, t1, observer);
+        else
+            return {};
     }
 }
 

@@ -1,48 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 
 #include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/taken_arguments.hpp>
 
 namespace stagecraft::detail {
-
-struct call_operator_member {
-    void operator()();
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::operator();
-    };
-};
-
-/// What an argument of type A is converted to by a rival call.
-template <class A>
-struct converted_from {
-    converted_from(A);
-};
-struct rival_called {};
-
-/// F with one more operator(), which takes argument K by a conversion and the others as they are, and the object as it
-/// is, not const. Overload resolution prefers it to an operator() const of F's that converts argument K as well; with one
-/// of F's that takes this argument as it is, the call is ambiguous. So it is found out which of them F has without
-/// compiling what F does (unless its operator() is not const: that one is better then, and compiled).
-template <class F, std::size_t K, class Positions, class... Args>
-struct rival;
-template <class F, std::size_t K, std::size_t... I, class... Args>
-struct rival<F, K, std::index_sequence<I...>, Args...> : F {
-    using F::operator();
-    rival_called operator()(std::conditional_t<I == K, converted_from<Args>, Args>...);
-};
-
-template <class F, std::size_t K, class... Args>
-concept converts_argument =
-    requires(rival<std::remove_const_t<F>, K, std::index_sequence_for<Args...>, Args...>& f) {
-    { f(std::declval<Args>()...) } -> std::same_as<rival_called>;
-};
 
 /// A vector of dual numbers that is read, which Eigen's matrices of plain numbers are constructible from, if only by
 /// their declarations.
@@ -82,11 +49,12 @@ constexpr bool reads_last() {
 
 /// F can be called with these arguments and writes into the last. A generic F that takes them in another order would not
 /// compile, and say so from inside: so the others are given as temporaries, to which the `auto&` of what is
-/// written into cannot refer, and as they are only where F may mean to write into its last argument.
+/// written into cannot refer, and as they are only where F may mean to write into its last argument. Nor may F declare
+/// vectors of another size.
 template <class F, class Out, class... In>
-concept writes_last = requires(F& f, Out& out) {
-    f(std::declval<In>()..., out);
-}
-|| (!reads_last<F, Out, In...>() && requires(F & f, const In&... in, Out& out) { f(in..., out); });
+concept writes_last = (requires(F & f, Out& out) { f(std::declval<In>()..., out); } ||
+                       (!reads_last<F, Out, In...>() &&
+                        requires(F & f, const In&... in, Out& out) { f(in..., out); })) &&
+                      !mistakes_vectors<F, const In&..., Out&>();
 
 }  // namespace stagecraft::detail

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/taken_arguments.hpp>
 
 namespace stagecraft {
 
@@ -60,19 +61,23 @@ struct conclude_member {
     };
 };
 
+/// True if the observer can be called with these arguments after t and y.
+template <class Observer, class Vector, class... More>
+concept observes_with = requires(Observer& observer, const typename Vector::Scalar& t, const Vector& y,
+                                 const More&... more) {
+    observer(t, y, more...);
+}
+&&!mistakes_vectors<Observer, const typename Vector::Scalar&, const Vector&, const More&...>();
+
 /// True if the observer is called with the continuous solution.
 template <class Observer, class Vector, class Output>
-inline constexpr bool asks_for_output =
-    std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&,
-                        const typename Vector::Scalar&, const Output&>;
+inline constexpr bool asks_for_output = observes_with<Observer, Vector, typename Vector::Scalar, Output>;
 
 /// True if the observer can be called after a step in one of its forms.
 template <class Observer, class Vector, class Output>
 inline constexpr bool can_observe =
     std::is_same_v<std::remove_const_t<Observer>, no_observer> || asks_for_output<Observer, Vector, Output> ||
-    std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&,
-                        const typename Vector::Scalar&> ||
-    std::is_invocable_v<Observer&, const typename Vector::Scalar&, const Vector&>;
+    observes_with<Observer, Vector, typename Vector::Scalar> || observes_with<Observer, Vector>;
 
 template <class Observer, class Scalar, class Vector>
 void announce([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t0,
@@ -101,7 +106,7 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
         return true;
     else if constexpr (asks_for_output<Observer, Vector, Output>)
         return call(t, y, h, output);
-    else if constexpr (std::is_invocable_v<Observer&, const Scalar&, const Vector&, const Scalar&>)
+    else if constexpr (observes_with<Observer, Vector, Scalar>)
         return call(t, y, h);
     else
         return call(t, y);

@@ -90,6 +90,7 @@ concept returns_vector = requires(Problem& p, const T& t, const Y& y) {
     { p(t, y) } -> std::convertible_to<Vector>;
     requires std::same_as < typename std::remove_cvref_t<decltype(p(t, y))>::Scalar,
     typename Vector::Scalar > ;
+    requires !mistakes_vectors<Problem, const T&, const Y&>();
 };
 
 template <class Problem, class Vector>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/checkpoint.hpp>
+#include <stagecraft/control/options.hpp>
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>
 #include <stagecraft/step/integrator.hpp>
@@ -78,5 +81,33 @@ struct given_arguments {
 
     static auto writing(const Problem& problem) { return writes_returned<std::decay_t<Problem>>{problem}; }
 };
+
+template <class Derived>
+requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) void take_real(
+    const Eigen::MatrixBase<Derived>&);
+/// A real matrix of Eigen's.
+template <class State>
+concept eigen_object = requires(const State& y) {
+    take_real(y);
+};
+
+/// True of what may stand in the place of y0 by another overload than that of Eigen's vectors.
+template <class State>
+inline constexpr bool has_own_overload = false;
+template <class Vector>
+inline constexpr bool has_own_overload<checkpoint<Vector>> = true;
+template <class State>
+inline constexpr bool is_checkpoint = false;
+template <class Vector>
+inline constexpr bool is_checkpoint<checkpoint<Vector>> = true;
+
+template <class Scalar>
+void take_options(const options<Scalar>&);
+/// What may be meant for an observer where the options have been left out.
+template <class Observer>
+concept misplaced_observer = std::is_class_v<Observer> && !requires(const Observer& o) {
+    take_options(o);
+}
+&&!std::is_convertible_v<const Observer&, options<double>>;
 
 }  // namespace stagecraft::detail
