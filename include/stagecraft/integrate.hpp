@@ -9,7 +9,11 @@
 #include <type_traits>
 #include <utility>
 
+// Before what includes them, so that what is said from there is said in fewer lines.
 #include <stagecraft/jacobian/dual_number.hpp>
+
+#include <stagecraft/jacobian/dual_functions.hpp>
+
 #include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>

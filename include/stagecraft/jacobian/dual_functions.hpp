@@ -358,7 +358,10 @@ dual_number<S, W> lgamma(const dual_number<S, W>& x) {
 }
 template <class S, int W>
 dual_number<S, W> tgamma(const dual_number<S, W>& x) {
-    return lgamma(x);
+    static_assert(W < 0,
+                  "tgamma and lgamma are not differentiated automatically: give the problem a jacobian, or "
+                  "write `const Eigen::Vector3d& y` (the type of y0) in place of `const auto& y`");
+    return x;
 }
 
 }  // namespace stagecraft

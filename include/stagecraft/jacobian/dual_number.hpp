@@ -23,16 +23,6 @@ inline constexpr bool is_dual<dual_number<S, Width>> = true;
 template <class T, class S>
 concept plain_operand = std::is_same_v<T, S> || std::is_arithmetic_v<T>;
 
-/// Named where dual numbers are given to what holds plain ones, and would lose their derivatives.
-template <class T>
-struct without_derivatives {
-    static_assert(!sizeof(T),
-                  "a right-hand side with `const auto& y` is differentiated by calling it with dual "
-                  "numbers, which no double holds: keep what follows from y as `auto k = y[0];`, vectors "
-                  "as `std::decay_t<decltype(y)> g = y;`, or write `const Eigen::Vector3d& y`, with the "
-                  "type of y0");
-};
-
 }  // namespace detail
 
 /// A value with its derivatives in Width directions, for forward-mode automatic differentiation (Griewank and
@@ -86,7 +76,11 @@ class dual_number {
     template <class T>
     requires std::is_arithmetic_v<T>
     explicit operator T() const {
-        if constexpr (!std::is_integral_v<T>) static_assert(sizeof(detail::without_derivatives<T>) > 0);
+        static_assert(std::is_integral_v<T>,
+                      "a right-hand side with `const auto& y` is differentiated by calling it with dual "
+                      "numbers, which no double holds: keep what follows from y as `auto k = y[0];`, vectors "
+                      "as `std::decay_t<decltype(y)> g = y;`, or write `const Eigen::Vector3d& y`, with the "
+                      "type of y0");
         return static_cast<T>(value_);
     }
 
@@ -211,9 +205,15 @@ namespace Eigen {
 
 namespace internal {
 
-/// Plain numbers := dual ones.
+/// Plain numbers := dual ones, which would lose their derivatives.
 template <class S, int W>
-struct assign_op<S, stagecraft::dual_number<S, W>> : stagecraft::detail::without_derivatives<S> {
+struct assign_op<S, stagecraft::dual_number<S, W>> {
+    static_assert(
+        !sizeof(S),
+        "a right-hand side with `const auto& y` is differentiated by calling it with dual numbers, "
+        "which no vector of doubles holds: keep what follows from y as `auto k = y[0];`, vectors as "
+        "`std::decay_t<decltype(y)> g = y;`, or write `const Eigen::Vector3d& y`, with the type of "
+        "y0");
     void assignCoeff(S&, const stagecraft::dual_number<S, W>&) const {}
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: keep what follows from y as `auto k = y[0];`
-// lines: 15
+// lines: 12
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 

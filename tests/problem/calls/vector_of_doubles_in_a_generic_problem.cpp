@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: vectors as `std::decay_t<decltype(y)> g = y;`
-// lines: 24
+// lines: 21
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 
