@@ -185,7 +185,7 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     static_assert(given::callable,
                   "integrate: the problem must be callable as problem(t, y, f) and write f(t, y) into f, "
                   "as `void operator()(double t, const Vector& y, Vector& f) const` with Vector the type "
-                  "of y0 (of fixed size if that is), or as problem(t, y) and return it");
+                  "of y0 (of fixed size if that is), or as problem(t, y) and return such a Vector");
     static_assert(given::writes_through,
                   "integrate: the problem takes f by value, or const, and what it writes is lost: write "
                   "`Vector& f` or `auto& f`");

@@ -316,29 +316,39 @@ result<State> integrate(const Method& method, Problem&& problem, const State& y0
                         std::type_identity_t<detail::scalar_of<State>> t0,
                         std::type_identity_t<detail::scalar_of<State>> t1,
                         const options<detail::scalar_of<State>>& o = {}, Observer&& observer = {}) {
-    using form = detail::state_parts<State>;
-    using vector = typename form::vector;
-    const auto real_problem = detail::split(problem, y0);
-    using real_type = std::remove_const_t<decltype(real_problem)>;
-    vector start(detail::elements_of(y0) * form::parts);
-    detail::take_out_of(y0, start);
-    const auto run = [&](auto& watch) {
-        const auto r = integrate(method, real_problem, start, t0, t1, o, watch);
-        State y = y0;
-        detail::put_into(y, r.y);
-        return result<State>{r.t, y, r.status, r.report, r.exception};
-    };
-    using observer_type = std::remove_reference_t<Observer>;
-    if constexpr (detail::runnable_method<Method>) {
-        using output = typename integrator<Method, const real_type, vector>::output_type;
-        if constexpr (detail::observes_split<observer_type, State, output>) {
-            detail::split_observer<observer_type, State> watch(observer, y0);
-            return run(watch);
+    constexpr bool gives_state =
+        detail::gives_state<std::remove_reference_t<Problem>, detail::scalar_of<State>, State>;
+    static_assert(
+        gives_state,
+        "integrate: the problem must be callable as problem(t, y, f), y and f of the type of y0, or as "
+        "problem(t, y) and return that type, and be const: not a std::array for a std::vector, say");
+    if constexpr (!gives_state) {
+        return {t0, y0, status::function_threw, {}, {}};
+    } else {
+        using form = detail::state_parts<State>;
+        using vector = typename form::vector;
+        const auto real_problem = detail::split(problem, y0);
+        using real_type = std::remove_const_t<decltype(real_problem)>;
+        vector start(detail::elements_of(y0) * form::parts);
+        detail::take_out_of(y0, start);
+        const auto run = [&](auto& watch) {
+            const auto r = integrate(method, real_problem, start, t0, t1, o, watch);
+            State y = y0;
+            detail::put_into(y, r.y);
+            return result<State>{r.t, y, r.status, r.report, r.exception};
+        };
+        using observer_type = std::remove_reference_t<Observer>;
+        if constexpr (detail::runnable_method<Method>) {
+            using output = typename integrator<Method, const real_type, vector>::output_type;
+            if constexpr (detail::observes_split<observer_type, State, output>) {
+                detail::split_observer<observer_type, State> watch(observer, y0);
+                return run(watch);
+            } else {
+                return run(observer);
+            }
         } else {
             return run(observer);
         }
-    } else {
-        return run(observer);
     }
 }
 

@@ -145,6 +145,8 @@ auto steps(const Method& method, Problem&& problem, const Eigen::MatrixBase<Deri
         "integrate() says more");
     if constexpr (callable)
         return step_range<Method, Problem, vector>(method, std::forward<Problem>(problem), y0, t0, t1, o);
+    else
+        return std::initializer_list<result<vector>>();
 }
 
 /// The rest of a run of which a checkpoint was taken, as integrate() goes on from one.
