@@ -48,11 +48,19 @@ struct parameter_derivatives {
         problem.parameter_jacobian(t, y, p, F);
     };
     static constexpr bool dual_time = callable_with_parameters<Problem, number, state, values, state>;
-    static constexpr bool automatic =
-        dual_time || callable_with_parameters<Problem, scalar, state, values, state>;
+    static constexpr bool automatic = [] {
+        if constexpr (dual_time)
+            return true;
+        else
+            return callable_with_parameters<Problem, scalar, state, values, state>;
+    }();
+    /// What is known before a generic problem is compiled for them: it takes their arguments as they are.
     static constexpr bool exist = [] {
         if constexpr (given)
             return true;
+        else if constexpr (std::is_class_v<Problem> && !std::is_final_v<Problem>)
+            return !converts_duals<const Problem, const number&, const state&, const values&, state&>() ||
+                   !converts_duals<const Problem, const scalar&, const state&, const values&, state&>();
         else
             return automatic;
     }();
@@ -104,27 +112,35 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
     template <class Scalar, class Vector, class Matrix>
     void differentiate(const Scalar& t, const Vector& y, Matrix& F) const {
         using by = detail::parameter_derivatives<Problem, Vector, Parameters>;
-        const auto& problem = static_cast<const Problem&>(*this);
         if constexpr (by::given) {
-            problem.parameter_jacobian(t, y, p, F);
-        } else if constexpr (by::automatic) {  // others are refused before a run
-            using number = typename by::number;
-            constexpr int width = dual_width<by::M>;
-            [[maybe_unused]] const number time(t);
-            const typename by::state at = detail::promoted<number>(y);
-            typename by::values q = detail::promoted<number>(p);
-            typename by::state f(y.size());
-            for (Eigen::Index first = 0; first < p.size(); first += width) {
-                for (Eigen::Index k = first; k < p.size() && k < first + width; ++k)
-                    q[k].derivatives()[k - first] = Scalar(1);
-                if constexpr (by::dual_time)
-                    problem(time, at, q, f);
-                else
-                    problem(t, at, q, f);
-                for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {
-                    for (Eigen::Index i = 0; i < y.size(); ++i) F(i, k) = f[i].derivatives()[k - first];
-                    q[k].derivatives().setZero();
-                }
+            static_cast<const Problem&>(*this).parameter_jacobian(t, y, p, F);
+        } else {
+            static_assert(by::automatic || !by::exist,
+                          "sensitivities: problem(t, y, p, f) must be generic in its scalar, t included");
+            if constexpr (by::automatic) differentiate_automatically<by>(t, y, F);
+        }
+    }
+
+  private:
+    template <class by, class Scalar, class Vector, class Matrix>
+    void differentiate_automatically(const Scalar& t, const Vector& y, Matrix& F) const {
+        const auto& problem = static_cast<const Problem&>(*this);
+        using number = typename by::number;
+        constexpr int width = dual_width<by::M>;
+        [[maybe_unused]] const number time(t);
+        const typename by::state at = detail::promoted<number>(y);
+        typename by::values q = detail::promoted<number>(p);
+        typename by::state f(y.size());
+        for (Eigen::Index first = 0; first < p.size(); first += width) {
+            for (Eigen::Index k = first; k < p.size() && k < first + width; ++k)
+                q[k].derivatives()[k - first] = Scalar(1);
+            if constexpr (by::dual_time)
+                problem(time, at, q, f);
+            else
+                problem(t, at, q, f);
+            for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {
+                for (Eigen::Index i = 0; i < y.size(); ++i) F(i, k) = f[i].derivatives()[k - first];
+                q[k].derivatives().setZero();
             }
         }
     }
