@@ -359,10 +359,9 @@ template <class Vector, class... Functions>
 requires requires { typename Vector::Scalar; }
 event_watch<Vector> events(event_function<Functions>... list) {
     using function = typename event_watch<Vector>::function;
-    constexpr bool callable =
-        ((std::is_constructible_v<function, Functions> &&
-          !detail::mistakes_vectors<Functions, const typename Vector::Scalar&, const Vector&>()) &&
-         ...);
+    using scalar = typename Vector::Scalar;
+    constexpr bool callable = (std::is_constructible_v<function, Functions> && ...) &&
+                              !(detail::mistakes_vectors<Functions, const scalar&, const Vector&>() || ...);
     static_assert(
         callable,
         "events: g in event(g) must be callable as g(t, y), y const or by value and of the type named in "
