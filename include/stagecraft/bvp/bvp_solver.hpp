@@ -95,7 +95,7 @@ class bvp_solver {
         // The least error so far, and the meshes in a row that did not halve it: these double the mesh, so that
         // the loop ends by max_intervals even where the error is nothing but rounding and goes up and down.
         Scalar least = std::numeric_limits<Scalar>::infinity();
-        int idle = 0;
+        int idle = 0, jumped = 0;
         if (few_ && !slow_beside(x_, system_, equations_.s())) few_ = false, begin(guess, guess_mesh_);
         for (;;) {
             if (from_guess_) least = std::numeric_limits<Scalar>::infinity(), idle = 0;  // anew
@@ -127,11 +127,14 @@ class bvp_solver {
             idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
             if ((idle > 1 || (idle == 1 && rounding_only())) && hopeless(error_)) return;
             least = std::min(least, error_);
+            const auto& jumps =
+                estimate_.jumps();  // in one mesh after the other: no layer is mistaken for one
+            jumped = std::find(jumps.begin(), jumps.end(), 1) == jumps.end() ? 0 : jumped + 1;
             mesh_choice<equations_type> choice(equations_, estimate_, x_, o_);
             const bool spread = rough() && idle < 2;  // where spreading has stopped to help, errors decide
             const auto next = error_ <= o_.rtol ? choice.resolving(halved(x_.t))
                               : spread          ? choice.spread()
-                                                : choice.refined(error_, floor_, idle > 0);
+                                                : choice.refined(error_, floor_, idle > 0, jumped > 2);
             if (static_cast<int>(next.size()) - 1 > o_.max_intervals) {
                 if (!hopeless(10 * error_))
                     end(bvp_status::too_many_intervals, "the tolerance asks for more than max_intervals");
@@ -355,7 +358,7 @@ class bvp_solver {
         result_.error.global = error_;
         if (!known) result_.error.forget(system_.size(), system_.parameters());
         if (!usable()) return;
-        const bool estimated = converged() && estimate_.local().cols() == x_.intervals();
+        const bool estimated = converged() && estimate_.knows(x_.intervals());
         if (estimated || estimate_.run(x_, floor_, o_.rtol / 100)) {
             result_.error.defect = estimate_.defect(x_);
             estimate_.write(x_, result_.y);

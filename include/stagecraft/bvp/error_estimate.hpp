@@ -37,6 +37,7 @@ class error_estimate {
     using wide = typename Equations::wide;
     using column = typename Equations::column;
     using matrix = typename Equations::matrix;
+    using parameters = typename Equations::parameters;
     using rule = typename Equations::rule;
 
     /// At the `known` points, in increasing order, f may jump.
@@ -64,26 +65,46 @@ class error_estimate {
         d_.resize(n, m), g_.resize(n, m), moved_.resize(m);
         stage_.resize(n), own_.resize(n), off_.resize(n), most_.resize(n), small_.resize(n, n);
         swaps_.resize(static_cast<std::size_t>(n));
+        marks_.assign(static_cast<std::size_t>(L), 0);
         elimination_.begin(x);
         const bool usual = elimination_.usual();
         for (int i = 0; i < L; ++i)
             if (!(usual ? lift<usual_nodes>(x, i) : lift<0>(x, i))) return false;
         if constexpr (std::decay_t<decltype(equations_.mass())>::identity)
-            detail::add_hidden_jumps(rule_, equations_, x, known_, slopes_, left_over_, delta_);
+            detail::add_hidden_jumps(rule_, equations_, x, known_, slopes_, left_over_, delta_, marks_);
+        jumps_ = detail::find_jumps(rule_, equations_, x, slopes_, inner_, scalar(negligible * floor / 10),
+                                    unseen_, marks_);
         solve(x);
         for (int i = 0; i < L; ++i) usual ? straighten<usual_nodes>(x, i) : straighten<0>(x, i);
         return true;
     }
 
     const scalar& place() const { return place_; }
-    const wide& local() const { return delta_; }      ///< local errors of the mesh values
-    const wide& inner() const { return inner_; }      ///< local errors between them
-    const wide& raised() const { return raised_; }    ///< what the lifting has removed between them: max |e|
-    const iterate& global() const { return error_; }  ///< of mesh values and parameters
+    /// Local errors of the mesh values in component c of interval i.
+    scalar local(int c, int i) const {
+        using std::abs;
+        return abs(delta_(c, i)) + unseen_(c, i);
+    }
+    const wide& inner() const { return inner_; }    ///< local errors between them
+    const wide& raised() const { return raised_; }  ///< what the lifting has removed between them: max |e|
+    /// The global error of y_c at mesh point i, and of the parameters.
+    scalar global(int c, int i) const {
+        using std::abs;
+        return abs(error_.y(c, i)) + by_jumps(c, i);
+    }
+    auto of_parameters() const {
+        parameters all = error_.p.cwiseAbs();
+        if (jumps_) all += by_jumps_.p.cwiseAbs();
+        return all;
+    }
+    /// For every interval, does f seem to jump in it or at its ends?
+    const std::vector<char>& jumps() const { return marks_; }
+    /// Is what is known that of a mesh of so many intervals?
+    bool knows(int intervals) const { return delta_.cols() == intervals; }
     /// The largest error of the global one and the local one in interval i, component c.
     scalar bound(int i, int c) const {
         using std::abs;
-        const scalar l = abs(error_.y(c, i)), r = abs(error_.y(c, i + 1));
+        const scalar l = global(c, i), r = global(c, i + 1);
         return (l > r ? l : r) + abs(inner_(c, i));
     }
     /// The largest of |error| / (floor + |y|) there: the line between the global errors, and the local error, which is
@@ -96,7 +117,8 @@ class error_estimate {
         const scalar inside = abs(inner_(c, i)),
                      steep = scalar(2 * nodes() * nodes());  // that of the integral of P_m
         const auto over = [&](const scalar& theta, const scalar& size) {
-            const scalar line = abs((1 - theta) * error_.y(c, i) + theta * error_.y(c, i + 1));
+            const scalar line = abs((1 - theta) * error_.y(c, i) + theta * error_.y(c, i + 1)) +
+                                (1 - theta) * by_jumps(c, i) + theta * by_jumps(c, i + 1);
             const scalar local = inside * std::min(scalar(1), scalar(steep * theta * (1 - theta)));
             return scalar((line + local) / (floor_ + size));
         };
@@ -325,6 +347,12 @@ class error_estimate {
                     .conditions(x.y.col(0), x.y.col(L), x.p)
                     .head(equations_.n() + equations_.np());
         equations_.solve(x, minus_, ends_, error_);
+        // Apart from the others: these have a sign, and what they make of y joins its pieces.
+        if (jumps_) equations_.solve_mesh_values(unseen_, column::Zero(ends_.size()), by_jumps_);
+    }
+    scalar by_jumps(int c, int i) const {
+        using std::abs;
+        return jumps_ ? scalar(abs(by_jumps_.y(c, i))) : scalar(0);
     }
 
     /// w less its error plus the line between those of the mesh values.
@@ -349,14 +377,16 @@ class error_estimate {
     const rule& rule_;
     std::vector<scalar> known_;
     std::vector<int> swaps_;
-    wide slopes_, delta_, inner_, raised_, left_over_, scale_, d_, g_, minus_;
+    std::vector<char> marks_;
+    wide slopes_, delta_, inner_, raised_, unseen_, left_over_, scale_, d_, g_, minus_;
     vector stage_, own_, off_, most_;
     column moved_;
     Eigen::Matrix<scalar, N, N> small_;
     column ends_;
-    iterate error_;
+    iterate error_, by_jumps_;
     scalar floor_{0}, negligible_{0}, place_{0};
     int passes_ = 2;
+    bool jumps_ = false;
 };
 
 }  // namespace stagecraft

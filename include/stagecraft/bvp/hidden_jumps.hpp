@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <stagecraft/bvp/missed_phase.hpp>
+
 namespace stagecraft::detail {
 
 /// Adds to `delta`, the local errors, what jumps of f near mesh points do that no evaluation of f sees. Between the last
@@ -14,11 +16,11 @@ namespace stagecraft::detail {
 /// there. The slope of w then jumps at the mesh point, and the local errors are at most that jump times the lengths on
 /// either side. The slopes of a smooth solution differ there as well, by defects, of which P_m says how large they are at
 /// the ends, by f_y times the error of the mesh value, and by rounding: only ten times that is taken for a jump. At `known`
-/// points, which belong to every mesh, f may jump.
+/// points, which belong to every mesh, f may jump. Intervals on either side of a jump are marked.
 template <class Rule, class Equations, class Iterate, class Wide>
 void add_hidden_jumps(const Rule& rule, const Equations& equations, const Iterate& x,
                       const std::vector<std::decay_t<decltype(rule.first)>>& known, const Wide& slopes,
-                      const Wide& left_over, Wide& delta) {
+                      const Wide& left_over, Wide& delta, std::vector<char>& marks) {
     using std::abs;
     using scalar = std::decay_t<decltype(rule.first)>;
     const int n = equations.n(), s = equations.s(), m = rule.nodes(), width = n + equations.np();
@@ -41,8 +43,35 @@ void add_hidden_jumps(const Rule& rule, const Equations& equations, const Iterat
             if (!(abs(right - left) > 10 * usual)) continue;
             delta(c, i - 1) += (right - left) * behind;
             delta(c, i) += (right - left) * before;
+            marks[i - 1] = marks[i] = 1;
         }
     }
+}
+
+/// What jumps of f inside intervals may add to the local errors `delta`, unseen as both rules may miss the same of them: in
+/// proportion to `inner`, what is seen of a jump between the nodes. There is one where that is not small beside the last
+/// coefficients of the slopes, as it is of smooth solutions; where h f_y is large it is that of fast modes. Errors in q' = v
+/// are those of v. False where there is none.
+template <class Rule, class Equations, class Iterate, class Wide>
+bool find_jumps(const Rule& rule, const Equations& equations, const Iterate& x, const Wide& slopes,
+                const Wide& inner, const std::decay_t<decltype(rule.first)>& negligible, Wide& jumps,
+                std::vector<char>& marks) {
+    const int n = equations.n(), m = rule.nodes(), s = equations.s();
+    bool any = false;
+    jumps.setZero(n, x.intervals());
+    for (int i = 0; i < x.intervals(); ++i) {
+        bool here = false;
+        for (int c = Equations::positions; c < n; ++c) {
+            if (!(rule.unseen * inner(c, i) > negligible) ||
+                !(inner(c, i) > rule.jump_share * rule.last_coefficients(&slopes(c, i * m), n)))
+                continue;
+            if (!here && 4 * largest_rate(middle_jacobian(equations, x, i)) > 5 * s) break;
+            jumps(c, i) = rule.unseen * inner(c, i);
+            here = true;
+        }
+        if (here) marks[i] = 1, any = true;
+    }
+    return any;
 }
 
 }  // namespace stagecraft::detail

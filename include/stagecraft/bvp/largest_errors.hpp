@@ -32,10 +32,9 @@ auto largest_errors(const error_estimate<Equations>& estimate, const typename Eq
             if (!(relative <= worst))
                 worst = relative == relative ? relative : std::numeric_limits<scalar>::infinity();
         }
-    const auto& p = estimate.global().p;
-    out.parameters = p.cwiseAbs();
-    for (Eigen::Index k = 0; k < p.size(); ++k)
-        worst = std::max(worst, scalar(abs(p[k]) / (floor + abs(x.p[k]))));
+    out.parameters = estimate.of_parameters();
+    for (Eigen::Index k = 0; k < x.p.size(); ++k)
+        worst = std::max(worst, scalar(out.parameters[k] / (floor + abs(x.p[k]))));
     return worst;
 }
 

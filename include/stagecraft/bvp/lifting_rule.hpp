@@ -51,6 +51,8 @@ struct lifting_rule {
     std::vector<Scalar> ratios;  ///< k / (k + 1)
     row at_start, at_end;        ///< from values at the Gauss nodes to those at 0 and 1
     Scalar first, last;          ///< where f is evaluated first and last
+    Scalar unseen{0};            ///< the most that a jump of f adds to local errors, over what is seen of it
+    Scalar jump_share{1};        ///< where f jumps, that is more than this part of the last coefficients
 
     explicit lifting_rule(const tableau<Scalar, S>& t)
         : method(t),
@@ -73,9 +75,21 @@ struct lifting_rule {
         at_end = gauss.value(Scalar(1));
         first = std::min(Scalar(method.c.minCoeff()), Scalar(gauss.c[0]));
         last = std::max(Scalar(method.c.maxCoeff()), Scalar(gauss.c[nodes() - 1]));
+        look_at_jumps();
     }
 
     int nodes() const { return gauss.size(); }
+    /// The larger one of the last two Legendre coefficients of values at the Gauss nodes, `stride` apart.
+    Scalar last_coefficients(const Scalar* values, int stride) const {
+        using std::abs;
+        const int m = nodes();
+        Scalar last(0), before(0);
+        for (int k = 0; k < m; ++k) {
+            last += to_coefficients(m - 1, k) * values[k * stride];
+            before += to_coefficients(m - 2, k) * values[k * stride];
+        }
+        return std::max(Scalar(abs(last)), Scalar(abs(before)));
+    }
     /// legendre_values() without a division, up to P_m.
     void legendre(const Scalar& x, int most, Scalar* P) const {
         const Scalar z = 2 * x - 1;
@@ -92,6 +106,34 @@ struct lifting_rule {
         if (r_infinity == -1) return m % 2 == 1 ? m : m + 1;
         if (r_infinity == 1) return m % 2 == 0 ? m : m + 1;
         return m;
+    }
+    /// Of an f that jumps by 1 inside an interval every rule knows only between which of its points it does: both may miss
+    /// the same part of its integral, and only the points of check show that there is a jump.
+    void look_at_jumps() {
+        using std::abs;
+        std::vector<Scalar> points(method.c.data(), method.c.data() + method.stages());
+        for (int k = 0; k < nodes(); ++k) points.push_back(gauss.c[k]);
+        for (const auto& at : check) points.push_back(at.theta);
+        std::sort(points.begin(), points.end());
+        row values(nodes());
+        Scalar least(1);
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+            const Scalar middle = (points[k] + points[k + 1]) / 2;
+            const auto after = [&](const Scalar& theta) { return theta > middle ? Scalar(1) : Scalar(0); };
+            Scalar own(0), lifted(0), seen(0);
+            for (int j = 0; j < method.stages(); ++j) own += method.b[j] * after(method.c[j]);
+            for (int j = 0; j < nodes(); ++j) values[j] = after(gauss.c[j]), lifted += gauss.b[j] * values[j];
+            for (const auto& at : check)
+                seen = std::max(seen, Scalar(at.reach * abs(at.value.dot(values) - after(at.theta))));
+            const Scalar coefficients = last_coefficients(values.data(), 1);
+            if (!(coefficients > Scalar(1) / 1000)) continue;  // before the first node or behind the last
+            least = std::min(least, Scalar(seen / coefficients));
+            for (const auto& theta : {points[k], points[k + 1]}) {
+                const Scalar missed = abs(own - (1 - theta)) - abs(own - lifted);
+                unseen = std::max(unseen, Scalar(missed / seen));
+            }
+        }
+        jump_share = least / 2;
     }
     point point_at(const Scalar& theta) const {
         return {

@@ -124,6 +124,22 @@ std::vector<Scalar> graded(const std::vector<Scalar>& t, Scalar place, const Sca
     return mesh;
 }
 
+/// t with [a, b] in `count` equal intervals; points nearer to it than half of one go, but for the ends and those of `fixed`.
+template <class Scalar>
+std::vector<Scalar> subdivided(const std::vector<Scalar>& t, const Scalar& a, const Scalar& b, int count,
+                               const std::vector<Scalar>& fixed) {
+    const Scalar step = (b - a) / Scalar(count), begin = a - step / 2, end = b + step / 2;
+    std::vector<Scalar> mesh;
+    for (const Scalar& point : t)
+        if (point < begin || point > end || point == t.front() || point == t.back() ||
+            std::binary_search(fixed.begin(), fixed.end(), point))
+            mesh.push_back(point);
+    for (int k = 0; k <= count; ++k) mesh.push_back(k < count ? Scalar(a + step * Scalar(k)) : b);
+    std::sort(mesh.begin(), mesh.end());
+    mesh.erase(std::unique(mesh.begin(), mesh.end()), mesh.end());
+    return mesh;
+}
+
 /// A guess as value and slope at t: a constant vector, a function of t, or one with derivative(t).
 template <class Guess>
 concept constant_guess = requires {

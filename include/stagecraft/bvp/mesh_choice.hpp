@@ -27,7 +27,9 @@ class mesh_choice {
     /// The next mesh. Its density is that of the errors of the collocation polynomial, which go with h^(s+1) and change
     /// smoothly; its size follows from what every interval contributes to the global error, which goes with h^p, or
     /// with h^(s+1) where stiffness leaves nothing of superconvergence.
-    std::vector<Scalar> refined(const Scalar& error, const Scalar& floor, bool double_it) {
+    /// Where f jumps in few of them and their errors count, these are divided for themselves (`divide`): no mesh
+    /// that is finer elsewhere helps there.
+    std::vector<Scalar> refined(const Scalar& error, const Scalar& floor, bool double_it, bool divide) {
         using std::abs;
         using std::pow;
         const int L = x_.intervals(), n = equations_.n(), s = equations_.s();
@@ -40,8 +42,8 @@ class mesh_choice {
             for (int c = 0; c < n; ++c) {
                 const Scalar size = floor + std::max(abs(x_.y(c, i)), abs(x_.y(c, i + 1)));
                 local[i] = std::max(
-                    local[i], Scalar((abs(estimate_.local()(c, i)) + abs(estimate_.inner()(c, i)) / 20) /
-                                     (o_.rtol * size)));
+                    local[i],
+                    Scalar((estimate_.local(c, i) + abs(estimate_.inner()(c, i)) / 20) / (o_.rtol * size)));
                 raised = std::max(raised, Scalar(estimate_.raised()(c, i) / (o_.rtol * size)));
             }
             if (!(local[i] < Scalar(1e30))) local[i] = Scalar(1e30);
@@ -51,6 +53,8 @@ class mesh_choice {
             part[i] = pow(Scalar(std::max(raised, local[i]) + Scalar(1e-12)), Scalar(1) / Scalar(s + 1));
             all += part[i];
         }
+        std::vector<int> apart;
+        if (divide) apart = set_apart(local, part, total, all);
         // No step becomes much longer at once: what hides behind larger errors elsewhere stays resolved. Where the shares
         // differ by little, the mesh keeps its shape (Ascher-Christiansen-Russell 1981): symmetric methods leave of the
         // local errors of stiff components what changes from interval to interval, which other steps would enlarge.
@@ -69,8 +73,13 @@ class mesh_choice {
         const int least = even ? L + 1 : std::max(3, L / 2), most = 4 * L;
         int intervals = wanted < Scalar(most) ? static_cast<int>(static_cast<double>(wanted)) + 1 : most;
         intervals = std::clamp(intervals, least, most);
-        if (double_it) intervals = std::max(intervals, 2 * L);
-        return equidistributed(x_.t, density, intervals, o_.fixed_points);
+        if (double_it && apart.empty()) intervals = std::max(intervals, 2 * L);
+        auto mesh = equidistributed(x_.t, density, intervals, o_.fixed_points);
+        const Scalar ratio = std::min(Scalar(2 * error / o_.rtol), Scalar(8));
+        for (const int i : apart)
+            mesh = subdivided(mesh, x_.t[i], x_.t[i + 1],
+                              std::max(2, static_cast<int>(static_cast<double>(ratio))), o_.fixed_points);
+        return mesh;
     }
 
     /// The next mesh where the solution is wrong in its first digit and errors say nothing of where it is hard: the same
@@ -113,6 +122,24 @@ class mesh_choice {
     }
 
   private:
+    /// The intervals in which f jumps, if these are few and their errors count. They are as others from then on.
+    std::vector<int> set_apart(std::vector<Scalar>& local, std::vector<Scalar>& part, const Scalar& total,
+                               Scalar& all) const {
+        const int L = x_.intervals();
+        std::vector<int> apart;
+        Scalar of_jumps(0), other(0);
+        for (int i = 0; i < L; ++i) {
+            if (estimate_.jumps()[i])
+                apart.push_back(i), of_jumps += local[i];
+            else
+                other += part[i];
+        }
+        const int count = static_cast<int>(apart.size());
+        if (4 * count > L || !(10 * of_jumps > total)) return {};
+        for (const int i : apart) local[i] = Scalar(0), part[i] = other / Scalar(L - count);
+        all = other * Scalar(L) / Scalar(L - count);
+        return apart;
+    }
     Scalar node(int k) const {
         const int s = equations_.s();
         return x_.t[k / s] + equations_.method().c[k % s] * x_.h(k / s);
