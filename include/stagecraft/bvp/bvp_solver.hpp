@@ -15,11 +15,11 @@
 #include <stagecraft/bvp/contradiction.hpp>
 #include <stagecraft/bvp/damped_newton.hpp>
 #include <stagecraft/bvp/error_estimate.hpp>
+#include <stagecraft/bvp/finer_meshes.hpp>
 #include <stagecraft/bvp/guess.hpp>
 #include <stagecraft/bvp/largest_errors.hpp>
 #include <stagecraft/bvp/mesh.hpp>
 #include <stagecraft/bvp/mesh_choice.hpp>
-#include <stagecraft/bvp/regularity.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
@@ -272,23 +272,23 @@ class bvp_solver {
             const Scalar before = kappa_;
             if (!solved() || !equations_.linearise(x_)) return false;
             conditioning_.forget();
-            const auto values = largest_answers(Scalar(0));
-            if (kappa_ > 2 * before || before > 2 * kappa_) return end_in_family(values), true;
+            find_kappa(Scalar(0));
+            if (kappa_ > 2 * before || before > 2 * kappa_) return end_in_family(), true;
         }
         return end_by_rounding(), true;
     }
 
-    std::vector<Scalar> largest_answers(const Scalar& least) {
+    void find_kappa(const Scalar& least) {
         std::vector<Scalar> values;
         conditioning_.fundamental();
         kappa_ = conditioning_.norm(least, values);
-        return values;
     }
-    /// The kernel's dimension is the number of answers above kappa_ / 1000, or above `least`.
-    void end_in_family(const std::vector<Scalar>& answers, Scalar least = Scalar(0)) {
-        if (!(least > Scalar(0))) least = kappa_ / 1000;
-        result_.kernel = static_cast<int>(
-            std::count_if(answers.begin(), answers.end(), [&](const Scalar& v) { return v >= least; }));
+    void end_in_family() {
+        equations_type own(equations_.method(), system_, mass_);
+        const bool usable = estimate_.run(x_, floor_, o_.rtol / 100);
+        result_.kernel = kernel_dimension(
+            own, [&](const std::vector<Scalar>& t) { return estimate_.on(t, x_); }, x_,
+            elimination_.shared_lifting(), floor_, newton_.linear(), usable ? o_.max_intervals : 0);
         const std::string which = dependent_condition(equations_.conditions());
         end(bvp_status::not_isolated, which.empty() ? "solutions form a family" : which);
     }
@@ -299,7 +299,7 @@ class bvp_solver {
         const Scalar least = Scalar(1) / (1000 * std::numeric_limits<Scalar>::epsilon());
         conditioning_.fundamental();
         rounding_ = conditioning_.rounding(floor_);
-        auto answers = largest_answers(std::min(Scalar(1000 * o_.rtol), Scalar(1)) * least);
+        find_kappa(std::min(Scalar(1000 * o_.rtol), Scalar(1)) * least);
         const bool large = !(kappa_ < least);
         if (!large && equations_.replaced_pivots() == 0) return false;
         // Of components as large as that, rounding errors may be as small as of others.
@@ -307,12 +307,12 @@ class bvp_solver {
                         regular_.rounding(floor_) < Scalar(1) / 10000)) &&
             !answers_contradict(equations_, conditioning_, x_))
             return false;
-        if (!large) answers = largest_answers(Scalar(0));
+        if (!large) find_kappa(Scalar(0));
         const std::string which = dependent_condition(equations_.conditions());
         const bool of_iterate = !converged() && regular_.nonlinear(guess_size_);
         if (which.empty() && !of_iterate && regular_.grows(floor_))
             return end(bvp_status::ill_conditioned, "kappa1 exceeds 1/(1000 epsilon): solutions grow"), true;
-        if (solved()) return end_in_family(answers, large ? least : Scalar(0)), true;
+        if (solved()) return end_in_family(), true;
         failure_ = which.empty() ? "M is singular to rounding" : which;
         if (of_iterate) return false;
         return end(bvp_status::singular, failure_), true;
@@ -326,7 +326,7 @@ class bvp_solver {
     void accept() {
         if (is_singular()) return;
         if (vanishes_ && !o_.adapt) return end(bvp_status::tolerance_not_met, "the mesh does not show M");
-        if (vanishes_ && checks_ > 6) return end_in_family(largest_answers(Scalar(0)));
+        if (vanishes_ && checks_ > 6) return end_in_family();
         if (regular_.hidden(floor_, guess_size_))
             return end(bvp_status::ill_conditioned, "M is no larger than the errors of differences of f");
         // Every rounding error counts as large as it may be: what they come to is mostly less than a tenth of that.

@@ -30,6 +30,39 @@ typename Square::Scalar largest_eigenvalue(const Square& B) {
     return P.cwiseProduct(B).sum();
 }
 
+/// Turns the columns of u into orthogonal ones by rotations of two at a time (Jacobi's one-sided method): their lengths are the
+/// singular values then.
+template <class Matrix>
+void make_orthogonal(Matrix& u) {
+    using scalar = typename Matrix::Scalar;
+    using std::abs;
+    using std::sqrt;
+    const int n = static_cast<int>(u.cols()), rows = static_cast<int>(u.rows());
+    for (int sweep = 0; sweep < 40; ++sweep) {
+        bool rotated = false;
+        for (int p = 0; p < n; ++p)
+            for (int q = p + 1; q < n; ++q) {
+                scalar alpha(0), beta(0), gamma(0);
+                for (int k = 0; k < rows; ++k)
+                    alpha += u(k, p) * u(k, p), beta += u(k, q) * u(k, q), gamma += u(k, p) * u(k, q);
+                if (abs(gamma) <= std::numeric_limits<scalar>::epsilon() * sqrt(alpha * beta) ||
+                    gamma == scalar(0))
+                    continue;
+                rotated = true;
+                const scalar zeta = (beta - alpha) / (2 * gamma);
+                const scalar root = sqrt(1 + zeta * zeta);
+                const scalar t = zeta > scalar(0) ? scalar(1 / (zeta + root)) : scalar(1 / (zeta - root));
+                const scalar c = 1 / sqrt(1 + t * t), s = c * t;
+                for (int k = 0; k < rows; ++k) {
+                    const scalar old = u(k, p);
+                    u(k, p) = c * old - s * u(k, q);
+                    u(k, q) = s * old + c * u(k, q);
+                }
+            }
+        if (!rotated) break;
+    }
+}
+
 /// The spectral norm of a small matrix A: of 2 x 2 matrices in closed form, else by the largest eigenvalue of A A^T, relative
 /// to the largest entry so that squares do not overflow. All singular `values` by Jacobi's method. Any scalar.
 template <class Matrix>
@@ -54,29 +87,7 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
     } else {
         if (!values) return largest * sqrt(largest_eigenvalue(u.lazyProduct(u.transpose()).eval()));
     }
-    for (int sweep = 0; sweep < 40; ++sweep) {  // one-sided: columns made orthogonal
-        bool rotated = false;
-        for (int p = 0; p < n; ++p)
-            for (int q = p + 1; q < n; ++q) {
-                scalar alpha(0), beta(0), gamma(0);
-                for (int k = 0; k < rows; ++k)
-                    alpha += u(k, p) * u(k, p), beta += u(k, q) * u(k, q), gamma += u(k, p) * u(k, q);
-                if (abs(gamma) <= std::numeric_limits<scalar>::epsilon() * sqrt(alpha * beta) ||
-                    gamma == scalar(0))
-                    continue;
-                rotated = true;
-                const scalar zeta = (beta - alpha) / (2 * gamma);
-                const scalar root = sqrt(1 + zeta * zeta);
-                const scalar t = zeta > scalar(0) ? scalar(1 / (zeta + root)) : scalar(1 / (zeta - root));
-                const scalar c = 1 / sqrt(1 + t * t), s = c * t;
-                for (int k = 0; k < rows; ++k) {
-                    const scalar old = u(k, p);
-                    u(k, p) = c * old - s * u(k, q);
-                    u(k, q) = s * old + c * u(k, q);
-                }
-            }
-        if (!rotated) break;
-    }
+    make_orthogonal(u);
     scalar best(0);
     for (int j = 0; j < n; ++j) {
         scalar sum(0);

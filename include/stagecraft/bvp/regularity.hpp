@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -14,6 +13,7 @@
 #include <stagecraft/bvp/lifting_elimination.hpp>
 #include <stagecraft/bvp/lifting_rule.hpp>
 #include <stagecraft/bvp/missed_phase.hpp>
+#include <stagecraft/bvp/modes.hpp>
 #include <stagecraft/bvp/translation.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
@@ -55,7 +55,31 @@ class regularity {
             translation_missed(equations_, conditioning_, x_, floor, error) > scalar(1) / 4)
             return true;
         // M could else be singular only by errors of the mesh of some per cent, which are seen in x as well.
-        return (turns_ || !(answer_ < scalar(30))) && !(doubt() < scalar(1) / 4) && (turns_ || resolved_);
+        if (!turns_ && answer_ < scalar(30)) return false;
+        if (!(doubt() < scalar(1) / 4)) return turns_ || resolved_;
+        return x_.p.size() + equations_.n() > 1 && !(answer_ * local_bound() < scalar(1) / 20) &&
+               hides_kernel(floor);
+    }
+    /// The number of modes that M may take to zero as far as this mesh, rounding errors and, of a nonlinear problem, those of x
+    /// show.
+    kernel_found kernel(const scalar& floor, bool linear) {
+        using std::abs;
+        turns_ = missed_phase(equations_, x_, rule_.order) > scalar(1) / 1000;
+        choose(floor);
+        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor);
+        const scalar most = modes.largest(), noise = 1000 * std::numeric_limits<scalar>::epsilon() * most;
+        kernel_found found{0, !turns_};
+        for (int k = 0; k < modes.count(); ++k) {
+            if (modes.size(k) < noise || !take(modes, k)) continue;
+            typename Equations::parameters shift(equations_.np());
+            const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
+            const bool none =
+                100 * modes.conditions(e, shift) > scalar(1) || (!linear && 1000 * modes.size(k) > most);
+            const scalar doubt = none ? scalar(1) : doubt_of(modes);
+            if (!(doubt < scalar(1) / 4)) ++found.dimension;
+            if (!(doubt < scalar(1) / 20 || abs(doubt - 1) < scalar(1) / 4)) found.certain = false;
+        }
+        return found;
     }
     /// Did unknown() see modes that turn between both ends, neither growing nor decaying by much, by an angle that the mesh
     /// does not show? What the conditions say of them, it does not show either.
@@ -180,21 +204,46 @@ class regularity {
         return share(e.y, e.p);
     }
 
+    /// u := mode k; false where it answers so little to its conditions that M is regular there.
+    bool take(const modes_of<Equations>& modes, int k) {
+        if (!turns_ && modes.size(k) < scalar(30)) return false;
+        modes.get(k, u_, p_);
+        size_ = u_.cwiseAbs().rowwise().maxCoeff();
+        return true;
+    }
+    /// Among modes that answer less than the one looked at, is there one of which this mesh does not show whether M is regular?
+    bool hides_kernel(const scalar& floor) {
+        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor);
+        const bool resolved = resolved_;
+        bool hides = false;
+        for (int k = 0; k < modes.count() && !hides; ++k)
+            hides = take(modes, k) && !(doubt_of(modes) < scalar(1) / 4) && (turns_ || resolved_);
+        resolved_ = resolved;
+        return hides;
+    }
+    /// What the errors of the mesh may be of M in direction u, a mode: 1 where it is singular there.
+    scalar doubt_of(const modes_of<Equations>& modes) {
+        iterate e;
+        return answer_to_mesh(e) ? modes.conditions(e.y, e.p) : scalar(1);
+    }
     scalar find_doubt() {
         if (std::decay_t<decltype(equations_.mass())>::identity) {
             const scalar bound = answer_ * local_bound();
             if (bound < scalar(1) / 20) return bound;
         }
+        iterate e;
+        return answer_to_mesh(e) ? share(e.y, e.p) : scalar(1);
+    }
+    /// e: what the local errors of u make of it; false where these are large.
+    bool answer_to_mesh(iterate& e) {
         wide local(equations_.n(), x_.intervals());
         elimination_.begin(x_);
         const bool usual = elimination_.usual();
         for (int i = 0; i < x_.intervals(); ++i)
             usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
         resolved_ = share(local) < scalar(1) / 10;
-        if (!resolved_) return scalar(1);
-        iterate e;
-        equations_.solve_mesh_values(local, column::Zero(local.rows() + p_.rows()), e);
-        return share(e.y, e.p);
+        if (resolved_) equations_.solve_mesh_values(local, column::Zero(local.rows() + p_.rows()), e);
+        return resolved_;
     }
 
     /// u: the answer to the condition that moves it most, as its terms and the components of y are large; of equal ones, as
@@ -344,21 +393,5 @@ class regularity {
     std::optional<scalar> doubt_;
     bool resolved_ = false, turns_ = false;
 };
-
-/// Is M of a linear problem known on the mesh of x as well, where `finer` are its equations, and its relative condition number
-/// `kappa` but for a factor of 2?
-template <class Equations>
-bool confirms_condition(Equations& finer, typename Equations::iterate x,
-                        std::shared_ptr<const typename Equations::rule> rule,
-                        const typename regularity<Equations>::scalar& floor,
-                        const typename regularity<Equations>::scalar& kappa) {
-    finer.resize(x);
-    if (!finer.linearise(x)) return false;
-    conditioning_of<Equations> conditioning(finer, x);
-    lifting_elimination<Equations> elimination(finer, std::move(rule));
-    if (regularity<Equations>(finer, conditioning, x, elimination).unknown(floor)) return false;
-    const auto found = conditioning.relative(floor);
-    return found < 2 * kappa && kappa < 2 * found;
-}
 
 }  // namespace stagecraft::detail

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSL-1.0
+#define BOOST_TEST_MODULE bvp_kernels
+#include <Eigen/QR>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/lobatto_iiia.hpp>
+#include <string>
+
+namespace sc = stagecraft;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+enum class ends { periodic, values, slopes };
+
+// q'' = -K q on [0, 1].
+struct strings {
+    MatrixXd K;
+    template <class Y>
+    void operator()(double, const Y& y, Y& f) const {
+        const Eigen::Index n = K.rows();
+        for (Eigen::Index i = 0; i < n; ++i) {
+            f[i] = y[n + i];
+            f[n + i] = y[0] * 0;
+            for (Eigen::Index j = 0; j < n; ++j) f[n + i] = f[n + i] - K(i, j) * y[j];
+        }
+    }
+};
+
+template <class Method>
+auto solve(const Method& method, const MatrixXd& K, ends kind, double tolerance, double size) {
+    const Eigen::Index n = K.rows();
+    const auto r = [=](const auto& a, const auto& b, auto& out) {
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Eigen::Index k = kind == ends::slopes ? n + i : i;
+            out[i] = kind == ends::periodic ? a[i] - b[i] - size : a[k] - size;
+            out[n + i] = kind == ends::periodic ? a[n + i] - b[n + i] : b[k] + size;
+        }
+    };
+    return sc::solve_bvp(method, sc::two_point(strings{K}, r), 0.0, 1.0, VectorXd(VectorXd::Zero(2 * n)),
+                         {.rtol = tolerance});
+}
+
+// Modes of which `resonant` fit the conditions, the others miss that by a part of half a wave, turned against each other.
+struct family {
+    MatrixXd K;
+    ends kind;
+    int kernel;
+    family(std::mt19937& random, double nearest) : kind(static_cast<ends>(random() % 3)), kernel(0) {
+        std::uniform_real_distribution<double> part(0, 1);
+        const int n = 1 + static_cast<int>(random() % 3), resonant = static_cast<int>(random() % (n + 1));
+        const double wave = kind == ends::periodic ? 2 * pi : pi;
+        VectorXd squares(n);
+        for (int i = 0; i < n; ++i) {
+            const double off = i < resonant ? 0 : nearest + (0.5 - nearest) * part(random);
+            squares[i] = std::pow(wave * (1 + static_cast<int>(random() % 3) + off), 2);
+            if (i < resonant) kernel += kind == ends::periodic ? 2 : 1;
+        }
+        const MatrixXd any = MatrixXd::NullaryExpr(n, n, [&] { return part(random) - 0.5; });
+        const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(any).householderQ();
+        K = Q * squares.asDiagonal() * Q.transpose();
+    }
+};
+
+template <class Method>
+void count_kernels(const Method& method) {
+    std::mt19937 random(5);
+    int wrong = 0, singular = 0;
+    for (int k = 0; k < 40; ++k) {
+        const family f(random, k % 4 == 0 ? 0.003 : 0.2);
+        const double tolerance = std::pow(10.0, -3 - k % 7);
+        const auto r = solve(method, f.K, f.kind, tolerance, f.kernel > 0 ? 0 : 1);
+        const bool right =
+            f.kernel > 0 ? r.status == sc::bvp_status::not_isolated && r.kernel == f.kernel : r.ok();
+        wrong += !right, singular += f.kernel > 1;
+    }
+    BOOST_TEST(wrong == 0);
+    BOOST_TEST(singular > 10);
+}
+
+}  // namespace
+
+// In directions of M that differ in what the errors of the mesh make of them.
+BOOST_AUTO_TEST_CASE(the_dimension_of_the_kernel_counts_every_direction) {
+    count_kernels(sc::gauss<3>());
+    count_kernels(sc::gauss<5>());
+    count_kernels(sc::lobatto_iiia<4>());
+}
+
+// A slow mode that nearly fits the conditions answers more to them than a fast one does that fits, as long as the mesh leaves
+// of the fast one's phase what it likes.
+BOOST_AUTO_TEST_CASE(a_mode_that_answers_more_hides_no_kernel) {
+    for (const int waves : {3, 4, 6})
+        for (const double near : {1e-3, 1e-4}) {
+            const MatrixXd K =
+                Eigen::Vector2d(std::pow(2 * pi * (1 + near), 2), std::pow(2 * pi * waves, 2)).asDiagonal();
+            const auto r = solve(sc::gauss<3>(), K, ends::periodic, 1e-6, 0);
+            BOOST_TEST(sc::name(r.status) == std::string("not_isolated"));
+            BOOST_TEST(r.kernel == 2);
+        }
+}
