@@ -10,6 +10,7 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/last_return.hpp>
 #include <string>
+#include <utility>
 
 namespace sc = stagecraft;
 using Eigen::Vector2d;
@@ -27,6 +28,17 @@ struct oscillator {
             f[0] = y[1] + y[0] * (1 - y[0] * y[0] - y[1] * y[1]);
             f[1] = -y[0] + y[1] * (1 - y[0] * y[0] - y[1] * y[1]);
         }
+    }
+};
+
+// The Oregonator (Field-Noyes 1974).
+struct oregonator {
+    template <class T, class Y>
+    void operator()(const T&, const Y& y, Y& f) const {
+        const double s = 77.27, q = 8.375e-6, w = 0.161;
+        f[0] = s * (y[1] - y[1] * y[0] + y[0] - q * y[0] * y[0]);
+        f[1] = (y[2] - y[1] - y[0] * y[1]) / s;
+        f[2] = w * (y[0] - y[2]);
     }
 };
 
@@ -67,6 +79,25 @@ BOOST_AUTO_TEST_CASE(periods_and_multipliers_of_van_der_pol_and_the_limit_cycle)
     const double pi = 3.14159265358979323846;
     for (const Vector2d& start : {Vector2d(1, 0), Vector2d(2, 1), Vector2d(-0.1, 0)})
         has(orbit_of(0, start, 20), 2 * pi, std::exp(-4 * pi), 1e-7);
+}
+
+// Equal intervals miss where a relaxation oscillation is fast; the steps of the run that the guess comes from do not. Periods
+// of runs with events at 1e-12.
+BOOST_AUTO_TEST_CASE(the_first_mesh_follows_the_steps_of_the_guess) {
+    const auto check = [](const auto& f, const auto& start, double end, double period) {
+        const auto guess = sc::last_return(sc::radau_iia<3>(), f, start, 0.0, end);
+        for (const double tolerance : {1e-4, 1e-6}) {
+            const auto orbit = sc::periodic_orbit(sc::gauss<5>(), f, guess, {.rtol = tolerance});
+            BOOST_TEST(sc::name(orbit.status) == std::string("success"));
+            BOOST_TEST(std::abs(orbit.period - period) < tolerance * period);
+            BOOST_TEST(orbit.report.intervals < 1000);
+            BOOST_TEST(orbit.report.factorisations < 40);
+        }
+    };
+    check(oregonator{}, Eigen::Vector3d(1, 2, 3), 1000.0, 302.8580440276);
+    for (const auto& [mu, period] :
+         {std::pair{10.0, 19.0783695669}, {50.0, 82.5083338932}, {100.0, 162.8370710924}})
+        check(oscillator{mu}, Vector2d(2, 0), 4 * mu + 20, period);
 }
 
 BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {

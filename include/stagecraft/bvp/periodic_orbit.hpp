@@ -112,6 +112,25 @@ auto in_units_of_the_period(const orbit_guess<Vector>& guess) {
     };
 }
 
+/// The first mesh on [0, 1]: as dense as the steps of the run that the guess comes from, which has found out where the orbit
+/// is fast. One interval for eight of its steps, which are of lower order and of a tighter tolerance, at least `least`.
+template <class Vector>
+auto mesh_of_steps(const orbit_guess<Vector>& guess, int least, int most) {
+    using scalar = typename Vector::Scalar;
+    std::vector<scalar> t{scalar(0)};
+    for (const scalar& time : guess.y.ends_of_steps()) {
+        const scalar s = (time - guess.begin) / guess.period;
+        if (s > t.back() && s < scalar(1)) t.push_back(s);
+    }
+    // What begin and end cut off is no step.
+    if (t.size() > 2 && 2 * (t[1] - t[0]) < t[2] - t[1]) t.erase(t.begin() + 1);
+    if (t.size() > 2 && 2 * (scalar(1) - t.back()) < t.back() - t[t.size() - 2]) t.pop_back();
+    t.push_back(scalar(1));
+    const std::vector<scalar> parts(t.size() - 1, scalar(1));
+    return equidistributed(t, mesh_density(t, parts, scalar(5)),
+                           std::min(std::max(least, static_cast<int>(parts.size()) / 8), most), {});
+}
+
 /// By how much an orbit y over [0, 1] has to be shifted, y(s + shift), for the mean of g'(s) (y(s + shift) - g(s)) to
 /// vanish, by Newton's iteration from 0.
 template <class Vector, class Guess>
@@ -212,6 +231,7 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
     b.rtol = o.rtol, b.atol = o.atol, b.intervals = o.intervals, b.max_intervals = o.max_intervals;
     b.conditioning = false;
     detail::validate(b, Scalar(0), Scalar(1));
+    b.mesh = detail::mesh_of_steps(guess, o.intervals, o.max_intervals);
     using solver_type = detail::bvp_solver<Scalar, S, problem, Vector, parameters, 0>;
     std::optional<solver_type> solver;
     bvp_result<Vector, parameters> solved;

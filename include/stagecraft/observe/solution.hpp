@@ -33,6 +33,12 @@ class solution {
     const scalar& t0() const { return t0_; }
     const scalar& t1() const { return t1_; }
     int steps() const { return static_cast<int>(pieces_.size()); }
+    /// The times at which the steps ended, in the order of the run.
+    std::vector<scalar> ends_of_steps() const {
+        std::vector<scalar> times;
+        for (const piece& p : pieces_) times.push_back(p.t1);
+        return times;
+    }
 
     /// y(t). Throws std::out_of_range naming t if it is not between t0() and t1() or no run was made.
     Vector operator()(const scalar& t) const {
