@@ -31,7 +31,7 @@ struct oscillator {
     }
 };
 
-// The Oregonator (Field-Noyes 1974).
+// The Oregonator.
 struct oregonator {
     template <class T, class Y>
     void operator()(const T&, const Y& y, Y& f) const {
@@ -110,6 +110,20 @@ BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {
                       std::invalid_argument);
     guess.period = 0;
     BOOST_CHECK_THROW(sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess), std::invalid_argument);
+}
+
+// Nothing but the point 0 of a focus is periodic. That y stays where it is for no time is true of all y.
+BOOST_AUTO_TEST_CASE(a_period_of_zero_is_no_family_of_orbits) {
+    const auto focus = [](const auto&, const auto& y, auto& f) {
+        f[0] = -0.1 * y[0] - y[1];
+        f[1] = y[0] - 0.1 * y[1];
+    };
+    sc::orbit_guess<Vector2d> guess;
+    sc::integrate(sc::radau_iia<3>(), focus, Vector2d(1, 0), 0.0, 3.0, {.rtol = 1e-8, .atol = 1e-8}, guess.y);
+    guess.period = 3;
+    const auto found = sc::periodic_orbit(sc::gauss<5>(), focus, guess);
+    BOOST_TEST(sc::name(found.status) == std::string("equilibrium"));
+    BOOST_TEST(found.message.find("gone to zero") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_loose_tolerance_makes_no_point_and_no_multiple_of_an_orbit) {

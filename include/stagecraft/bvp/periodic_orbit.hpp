@@ -259,6 +259,13 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
     r.period = solved.p[0];
     r.y = std::move(solved.y);
     r.error = solved.error, r.mesh = solved.mesh, r.report = solved.report;
+    using std::abs;
+    using std::sqrt;
+    if (r.status == bvp_status::not_isolated &&
+        abs(r.period) <= sqrt(std::numeric_limits<Scalar>::epsilon()) * guess.period) {
+        r.status = bvp_status::equilibrium;  // every point stays where it is for no time
+        r.message = "the period has gone to zero, and the orbit found is a point";
+    }
     if (!r.ok()) return r;
     r.status = detail::judge_orbit(r.y, r.error.global);
     if (!r.ok()) r.message = detail::words_of(r.status);
