@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/linear/combinations.hpp>
@@ -33,6 +34,7 @@ template <int Stages, class Space>
 class collocation_step : public step_defaults<Space> {
     using Scalar = typename Space::scalar;
     using weights = Eigen::Matrix<Scalar, Stages, 1>;
+    static constexpr bool cuts_extrapolation = Stages < 0 || Stages > 3;
 
   public:
     using vector = typename Space::vector;
@@ -90,7 +92,7 @@ class collocation_step : public step_defaults<Space> {
         }
         const Scalar ratio = h / before->step();
         const auto& old = before->nodes();
-        if constexpr (Stages < 0 || Stages > 3) {
+        if constexpr (cuts_extrapolation) {
             if (s > 3) {
                 extrapolation_(*before, stages_.method().c, s, ratio, from, Z);
                 return;
@@ -386,7 +388,9 @@ class collocation_step : public step_defaults<Space> {
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
     coefficient_facts known_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
-    stage_extrapolation<Scalar> extrapolation_;
+    [[no_unique_address]] std::conditional_t<cuts_extrapolation, stage_extrapolation<Scalar>,
+                                             whole_extrapolation>
+        extrapolation_;
     vector scratch_, second_, rest_;
     Scalar last_coefficient_{0},
         components_{0};  // of the decay: a_s, and how many components all processes have

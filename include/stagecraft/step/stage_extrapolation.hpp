@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <stagecraft/linear/split_lu.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
 
 namespace stagecraft {
@@ -19,13 +20,14 @@ template <class Scalar>
 class stage_extrapolation {
   public:
     /// Room for polynomials of up to `degree` at `stages` points.
-    stage_extrapolation(int degree, int stages) {
-        const auto k = static_cast<std::size_t>(degree);
-        nodes_.reserve(k);
-        a_.resize(k + 1);
-        at_start_.resize(k + 1);
-        grid_.resize((k + 1) * static_cast<std::size_t>(stages));
-        to_coefficients_.resize(degree + 1, degree);
+    stage_extrapolation(int degree, int stages)
+        : lu_(degree + 1),
+          row_(static_cast<std::size_t>(degree) + 1),
+          a_(row_),
+          at_start_(row_),
+          grid_(row_.size() * static_cast<std::size_t>(stages)),
+          to_coefficients_(degree + 1, degree) {
+        nodes_.reserve(row_.size());
     }
 
     /// Z.col(i) := u(from + c_i ratio) - u(from), u being the polynomial of `before`, ratio the new step over
@@ -56,8 +58,7 @@ class stage_extrapolation {
         if (std::equal(nodes.c.begin(), end, nodes_.begin(), nodes_.end())) return;
         nodes_.assign(nodes.c.begin(), end);
         degree_ = nodes.size;
-        to_coefficients_.topLeftCorner(degree_ + 1, degree_) =
-            legendre_coefficients<Scalar>(nodes_, degree_).transpose();
+        legendre_coefficients(nodes_, degree_, lu_, row_, to_coefficients_);
     }
     /// p[k] = P_k(2 x - 1).
     void legendre(const Scalar& x, Scalar* p) const { legendre_functions(Scalar(2 * x - 1), degree_, p); }
@@ -94,8 +95,14 @@ class stage_extrapolation {
     }
 
     int degree_ = 0;
-    std::vector<Scalar> nodes_, a_, at_start_, grid_;
+    split_lu<Scalar, -1> lu_;
+    std::vector<Scalar> row_, a_, at_start_, grid_, nodes_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> to_coefficients_;  // row k: z -> a_k
+};
+
+/// Of three stages at most, whose polynomial is taken as it is.
+struct whole_extrapolation {
+    whole_extrapolation(int, int) {}
 };
 
 }  // namespace stagecraft

@@ -102,34 +102,39 @@ void legendre_functions(const Scalar& x, int n, Scalar* p) {
     for (int k = 1; k < n; ++k) p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / Scalar(k + 1);
 }
 
-/// Column k: z -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the n
-/// values z_j at c_j != 0: rows of the inverse of P_k at the nodes {0, c}, where z_0 = 0.
-template <class Scalar, class Nodes>
-Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> legendre_coefficients(const Nodes& c, int n) {
-    const int m = n + 1;
-    split_lu<Scalar, -1> lu(m);
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> all(n, m);
-    std::vector<Scalar> row(static_cast<std::size_t>(m));
-    for (int j = 0; j < m; ++j)  // transposed, so that a solve gives a row of the inverse
-        legendre_functions(Scalar(2 * (j == 0 ? Scalar(0) : c[j - 1]) - 1), n, lu.entries() + j * m);
+/// Row k of `all`: z -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the
+/// n values z_j at c_j != 0: the inverse of P_k at the nodes {0, c}, where z_0 = 0. `row` and `lu` are scratch of
+/// the same size, n + 1 at least, so that nothing is allocated.
+template <class Scalar, class Nodes, class Matrix>
+void legendre_coefficients(const Nodes& c, int n, split_lu<Scalar, -1>& lu, std::vector<Scalar>& row,
+                           Matrix& all) {
+    const int m = static_cast<int>(row.size());
+    std::fill(lu.entries(), lu.entries() + m * m, Scalar(0));
+    for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
+        lu.entries()[j + j * m] = Scalar(1);
+        const Scalar x = j == 0 || j > n ? Scalar(0) : Scalar(c[j - 1]);
+        if (j <= n) legendre_functions(Scalar(2 * x - 1), n, lu.entries() + j * m);
+    }
     lu.factor();
-    for (int k = 0; k < m; ++k) {
+    for (int k = 0; k <= n; ++k) {
         std::fill(row.begin(), row.end(), Scalar(0));
         row[k] = Scalar(1);
         lu.solve(row.data());
-        for (int j = 1; j < m; ++j) all(j - 1, k) = row[j];
+        for (int j = 1; j <= n; ++j) all(k, j - 1) = row[j];
     }
-    return all;
 }
 
-/// Of these, columns: a_n and a_{n-2} (zero for n = 1).
+/// Columns: z -> a_n, z -> a_{n-2} (zero for n = 1).
 template <class Scalar, class Nodes>
 Eigen::Matrix<Scalar, Eigen::Dynamic, 2> highest_legendre_coefficients(const Nodes& c, int n) {
-    const auto all = legendre_coefficients<Scalar>(c, n);
+    split_lu<Scalar, -1> lu(n + 1);
+    std::vector<Scalar> row(static_cast<std::size_t>(n) + 1);
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> all(n + 1, n);
+    legendre_coefficients(c, n, lu, row, all);
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top(n, 2);
-    top.col(0) = all.col(n);
+    top.col(0) = all.row(n).transpose();
     if (n > 1)
-        top.col(1) = all.col(n - 2);
+        top.col(1) = all.row(n - 2).transpose();
     else
         top.col(1).setZero();
     return top;
