@@ -171,7 +171,8 @@ struct told {
     told(int iterations, double theta, double cost) {
         system s;
         V1 y(1.0);
-        linear.evaluate(s, 0.0, y, y, 0.1, static_cast<const sc::dense_output<V1, 3>*>(nullptr), {}, y);
+        linear.evaluate(s, 0.0, y, y, 0.1, static_cast<const sc::dense_output<V1, 3>*>(nullptr), false, {},
+                        y);
         linear.solved({sc::newton_end::converged, iterations, theta}, cost, false);
     }
 };
