@@ -141,7 +141,8 @@ BOOST_AUTO_TEST_CASE(newton_contracts_in_the_norm_scaled_by_h_only) {
 }
 
 BOOST_AUTO_TEST_CASE(corollary_2_stiffly_accurate_collocation_has_the_order_of_its_quadrature) {
-    const orders three = global(radau_iia_3, 50), two = global(radau_iia_2);
+    // With 200 steps of three stages the error would be 1e-13, no more than rounding leaves of the reference.
+    const orders three = global(radau_iia_3, 25), two = global(radau_iia_2);
     BOOST_TEST(std::abs(three.y - 5) < 0.1);
     BOOST_TEST(std::abs(three.lambda - 3) < 0.1);
     BOOST_TEST(std::abs(two.y - 3) < 0.1);
