@@ -83,12 +83,12 @@ struct lifting_rule {
     Scalar last_coefficients(const Scalar* values, int stride) const {
         using std::abs;
         const int m = nodes();
-        Scalar last(0), before(0);
+        Scalar highest(0), before(0);
         for (int k = 0; k < m; ++k) {
-            last += to_coefficients(m - 1, k) * values[k * stride];
+            highest += to_coefficients(m - 1, k) * values[k * stride];
             before += to_coefficients(m - 2, k) * values[k * stride];
         }
-        return std::max(Scalar(abs(last)), Scalar(abs(before)));
+        return std::max(Scalar(abs(highest)), Scalar(abs(before)));
     }
     /// legendre_values() without a division, up to P_m.
     void legendre(const Scalar& x, int most, Scalar* P) const {
