@@ -23,11 +23,13 @@ class stage_extrapolation {
     stage_extrapolation(int degree, int stages)
         : lu_(degree + 1),
           row_(static_cast<std::size_t>(degree) + 1),
-          a_(row_),
+          a_(4 * row_.size()),
           at_start_(row_),
+          ratios_(row_),
           grid_(row_.size() * static_cast<std::size_t>(stages)),
           to_coefficients_(degree + 1, degree) {
         nodes_.reserve(row_.size());
+        for (int k = 1; k <= degree; ++k) ratios_[k] = Scalar(k) / Scalar(k + 1);
     }
 
     /// Z.col(i) := u(from + c_i ratio) - u(from), u being the polynomial of `before`, ratio the new step over
@@ -43,11 +45,10 @@ class stage_extrapolation {
             legendre(from + c[i] * ratio, p);
             for (int k = 0; k <= degree_; ++k) p[k] -= at_start_[k];
         }
-        for (int r = 0; r < static_cast<int>(Z.rows()); ++r) {
-            look_at(before, first, r);
-            const int d = trusted(grid_.data() + (s - 1) * (degree_ + 1));
-            for (int i = 0; i < s; ++i) Z(r, i) = sum(grid_.data() + i * (degree_ + 1), d);
-        }
+        const int n = static_cast<int>(Z.rows());
+        int r = 0;
+        for (; r + 4 <= n; r += 4) extrapolate<4>(before, first, r, s, Z);
+        for (; r < n; ++r) extrapolate<1>(before, first, r, s, Z);
     }
 
   private:
@@ -60,22 +61,43 @@ class stage_extrapolation {
         degree_ = nodes.size;
         legendre_coefficients(nodes_, degree_, lu_, row_, to_coefficients_);
     }
-    /// p[k] = P_k(2 x - 1).
-    void legendre(const Scalar& x, Scalar* p) const { legendre_functions(Scalar(2 * x - 1), degree_, p); }
+    /// p[k] = P_k(2 x - 1), without a division.
+    void legendre(const Scalar& x, Scalar* p) const {
+        const Scalar z = 2 * x - 1;
+        p[0] = Scalar(1);
+        p[1] = z;
+        for (int k = 1; k < degree_; ++k) p[k + 1] = z * p[k] + ratios_[k] * (z * p[k] - p[k - 1]);
+    }
 
-    /// a_1, a_2, ... of component r.
-    template <class Output>
-    void look_at(const Output& before, int first, int r) {
-        for (int k = 1; k <= degree_; ++k) a_[k] = Scalar(0);
-        for (int j = 0; j < degree_; ++j) {
-            const Scalar z = before.increments()(r, first + j);
-            for (int k = 1; k <= degree_; ++k) a_[k] += to_coefficients_(k, j) * z;
+    /// Components r, ..., r + W - 1 of the guess.
+    template <int W, class Output, class Stages>
+    void extrapolate(const Output& before, int first, int r, int s, Stages& Z) {
+        const int n = static_cast<int>(Z.rows());
+        for (int k = 1; k <= degree_; ++k) {
+            Scalar* a = a_.data() + 4 * k;
+            for (int w = 0; w < W; ++w) a[w] = Scalar(0);
+            for (int j = 0; j < degree_; ++j) {
+                const Scalar by = to_coefficients_(k, j);
+                const Scalar* z = before.increments().col(first + j).data() + r;
+                for (int w = 0; w < W; ++w) a[w] += by * z[w];
+            }
+        }
+        const Scalar* last = grid_.data() + (s - 1) * (degree_ + 1);
+        for (int w = 0; w < W; ++w)
+            for (int k = trusted(last, w) + 1; k <= degree_; ++k) a_[4 * k + w] = Scalar(0);
+        for (int i = 0; i < s; ++i) {
+            const Scalar* p = grid_.data() + i * (degree_ + 1);
+            Scalar* z = Z.data() + i * n + r;
+            for (int w = 0; w < W; ++w) z[w] = Scalar(0);
+            for (int k = 1; k <= degree_; ++k)
+                for (int w = 0; w < W; ++w) z[w] += p[k] * a_[4 * k + w];
         }
     }
-    /// The degree d, p being the functions at the last stage.
-    int trusted(const Scalar* p) const {
+    /// The degree d for component w, p being the functions at the last stage.
+    int trusted(const Scalar* p, int w) const {
         using std::abs;
-        Scalar after(0), last = abs(a_[degree_] * p[degree_]), least = last;
+        const auto term = [&](int k) { return Scalar(abs(a_[4 * k + w] * p[k])); };
+        Scalar after(0), last = term(degree_), least = last;
         int d = degree_;
         for (int k = degree_ - 1; k > 0; --k) {  // the next two terms, as every other one may vanish
             const Scalar next = last > after ? last : after;
@@ -84,19 +106,14 @@ class stage_extrapolation {
                 d = k;
             }
             after = last;
-            last = abs(a_[k] * p[k]);
+            last = term(k);
         }
-        return abs(a_[1] * p[1]) < least ? 0 : d;
-    }
-    Scalar sum(const Scalar* p, int d) const {
-        Scalar z(0);
-        for (int k = 1; k <= d; ++k) z += a_[k] * p[k];
-        return z;
+        return last < least ? 0 : d;
     }
 
     int degree_ = 0;
     split_lu<Scalar, -1> lu_;
-    std::vector<Scalar> row_, a_, at_start_, grid_, nodes_;
+    std::vector<Scalar> row_, a_, at_start_, ratios_, grid_, nodes_;         // a_: of four components
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> to_coefficients_;  // row k: z -> a_k
 };
 
