@@ -20,7 +20,8 @@ namespace stagecraft {
 /// two: where stiff directions turn, an error in one of them passes to other components |h J| times larger, and is
 /// gone, or as much smaller, one iteration later. (With a singular M one is waited for: steps that are longer for it
 /// leave errors in algebraic components that no next step mends.) For the same reason one fast contraction does not
-/// say much: it is enough only where the last increment is within two tolerances, after a failure within one.
+/// say much: of more than three stages, whose guesses are farther off, it is enough only where the last increment is
+/// within two tolerances (ten with fewer), after a failure within one.
 template <class Scalar>
 newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_index, bool ordinary,
                                   int failures, bool affine) {
@@ -37,7 +38,13 @@ newton_limits<Scalar> newton_room(const options<Scalar>& o, int s, int largest_i
     }
     const int patience = fixed ? 1 : largest_index > 1 ? largest_index + 1 : ordinary ? 2 : 1;
     const Scalar far = s > 1 ? Scalar(1) / o.rtol : Scalar(0);
-    return {factor, 4 * rounding, 100 * rounding, most, affine, patience, ordinary && failures > 0 ? 1 : 2,
+    return {factor,
+            4 * rounding,
+            100 * rounding,
+            most,
+            affine,
+            patience,
+            ordinary && failures > 0 ? 1 : s > 3 ? 2 : 10,
             far};
 }
 
