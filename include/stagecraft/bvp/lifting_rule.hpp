@@ -91,11 +91,7 @@ struct lifting_rule {
         return std::max(Scalar(abs(highest)), Scalar(abs(before)));
     }
     /// legendre_values() without a division, up to P_m.
-    void legendre(const Scalar& x, int most, Scalar* P) const {
-        const Scalar z = 2 * x - 1;
-        P[0] = Scalar(1), P[1] = z;
-        for (int k = 1; k < most; ++k) P[k + 1] = z * P[k] + ratios[k] * (z * P[k] - P[k - 1]);
-    }
+    void legendre(const Scalar& x, int most, Scalar* P) const { legendre_values(x, most, ratios, P); }
 
   private:
     /// p - 1, which lifts to order p, but not above s + 2: more nodes cost more than the intervals they save. As Gauss methods

@@ -14,16 +14,15 @@ newton_outcome<Scalar> solve_from_guess(Step& method, System& system, const type
                                         const Scalar& t, const Vector& y, const Scalar& h,
                                         const Vector& weights, newton_limits<Scalar> limits,
                                         typename Step::output& now, long& solves) {
-    const auto solve_from = [&](const typename Step::output* start) {
-        method.guess(start, y, h, now);
-        return method.stages().solve(system, t, y, h, weights, limits, now.increments(), solves);
-    };
-    if (before == nullptr) limits.far = Scalar(0);
-    const newton_outcome<Scalar> newton = solve_from(before);
-    const bool far = limits.far > Scalar(0) && newton.end == newton_end::diverged && newton.iterations == 1;
-    if (!far) return newton;
-    limits.far = Scalar(0);
-    return solve_from(nullptr);
+    for (;; before = nullptr) {
+        if (before == nullptr) limits.far = Scalar(0);
+        method.guess(before, y, h, now);
+        const newton_outcome<Scalar> newton =
+            method.stages().solve(system, t, y, h, weights, limits, now.increments(), solves);
+        const bool far =
+            limits.far > Scalar(0) && newton.end == newton_end::diverged && newton.iterations == 1;
+        if (!far) return newton;
+    }
 }
 
 }  // namespace stagecraft

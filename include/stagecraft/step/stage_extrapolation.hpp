@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <vector>
 
 #include <stagecraft/linear/split_lu.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
+#include <stagecraft/tableau/legendre_values.hpp>
 
 namespace stagecraft {
 
@@ -27,7 +27,7 @@ class stage_extrapolation {
           at_start_(row_),
           ratios_(row_),
           grid_(row_.size() * static_cast<std::size_t>(stages)),
-          to_coefficients_(degree + 1, degree) {
+          to_coefficients_(row_.size() * static_cast<std::size_t>(degree)) {
         nodes_.reserve(row_.size());
         for (int k = 1; k <= degree; ++k) ratios_[k] = Scalar(k) / Scalar(k + 1);
     }
@@ -39,10 +39,10 @@ class stage_extrapolation {
                     Stages& Z) {
         know(before.nodes());
         const int first = before.nodes().first_column;
-        legendre(from, at_start_.data());
+        legendre_values(from, degree_, ratios_, at_start_.data());
         for (int i = 0; i < s; ++i) {
             Scalar* p = grid_.data() + i * (degree_ + 1);
-            legendre(from + c[i] * ratio, p);
+            legendre_values(Scalar(from + c[i] * ratio), degree_, ratios_, p);
             for (int k = 0; k <= degree_; ++k) p[k] -= at_start_[k];
         }
         const int n = static_cast<int>(Z.rows());
@@ -61,14 +61,6 @@ class stage_extrapolation {
         degree_ = nodes.size;
         legendre_coefficients(nodes_, degree_, lu_, row_, to_coefficients_);
     }
-    /// p[k] = P_k(2 x - 1), without a division.
-    void legendre(const Scalar& x, Scalar* p) const {
-        const Scalar z = 2 * x - 1;
-        p[0] = Scalar(1);
-        p[1] = z;
-        for (int k = 1; k < degree_; ++k) p[k + 1] = z * p[k] + ratios_[k] * (z * p[k] - p[k - 1]);
-    }
-
     /// Components r, ..., r + W - 1 of the guess.
     template <int W, class Output, class Stages>
     void extrapolate(const Output& before, int first, int r, int s, Stages& Z) {
@@ -77,7 +69,7 @@ class stage_extrapolation {
             Scalar* a = a_.data() + 4 * k;
             for (int w = 0; w < W; ++w) a[w] = Scalar(0);
             for (int j = 0; j < degree_; ++j) {
-                const Scalar by = to_coefficients_(k, j);
+                const Scalar by = to_coefficients_[k * degree_ + j];
                 const Scalar* z = before.increments().col(first + j).data() + r;
                 for (int w = 0; w < W; ++w) a[w] += by * z[w];
             }
@@ -113,8 +105,8 @@ class stage_extrapolation {
 
     int degree_ = 0;
     split_lu<Scalar, -1> lu_;
-    std::vector<Scalar> row_, a_, at_start_, ratios_, grid_, nodes_;         // a_: of four components
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> to_coefficients_;  // row k: z -> a_k
+    std::vector<Scalar> row_, a_, at_start_, ratios_, grid_, nodes_;  // a_: of four components
+    std::vector<Scalar> to_coefficients_;                             // row k: z -> a_k
 };
 
 /// Of three stages at most, whose polynomial is taken as it is.

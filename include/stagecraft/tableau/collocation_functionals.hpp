@@ -7,6 +7,7 @@
 
 #include <stagecraft/linear/split_lu.hpp>
 #include <stagecraft/tableau.hpp>
+#include <stagecraft/tableau/legendre_values.hpp>
 
 // Linear functionals of the stage polynomial u, given by z_i = u(c_i h) - y: weights, one per stage, distinct
 // nodes.
@@ -94,33 +95,25 @@ Eigen::Matrix<Scalar, Stages, 1> leading_legendre_coefficient(const tableau<Scal
     return w;
 }
 
-/// p[k] := P_k(x), the Legendre functions on [-1, 1], k = 0, ..., n.
-template <class Scalar>
-void legendre_functions(const Scalar& x, int n, Scalar* p) {
-    p[0] = Scalar(1);
-    if (n > 0) p[1] = x;
-    for (int k = 1; k < n; ++k) p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / Scalar(k + 1);
-}
-
-/// Row k of `all`: z -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the
+/// all[k n + j - 1]: z_j -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the
 /// n values z_j at c_j != 0: the inverse of P_k at the nodes {0, c}, where z_0 = 0. `row` and `lu` are scratch of
 /// the same size, n + 1 at least, so that nothing is allocated.
-template <class Scalar, class Nodes, class Matrix>
+template <class Scalar, class Nodes>
 void legendre_coefficients(const Nodes& c, int n, split_lu<Scalar, -1>& lu, std::vector<Scalar>& row,
-                           Matrix& all) {
+                           std::vector<Scalar>& all) {
     const int m = static_cast<int>(row.size());
     std::fill(lu.entries(), lu.entries() + m * m, Scalar(0));
     for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
         lu.entries()[j + j * m] = Scalar(1);
         const Scalar x = j == 0 || j > n ? Scalar(0) : Scalar(c[j - 1]);
-        if (j <= n) legendre_functions(Scalar(2 * x - 1), n, lu.entries() + j * m);
+        if (j <= n) legendre_values(x, n, lu.entries() + j * m);
     }
     lu.factor();
     for (int k = 0; k <= n; ++k) {
         std::fill(row.begin(), row.end(), Scalar(0));
         row[k] = Scalar(1);
         lu.solve(row.data());
-        for (int j = 1; j <= n; ++j) all(k, j - 1) = row[j];
+        for (int j = 1; j <= n; ++j) all[k * n + j - 1] = row[j];
     }
 }
 
@@ -128,15 +121,13 @@ void legendre_coefficients(const Nodes& c, int n, split_lu<Scalar, -1>& lu, std:
 template <class Scalar, class Nodes>
 Eigen::Matrix<Scalar, Eigen::Dynamic, 2> highest_legendre_coefficients(const Nodes& c, int n) {
     split_lu<Scalar, -1> lu(n + 1);
-    std::vector<Scalar> row(static_cast<std::size_t>(n) + 1);
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> all(n + 1, n);
+    std::vector<Scalar> row(static_cast<std::size_t>(n) + 1), all(row.size() * static_cast<std::size_t>(n));
     legendre_coefficients(c, n, lu, row, all);
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top(n, 2);
-    top.col(0) = all.row(n).transpose();
-    if (n > 1)
-        top.col(1) = all.row(n - 2).transpose();
-    else
-        top.col(1).setZero();
+    for (int j = 0; j < n; ++j) {
+        top(j, 0) = all[n * n + j];
+        top(j, 1) = n > 1 ? all[(n - 2) * n + j] : Scalar(0);
+    }
     return top;
 }
 

@@ -6,17 +6,9 @@
 #include <limits>
 #include <vector>
 
-namespace stagecraft {
+#include <stagecraft/tableau/legendre_values.hpp>
 
-/// The shifted Legendre polynomials P_0(x), ..., P_most(x) on [0, 1], by their recurrence.
-template <class Scalar>
-void legendre_values(const Scalar& x, int most, Scalar* P) {
-    const Scalar z = 2 * x - 1;
-    P[0] = Scalar(1);
-    if (most > 0) P[1] = z;
-    for (int k = 1; k < most; ++k)
-        P[k + 1] = (Scalar(2 * k + 1) * z * P[k] - Scalar(k) * P[k - 1]) / Scalar(k + 1);
-}
+namespace stagecraft {
 
 /// The integrals of P_0, ..., P_most from 0 to x: (P_{k+1} - P_{k-1})(x) / (2 (2 k + 1)).
 template <class Scalar>
