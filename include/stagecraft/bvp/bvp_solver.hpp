@@ -279,9 +279,8 @@ class bvp_solver {
     }
 
     void find_kappa(const Scalar& least) {
-        std::vector<Scalar> values;
         conditioning_.fundamental();
-        kappa_ = conditioning_.norm(least, values);
+        kappa_ = conditioning_.norm(least);
     }
     void end_in_family() {
         equations_type own(equations_.method(), system_, mass_);

@@ -166,16 +166,15 @@ class conditioning_of {
     /// What the conditions do to the parameters: dp = P d, n_p x (n + n_p).
     const Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>& parameters() const { return parameters_; }
 
-    /// The largest spectral norm of the Phi(t_i) and of P. `values` are the singular values of that matrix. Matrices of a norm below `least` are passed over.
-    scalar norm(const scalar& least, std::vector<scalar>& values) const {
+    /// The largest spectral norm of the Phi(t_i) and of P. Matrices of a norm below `least` are passed over.
+    scalar norm(const scalar& least) const {
         scalar most(0);
-        std::vector<scalar> found;
         const auto look = [&](const auto& response) {
             if (response.size() == 0 ||
                 response.cwiseAbs().maxCoeff() * scalar(static_cast<int>(response.cols())) < least)
                 return;
-            const scalar size = detail::spectral_norm(response, &found);
-            if (!(size <= most)) most = size, values = found;
+            const scalar size = detail::spectral_norm(response);
+            if (!(size <= most)) most = size;
         };
         for (int i = 0; i <= x_.intervals(); ++i) look(phi(i));
         if constexpr (NP != N || N < 0) look(parameters_);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include <stagecraft/bvp/conditioning.hpp>
 
