@@ -61,7 +61,10 @@ concept split_state = std::floating_point<typename real_part_of<typename state_f
 /// The scalar of a state of any kind, and the vector that it is integrated as: complex elements are pairs of real
 /// components, real part first.
 template <class State>
-struct state_parts {
+struct state_parts {};
+template <class State>
+    requires(!split_state<State> && requires { typename State::Scalar; })
+struct state_parts<State> {
     using scalar = typename State::Scalar;
 };
 template <split_state State>
