@@ -63,8 +63,7 @@ concept split_state = std::floating_point<typename real_part_of<typename state_f
 template <class State>
 struct state_parts {};
 template <class State>
-    requires(!split_state<State> && requires { typename State::Scalar; })
-struct state_parts<State> {
+requires(!split_state<State> && requires { typename State::Scalar; }) struct state_parts<State> {
     using scalar = typename State::Scalar;
 };
 template <split_state State>

@@ -91,16 +91,12 @@ class collocation_step : public step_defaults<Space> {
             return;
         }
         const Scalar ratio = h / before->step();
+        bool all = true;
+        if constexpr (cuts_extrapolation) all = s <= 3 || extrapolation_.starts_with_all(y.size());
         const auto& old = before->nodes();
-        if constexpr (cuts_extrapolation) {
-            if (s > 3) {
-                extrapolation_(*before, stages_.method().c, s, ratio, from, Z);
-                return;
-            }
-        }
         scratch_ = before->y0() - y;
         basis_values<Scalar, Space::columns> l(old.size);
-        for (int i = 0; i < s; ++i) {
+        for (int i = 0; i < s && all; ++i) {
             old.basis(from + stages_.method().c[i] * ratio, l.data());
             Z.col(i) = scratch_;
             if constexpr (vector::RowsAtCompileTime >= 0 && vector::RowsAtCompileTime <= 4) {
@@ -111,6 +107,8 @@ class collocation_step : public step_defaults<Space> {
                                   before->increments().col(old.first_column).data(), Z.col(i).data());
             }
         }
+        if constexpr (cuts_extrapolation)
+            if (s > 3) extrapolation_(*before, stages_.method().c, s, ratio, from, Z);
     }
 
     /// y1 := the new state.

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
-#include <stagecraft/linear/split_lu.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
-#include <stagecraft/tableau/legendre_values.hpp>
 
 namespace stagecraft {
 
-/// First guess of many stages by the polynomial of the step before. Beyond its step the Legendre function of degree k
-/// grows like (2 + 4 h/h_before)^k: with seven stages and equal steps what Newton's iteration left of the polynomial is
-/// multiplied by 10^5, and a guess that far off has been seen to lead a stiff component to where f is flat, where the
-/// iteration ends though nothing is solved. So, as one does with a divergent series, every component keeps the terms
+/// First guess of many stages by the polynomial of the step before. Beyond its step the Legendre function of
+/// degree k grows like (2 + 4 h/h_before)^k: with seven stages and equal steps what Newton's iteration left of the
+/// polynomial is multiplied by 10^5, and a guess that far off has been seen to lead a stiff component to where f is
+/// flat, where the iteration ends though nothing is solved. So, as one does with a divergent series, every component
+/// keeps the terms
 ///     a_k P_k(2 x - 1),  k <= d,
 /// with the d behind which they are smallest at the end of the new step: all of them for a smooth component.
 template <class Scalar>
@@ -21,74 +22,113 @@ class stage_extrapolation {
   public:
     /// Room for polynomials of up to `degree` at `stages` points.
     stage_extrapolation(int degree, int stages)
-        : lu_(degree + 1),
-          row_(static_cast<std::size_t>(degree) + 1),
-          a_(4 * row_.size()),
-          at_start_(row_),
-          ratios_(row_),
-          grid_(row_.size() * static_cast<std::size_t>(stages)),
-          to_coefficients_(row_.size() * static_cast<std::size_t>(degree)) {
-        nodes_.reserve(row_.size());
-        for (int k = 1; k <= degree; ++k) ratios_[k] = Scalar(k) / Scalar(k + 1);
-    }
+        : a_(4 * (degree + 1)), last_(degree + 1), x_(stages + 1), values_(last_.size() * x_.size()) {}
 
-    /// Z.col(i) := u(from + c_i ratio) - u(from), u being the polynomial of `before`, ratio the new step over
-    /// its step. n s (s + d) operations.
+    /// True if it pays to make the whole polynomial first, and what grows anew.
+    static bool starts_with_all(Eigen::Index n) { return n > 15; }
+    /// Z.col(i) := u(from + c_i ratio) - u(from) with the terms to be trusted, u being the polynomial of `before`,
+    /// ratio the new step over its step. n s (s + d) operations; 3 n d where starts_with_all(), all terms are in Z, and
+    /// the last three fall.
     template <class Output, class Nodes, class Stages>
     void operator()(const Output& before, const Nodes& c, int s, const Scalar& ratio, const Scalar& from,
                     Stages& Z) {
-        know(before.nodes());
-        const int first = before.nodes().first_column;
-        legendre_values(from, degree_, ratios_, at_start_.data());
-        for (int i = 0; i < s; ++i) {
-            Scalar* p = grid_.data() + i * (degree_ + 1);
-            legendre_values(Scalar(from + c[i] * ratio), degree_, ratios_, p);
-            for (int k = 0; k <= degree_; ++k) p[k] -= at_start_[k];
-        }
-        const int n = static_cast<int>(Z.rows());
+        const int first = before.nodes().first_column, n = static_cast<int>(Z.rows());
+        const bool all = starts_with_all(Z.rows());
+        degree_ = before.nodes().size;
+        to_coefficients_ = coefficients_of(before.nodes());
+        evaluate(c, s, ratio, from);
+        const auto block = [&](auto width, int r) {
+            if (!all || grows<width>(before, first, r)) extrapolate<width>(before, first, r, s, Z);
+        };
         int r = 0;
-        for (; r + 4 <= n; r += 4) extrapolate<4>(before, first, r, s, Z);
-        for (; r < n; ++r) extrapolate<1>(before, first, r, s, Z);
+        for (; r + 4 <= n; r += 4) block(std::integral_constant<int, 4>(), r);
+        for (; r + 2 <= n; r += 2) block(std::integral_constant<int, 2>(), r);
+        if (r < n) block(std::integral_constant<int, 1>(), r);
     }
 
   private:
-    /// The coefficients follow from the values at these nodes.
+    /// z -> a_k as legendre_coefficients() has it. Those of the last eight sets of nodes are kept per thread, as
+    /// methods of different order take turns and runs may be short.
     template <class Nodes>
-    void know(const Nodes& nodes) {
+    static const Scalar* coefficients_of(const Nodes& nodes) {
+        struct entry {
+            std::vector<Scalar> c, map;
+        };
+        static thread_local std::vector<entry> known;
         const auto end = nodes.c.begin() + nodes.size;
-        if (std::equal(nodes.c.begin(), end, nodes_.begin(), nodes_.end())) return;
-        nodes_.assign(nodes.c.begin(), end);
-        degree_ = nodes.size;
-        legendre_coefficients(nodes_, degree_, lu_, row_, to_coefficients_);
+        for (const entry& e : known)
+            if (std::equal(nodes.c.begin(), end, e.c.begin(), e.c.end())) return e.map.data();
+        if (known.size() == 8) known.erase(known.begin());
+        known.push_back(
+            {std::vector<Scalar>(nodes.c.begin(), end), legendre_coefficients<Scalar>(nodes.c, nodes.size)});
+        return known.back().map.data();
+    }
+    /// values_[k (s + 1) + i] := P_k at stage i less P_k at the start of the step, all stages at once.
+    template <class Nodes>
+    void evaluate(const Nodes& c, int s, const Scalar& ratio, const Scalar& from) {
+        const int points = s + 1;  // the last one is the start
+        for (int i = 0; i < s; ++i) x_[i] = 2 * (from + c[i] * ratio) - 1;
+        x_[s] = 2 * from - 1;
+        Scalar* p = values_.data();
+        for (int i = 0; i < points; ++i) p[i] = Scalar(1), p[points + i] = x_[i];
+        for (int k = 1; k < degree_; ++k, p += points) {
+            const Scalar share = Scalar(k) / Scalar(k + 1);
+            for (int i = 0; i < points; ++i) {
+                const Scalar next = x_[i] * p[points + i];
+                p[2 * points + i] = next + share * (next - p[i]);
+            }
+        }
+        for (int k = 1; k <= degree_; ++k) {
+            Scalar* at = values_.data() + k * points;
+            for (int i = 0; i < s; ++i) at[i] -= at[s];
+            last_[k] = at[s - 1];
+        }
+    }
+    /// a[w] := a_k of component r + w.
+    template <int W, class Output>
+    void coefficients(const Output& before, int first, int r, int k, Scalar* a) const {
+        Scalar sum[W] = {};
+        for (int j = 0; j < degree_; ++j) {
+            const Scalar by = to_coefficients_[k * degree_ + j];
+            const Scalar* z = before.increments().col(first + j).data() + r;
+            for (int w = 0; w < W; ++w) sum[w] += by * z[w];
+        }
+        for (int w = 0; w < W; ++w) a[w] = sum[w];
+    }
+    /// True if one of the last two terms of a component r, ..., r + W - 1 is larger than the one before them.
+    template <int W, class Output>
+    bool grows(const Output& before, int first, int r) const {
+        using std::abs;
+        if (degree_ < 3) return true;
+        Scalar a[3][W];
+        for (int m = 0; m < 3; ++m) coefficients<W>(before, first, r, degree_ - m, a[m]);
+        bool any = false;
+        for (int w = 0; w < W; ++w) {
+            const Scalar before_them = abs(a[2][w] * last_[degree_ - 2]);
+            any |= abs(a[0][w] * last_[degree_]) > before_them ||
+                   abs(a[1][w] * last_[degree_ - 1]) > before_them;
+        }
+        return any;
     }
     /// Components r, ..., r + W - 1 of the guess.
     template <int W, class Output, class Stages>
     void extrapolate(const Output& before, int first, int r, int s, Stages& Z) {
-        const int n = static_cast<int>(Z.rows());
-        for (int k = 1; k <= degree_; ++k) {
-            Scalar* a = a_.data() + 4 * k;
-            for (int w = 0; w < W; ++w) a[w] = Scalar(0);
-            for (int j = 0; j < degree_; ++j) {
-                const Scalar by = to_coefficients_[k * degree_ + j];
-                const Scalar* z = before.increments().col(first + j).data() + r;
-                for (int w = 0; w < W; ++w) a[w] += by * z[w];
-            }
-        }
-        const Scalar* last = grid_.data() + (s - 1) * (degree_ + 1);
+        const int n = static_cast<int>(Z.rows()), points = s + 1;
+        for (int k = 1; k <= degree_; ++k) coefficients<W>(before, first, r, k, a_.data() + W * k);
         for (int w = 0; w < W; ++w)
-            for (int k = trusted(last, w) + 1; k <= degree_; ++k) a_[4 * k + w] = Scalar(0);
+            for (int k = trusted<W>(w) + 1; k <= degree_; ++k) a_[W * k + w] = Scalar(0);
         for (int i = 0; i < s; ++i) {
-            const Scalar* p = grid_.data() + i * (degree_ + 1);
-            Scalar* z = Z.data() + i * n + r;
-            for (int w = 0; w < W; ++w) z[w] = Scalar(0);
+            Scalar sum[W] = {};
             for (int k = 1; k <= degree_; ++k)
-                for (int w = 0; w < W; ++w) z[w] += p[k] * a_[4 * k + w];
+                for (int w = 0; w < W; ++w) sum[w] += values_[k * points + i] * a_[W * k + w];
+            for (int w = 0; w < W; ++w) Z.data()[i * n + r + w] = sum[w];
         }
     }
-    /// The degree d for component w, p being the functions at the last stage.
-    int trusted(const Scalar* p, int w) const {
+    /// The degree d for component w.
+    template <int W>
+    int trusted(int w) const {
         using std::abs;
-        const auto term = [&](int k) { return Scalar(abs(a_[4 * k + w] * p[k])); };
+        const auto term = [&](int k) { return Scalar(abs(a_[W * k + w] * last_[k])); };
         Scalar after(0), last = term(degree_), least = last;
         int d = degree_;
         for (int k = degree_ - 1; k > 0; --k) {  // the next two terms, as every other one may vanish
@@ -104,9 +144,8 @@ class stage_extrapolation {
     }
 
     int degree_ = 0;
-    split_lu<Scalar, -1> lu_;
-    std::vector<Scalar> row_, a_, at_start_, ratios_, grid_, nodes_;  // a_: of four components
-    std::vector<Scalar> to_coefficients_;                             // row k: z -> a_k
+    const Scalar* to_coefficients_ = nullptr;    // row k: z -> a_k
+    std::vector<Scalar> a_, last_, x_, values_;  // a_: of four components; last_: P_k at the last stage
 };
 
 /// Of three stages at most, whose polynomial is taken as it is.

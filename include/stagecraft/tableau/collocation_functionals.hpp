@@ -95,34 +95,29 @@ Eigen::Matrix<Scalar, Stages, 1> leading_legendre_coefficient(const tableau<Scal
     return w;
 }
 
-/// all[k n + j - 1]: z_j -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the
-/// n values z_j at c_j != 0: the inverse of P_k at the nodes {0, c}, where z_0 = 0. `row` and `lu` are scratch of
-/// the same size, n + 1 at least, so that nothing is allocated.
+/// Element k n + j - 1: z_j -> a_k, the shifted Legendre coefficients of the polynomial of degree n through y and the
+/// n values z_j at c_j != 0: the inverse of P_k at the nodes {0, c}, where z_0 = 0.
 template <class Scalar, class Nodes>
-void legendre_coefficients(const Nodes& c, int n, split_lu<Scalar, -1>& lu, std::vector<Scalar>& row,
-                           std::vector<Scalar>& all) {
-    const int m = static_cast<int>(row.size());
-    std::fill(lu.entries(), lu.entries() + m * m, Scalar(0));
-    for (int j = 0; j < m; ++j) {  // transposed, so that a solve gives a row of the inverse
-        lu.entries()[j + j * m] = Scalar(1);
-        const Scalar x = j == 0 || j > n ? Scalar(0) : Scalar(c[j - 1]);
-        if (j <= n) legendre_values(x, n, lu.entries() + j * m);
-    }
+std::vector<Scalar> legendre_coefficients(const Nodes& c, int n) {
+    const int m = n + 1;
+    split_lu<Scalar, -1> lu(m);
+    for (int j = 0; j < m; ++j)  // transposed, so that a solve gives a row of the inverse
+        legendre_values(j == 0 ? Scalar(0) : Scalar(c[j - 1]), n, lu.entries() + j * m);
     lu.factor();
-    for (int k = 0; k <= n; ++k) {
+    std::vector<Scalar> all(static_cast<std::size_t>(m) * static_cast<std::size_t>(n)), row(m);
+    for (int k = 0; k < m; ++k) {
         std::fill(row.begin(), row.end(), Scalar(0));
         row[k] = Scalar(1);
         lu.solve(row.data());
-        for (int j = 1; j <= n; ++j) all[k * n + j - 1] = row[j];
+        std::copy(row.begin() + 1, row.end(), all.begin() + k * n);
     }
+    return all;
 }
 
 /// Columns: z -> a_n, z -> a_{n-2} (zero for n = 1).
 template <class Scalar, class Nodes>
 Eigen::Matrix<Scalar, Eigen::Dynamic, 2> highest_legendre_coefficients(const Nodes& c, int n) {
-    split_lu<Scalar, -1> lu(n + 1);
-    std::vector<Scalar> row(static_cast<std::size_t>(n) + 1), all(row.size() * static_cast<std::size_t>(n));
-    legendre_coefficients(c, n, lu, row, all);
+    const std::vector<Scalar> all = legendre_coefficients<Scalar>(c, n);
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top(n, 2);
     for (int j = 0; j < n; ++j) {
         top(j, 0) = all[n * n + j];
