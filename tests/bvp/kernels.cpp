@@ -7,6 +7,7 @@
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/lobatto_iiia.hpp>
+#include <stagecraft/gauss_variable.hpp>
 #include <string>
 
 namespace sc = stagecraft;
@@ -104,4 +105,33 @@ BOOST_AUTO_TEST_CASE(a_mode_that_answers_more_hides_no_kernel) {
             BOOST_TEST(sc::name(r.status) == std::string("not_isolated"));
             BOOST_TEST(r.kernel == 2);
         }
+}
+
+// Cash's third problem, solution cos(pi t): where epsilon is small the layer's answer is of size 1/epsilon, and what a coarse
+// mesh makes of it in the slow mode takes M nowhere near a singular one. Nothing is to be resolved there.
+BOOST_AUTO_TEST_CASE(the_error_of_a_mode_that_answers_much_takes_the_others_to_no_kernel) {
+    const auto ends = [](const auto& a, const auto& b, auto& r) { r[0] = a[0] + 1, r[1] = b[0] + 1; };
+    struct run {
+        double epsilon, tolerance;
+        int intervals;
+    };
+    for (const run& of : {run{1e-4, 1e-7, 20}, run{1e-8, 1e-4, 70}, run{1e-8, 1e-10, 100}}) {
+        const auto f = [=](const auto& t, const auto& y, auto& out) {
+            using std::cos;
+            using std::sin;
+            const auto slope = 2 + cos(pi * t);
+            out[0] = y[1];
+            out[1] =
+                (y[0] - slope * y[1] - (1 + of.epsilon * pi * pi) * cos(pi * t) - slope * pi * sin(pi * t)) /
+                of.epsilon;
+        };
+        const auto r = sc::solve_bvp(sc::gauss_variable(), sc::two_point(f, ends), -1.0, 1.0,
+                                     Eigen::Vector2d(0, 0), {.rtol = of.tolerance});
+        BOOST_TEST(sc::name(r.status) == std::string(of.tolerance < 1e-9 ? "ill_conditioned" : "success"));
+        BOOST_TEST(r.report.intervals <= of.intervals);
+        double worst = 0;
+        for (int i = 0; i <= 200; ++i)
+            worst = std::max(worst, std::abs(r.y(-1 + i / 100.0)[0] - std::cos(pi * (-1 + i / 100.0))));
+        BOOST_TEST(worst < of.tolerance);
+    }
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
+#include <algorithm>
+#include <limits>
+#include <vector>
 
 #include <stagecraft/bvp/conditioning.hpp>
 
@@ -51,18 +53,16 @@ class modes_of {
             for (Eigen::Index c = 0; c < n; ++c) y(c, i) = sizes_[c] * all_(i * n + c, k);
         for (Eigen::Index j = 0; j < np; ++j) p[j] = sizes_of_p_[j] * all_(n * points + j, k);
     }
-    /// The conditions to which e is the answer, beside those of which a mode is: the part of M that makes e of a mode.
+    /// The conditions to which e is the answer, those of the modes being 1: the part of M that makes e of a mode.
     template <class Parameters>
-    scalar conditions(const wide& e, const Parameters& p) const {
-        using std::sqrt;
+    column conditions(const wide& e, const Parameters& p) const {
         const column v = scaled(e, p);
-        scalar sum(0);
+        column parts = column::Zero(count());
         for (int k = 0; k < count(); ++k) {
             const scalar square = all_.col(k).squaredNorm();
-            const scalar part = square > scalar(0) ? scalar(all_.col(k).dot(v) / square) : scalar(0);
-            sum += part * part;
+            if (square > scalar(0)) parts[k] = all_.col(k).dot(v) / square;
         }
-        return sqrt(sum);
+        return parts;
     }
 
   private:
@@ -79,6 +79,28 @@ class modes_of {
     column sizes_, sizes_of_p_;
     Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> all_;
 };
+
+/// About the spectral radius of the rows `of` of the columns E >= 0, from above (Collatz).
+template <class Column>
+typename Column::Scalar spectral_radius(const std::vector<int>& of, const std::vector<Column>& E) {
+    using scalar = typename Column::Scalar;
+    const std::size_t m = of.size();
+    std::vector<scalar> v(m, scalar(1)), next(m);
+    scalar most(0);
+    for (int pass = 0; pass < 30; ++pass) {
+        most = scalar(0);
+        scalar sum(0);
+        for (std::size_t j = 0; j < m; ++j) {
+            next[j] = scalar(0);
+            for (std::size_t k = 0; k < m; ++k) next[j] += E[k][of[j]] * v[k];
+            most = std::max(most, scalar(next[j] / v[j]));
+            sum += next[j];
+        }
+        if (!(sum > scalar(0)) || !(sum - sum == scalar(0))) return sum;
+        for (std::size_t j = 0; j < m; ++j) v[j] = next[j] / sum + std::numeric_limits<scalar>::epsilon();
+    }
+    return most;
+}
 
 /// The dimension of the kernel of M, and whether the mesh shows it.
 struct kernel_found {

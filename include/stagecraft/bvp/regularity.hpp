@@ -73,9 +73,11 @@ class regularity {
             if (modes.size(k) < noise || !take(modes, k)) continue;
             typename Equations::parameters shift(equations_.np());
             const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
-            const bool none =
-                100 * modes.conditions(e, shift) > scalar(1) || (!linear && 1000 * modes.size(k) > most);
-            const scalar doubt = none ? scalar(1) : doubt_of(modes);
+            const bool none = 100 * modes.conditions(e, shift).norm() > scalar(1) ||
+                              (!linear && 1000 * modes.size(k) > most);
+            iterate of_mesh;
+            const scalar doubt =
+                none || !answer_to_mesh(of_mesh) ? scalar(1) : modes.conditions(of_mesh.y, of_mesh.p).norm();
             if (!(doubt < scalar(1) / 4)) ++found.dimension;
             if (!(doubt < scalar(1) / 20 || abs(doubt - 1) < scalar(1) / 4)) found.certain = false;
         }
@@ -211,20 +213,23 @@ class regularity {
         size_ = u_.cwiseAbs().rowwise().maxCoeff();
         return true;
     }
-    /// Among modes that answer less than the one looked at, is there one of which this mesh does not show whether M is regular?
+    /// May the errors of this mesh take M to zero in a combination of the modes that answer much? With E, what they make of
+    /// each, in units of their conditions, 1 + E is regular if the spectral radius of |E| is below one: the error of a
+    /// large mode in one that answers little is large in these units, and none the less takes nothing to zero.
     bool hides_kernel(const scalar& floor) {
         const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor);
         const bool resolved = resolved_;
-        bool hides = false;
-        for (int k = 0; k < modes.count() && !hides; ++k)
-            hides = take(modes, k) && !(doubt_of(modes) < scalar(1) / 4) && (turns_ || resolved_);
-        resolved_ = resolved;
-        return hides;
-    }
-    /// What the errors of the mesh may be of M in direction u, a mode: 1 where it is singular there.
-    scalar doubt_of(const modes_of<Equations>& modes) {
-        iterate e;
-        return answer_to_mesh(e) ? modes.conditions(e.y, e.p) : scalar(1);
+        std::vector<int> taken;
+        std::vector<column> made;
+        for (int k = 0; k < modes.count(); ++k) {
+            iterate e;
+            if (!take(modes, k)) continue;
+            const bool shown = answer_to_mesh(e);
+            resolved_ = resolved;
+            if (!shown && turns_) return true;
+            if (shown) taken.push_back(k), made.push_back(modes.conditions(e.y, e.p).cwiseAbs());
+        }
+        return !taken.empty() && !(spectral_radius(taken, made) < scalar(1) / 4);
     }
     scalar find_doubt() {
         if (std::decay_t<decltype(equations_.mass())>::identity) {
