@@ -73,6 +73,9 @@ class collocation_step : public step_defaults<Space> {
     /// Serves every run.
     template <class System>
     void prepare(const System&, const run_demands& demands) {
+        if constexpr (Space::columns < 0 ||
+                      Space::columns > 3)  // a method of more stages may follow this one
+            stage_extrapolation<Scalar>::coefficients_of(known_.nodes);
         if (demands.fixed) return;
         top_ = remembered(stages_.method(), [&] {
             return highest_legendre_coefficients<Scalar>(known_.nodes.c, known_.nodes.size);

@@ -16,7 +16,7 @@ namespace stagecraft {
 /// flat, where the iteration ends though nothing is solved. So, as one does with a divergent series, every component
 /// keeps the terms
 ///     a_k P_k(2 x - 1),  k <= d,
-/// with the d behind which they are smallest at the end of the new step: all of them for a smooth component.
+/// with the d behind which they are smallest at the end of the new step, and all of them where the last three fall.
 template <class Scalar>
 class stage_extrapolation {
   public:
@@ -46,7 +46,6 @@ class stage_extrapolation {
         if (r < n) block(std::integral_constant<int, 1>(), r);
     }
 
-  private:
     /// z -> a_k as legendre_coefficients() has it. Those of the last eight sets of nodes are kept per thread, as
     /// methods of different order take turns and runs may be short.
     template <class Nodes>
@@ -63,6 +62,8 @@ class stage_extrapolation {
             {std::vector<Scalar>(nodes.c.begin(), end), legendre_coefficients<Scalar>(nodes.c, nodes.size)});
         return known.back().map.data();
     }
+
+  private:
     /// values_[k (s + 1) + i] := P_k at stage i less P_k at the start of the step, all stages at once.
     template <class Nodes>
     void evaluate(const Nodes& c, int s, const Scalar& ratio, const Scalar& from) {
@@ -95,20 +96,21 @@ class stage_extrapolation {
         }
         for (int w = 0; w < W; ++w) a[w] = sum[w];
     }
-    /// True if one of the last two terms of a component r, ..., r + W - 1 is larger than the one before them.
+    /// Of each component alone, so that the parts of a distributed state are guessed as the whole is.
+    bool falls(const Scalar& last, const Scalar& next_to_it, const Scalar& before_them) const {
+        using std::abs;
+        const Scalar most = abs(before_them * last_[degree_ - 2]);
+        return abs(last * last_[degree_]) <= most && abs(next_to_it * last_[degree_ - 1]) <= most;
+    }
+    /// True if the last three terms of a component r, ..., r + W - 1 do not fall.
     template <int W, class Output>
     bool grows(const Output& before, int first, int r) const {
-        using std::abs;
         if (degree_ < 3) return true;
         Scalar a[3][W];
         for (int m = 0; m < 3; ++m) coefficients<W>(before, first, r, degree_ - m, a[m]);
-        bool any = false;
-        for (int w = 0; w < W; ++w) {
-            const Scalar before_them = abs(a[2][w] * last_[degree_ - 2]);
-            any |= abs(a[0][w] * last_[degree_]) > before_them ||
-                   abs(a[1][w] * last_[degree_ - 1]) > before_them;
-        }
-        return any;
+        bool all = true;
+        for (int w = 0; w < W; ++w) all &= falls(a[0][w], a[1][w], a[2][w]);
+        return !all;
     }
     /// Components r, ..., r + W - 1 of the guess.
     template <int W, class Output, class Stages>
@@ -128,6 +130,8 @@ class stage_extrapolation {
     template <int W>
     int trusted(int w) const {
         using std::abs;
+        if (degree_ > 2 && falls(a_[W * degree_ + w], a_[W * (degree_ - 1) + w], a_[W * (degree_ - 2) + w]))
+            return degree_;
         const auto term = [&](int k) { return Scalar(abs(a_[W * k + w] * last_[k])); };
         Scalar after(0), last = term(degree_), least = last;
         int d = degree_;
