@@ -243,10 +243,11 @@ class bvp_solver {
                !o_.adapt || (!regular_.turns() && ++checks_ > 6) ||
                kappa * std::numeric_limits<Scalar>::epsilon() > Scalar(1) / 1000;
     }
-    /// Where fast modes leave fundamental solutions unresolved, the mesh halved says whether the condition number stays: of a
-    /// linear problem by its Jacobians, without its solution there.
+    /// Where this mesh leaves it open by how much fundamental solutions are wrong, the mesh halved says whether the condition
+    /// number stays: of a linear problem by its Jacobians, without its solution there.
     bool confirmed() {
-        if (!newton_.linear() || regular_.resolved() || 2 * x_.intervals() > o_.max_intervals) return false;
+        if (!newton_.linear() || (vanishes_ && regular_.resolved()) || 2 * x_.intervals() > o_.max_intervals)
+            return false;
         ++result_.report.factorisations;
         equations_type finer(equations_.method(), system_, mass_);
         return confirms_condition(finer, estimate_.on(halved(x_.t), x_), elimination_.shared_lifting(),
