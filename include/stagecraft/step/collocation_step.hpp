@@ -34,7 +34,6 @@ template <int Stages, class Space>
 class collocation_step : public step_defaults<Space> {
     using Scalar = typename Space::scalar;
     using weights = Eigen::Matrix<Scalar, Stages, 1>;
-    static constexpr bool cuts_extrapolation = Stages < 0 || Stages > 3;
 
   public:
     using vector = typename Space::vector;
@@ -73,9 +72,7 @@ class collocation_step : public step_defaults<Space> {
     /// Serves every run.
     template <class System>
     void prepare(const System&, const run_demands& demands) {
-        if constexpr (Space::columns < 0 ||
-                      Space::columns > 3)  // a method of more stages may follow this one
-            stage_extrapolation<Scalar>::coefficients_of(known_.nodes);
+        extrapolation_.prepare(known_.nodes);
         if (demands.fixed) return;
         top_ = remembered(stages_.method(), [&] {
             return highest_legendre_coefficients<Scalar>(known_.nodes.c, known_.nodes.size);
@@ -87,31 +84,12 @@ class collocation_step : public step_defaults<Space> {
     /// end (1), or together with it (0).
     void guess(const output* before, const vector& y, const Scalar& h, output& now,
                const Scalar& from = Scalar(1)) {
-        const int s = count();
         auto& Z = now.increments();
         if (before == nullptr) {
             Z.setZero();
             return;
         }
-        const Scalar ratio = h / before->step();
-        bool all = true;
-        if constexpr (cuts_extrapolation) all = s <= 3 || extrapolation_.starts_with_all(y.size());
-        const auto& old = before->nodes();
-        scratch_ = before->y0() - y;
-        basis_values<Scalar, Space::columns> l(old.size);
-        for (int i = 0; i < s && all; ++i) {
-            old.basis(from + stages_.method().c[i] * ratio, l.data());
-            Z.col(i) = scratch_;
-            if constexpr (vector::RowsAtCompileTime >= 0 && vector::RowsAtCompileTime <= 4) {
-                for (int j = 0; j < old.size; ++j)
-                    Z.col(i) += l[j] * before->increments().col(old.first_column + j);
-            } else {
-                combine<true, -1>(static_cast<int>(y.size()), old.size, l.data(),
-                                  before->increments().col(old.first_column).data(), Z.col(i).data());
-            }
-        }
-        if constexpr (cuts_extrapolation)
-            if (s > 3) extrapolation_(*before, stages_.method().c, s, ratio, from, Z);
+        extrapolation_(*before, y, stages_.method().c, count(), h / before->step(), from, Z);
     }
 
     /// y1 := the new state.
@@ -389,8 +367,9 @@ class collocation_step : public step_defaults<Space> {
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
     coefficient_facts known_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
-    [[no_unique_address]] std::conditional_t<cuts_extrapolation, stage_extrapolation<Scalar>,
-                                             whole_extrapolation>
+    [[no_unique_address]] std::conditional_t<(Stages < 0 || Stages > 3),
+                                             stage_extrapolation<Scalar, Space::columns>,
+                                             whole_extrapolation<Space::columns>>
         extrapolation_;
     vector scratch_, second_, rest_;
     Scalar last_coefficient_{0},

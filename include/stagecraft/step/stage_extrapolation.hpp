@@ -6,9 +6,38 @@
 #include <type_traits>
 #include <vector>
 
+#include <stagecraft/dense_output.hpp>
+#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/tableau/collocation_functionals.hpp>
 
 namespace stagecraft {
+
+/// First guess of the stages by the polynomial of the step before, as it is; Columns is the most stages that it has
+/// where known at compile time, or -1.
+template <int Columns>
+struct whole_extrapolation {
+    whole_extrapolation(int, int) {}
+    template <class Nodes>
+    void prepare(const Nodes&) const {}
+    /// Z.col(i) := u(from + c_i ratio) - y, u being the polynomial of `before`, ratio the new step over its step.
+    template <class Output, class Vector, class Nodes, class Scalar, class Stages>
+    void operator()(const Output& before, const Vector& y, const Nodes& c, int s, const Scalar& ratio,
+                    const Scalar& from, Stages& Z) const {
+        const auto& old = before.nodes();
+        const auto& z = before.increments();
+        basis_values<Scalar, Columns> l(old.size);
+        for (int i = 0; i < s; ++i) {
+            old.basis(from + c[i] * ratio, l.data());
+            Z.col(i) = before.y0() - y;
+            if constexpr (Vector::RowsAtCompileTime >= 0 && Vector::RowsAtCompileTime <= 4) {
+                for (int j = 0; j < old.size; ++j) Z.col(i) += l[j] * z.col(old.first_column + j);
+            } else {
+                combine<true, -1>(static_cast<int>(y.size()), old.size, l.data(),
+                                  z.col(old.first_column).data(), Z.col(i).data());
+            }
+        }
+    }
+};
 
 /// First guess of many stages by the polynomial of the step before. Beyond its step the Legendre function of
 /// degree k grows like (2 + 4 h/h_before)^k: with seven stages and equal steps what Newton's iteration left of the
@@ -17,23 +46,27 @@ namespace stagecraft {
 /// keeps the terms
 ///     a_k P_k(2 x - 1),  k <= d,
 /// with the d behind which they are smallest at the end of the new step, and all of them where the last three fall.
-template <class Scalar>
+template <class Scalar, int Columns>
 class stage_extrapolation {
   public:
     /// Room for polynomials of up to `degree` at `stages` points.
     stage_extrapolation(int degree, int stages)
         : a_(4 * (degree + 1)), last_(degree + 1), x_(stages + 1), values_(last_.size() * x_.size()) {}
 
-    /// True if it pays to make the whole polynomial first, and what grows anew.
-    static bool starts_with_all(Eigen::Index n) { return n > 15; }
-    /// Z.col(i) := u(from + c_i ratio) - u(from) with the terms to be trusted, u being the polynomial of `before`,
-    /// ratio the new step over its step. n s (s + d) operations; 3 n d where starts_with_all(), all terms are in Z, and
-    /// the last three fall.
-    template <class Output, class Nodes, class Stages>
-    void operator()(const Output& before, const Nodes& c, int s, const Scalar& ratio, const Scalar& from,
-                    Stages& Z) {
+    /// So that no step makes the map of these nodes.
+    template <class Nodes>
+    void prepare(const Nodes& nodes) const {
+        coefficients_of(nodes);
+    }
+    /// As whole_extrapolation does it, with the terms to be trusted: n s (s + d) operations more. Of many components it pays to
+    /// take the whole polynomial first and to make anew what does not fall: 3 n d. Up to three stages it is left as it is.
+    template <class Output, class Vector, class Nodes, class Stages>
+    void operator()(const Output& before, const Vector& y, const Nodes& c, int s, const Scalar& ratio,
+                    const Scalar& from, Stages& Z) {
         const int first = before.nodes().first_column, n = static_cast<int>(Z.rows());
-        const bool all = starts_with_all(Z.rows());
+        const bool all = s <= 3 || n > 15;
+        if (all) whole_extrapolation<Columns>(0, 0)(before, y, c, s, ratio, from, Z);
+        if (s <= 3) return;
         degree_ = before.nodes().size;
         to_coefficients_ = coefficients_of(before.nodes());
         evaluate(c, s, ratio, from);
@@ -46,6 +79,7 @@ class stage_extrapolation {
         if (r < n) block(std::integral_constant<int, 1>(), r);
     }
 
+  private:
     /// z -> a_k as legendre_coefficients() has it. Those of the last eight sets of nodes are kept per thread, as
     /// methods of different order take turns and runs may be short.
     template <class Nodes>
@@ -63,7 +97,6 @@ class stage_extrapolation {
         return known.back().map.data();
     }
 
-  private:
     /// values_[k (s + 1) + i] := P_k at stage i less P_k at the start of the step, all stages at once.
     template <class Nodes>
     void evaluate(const Nodes& c, int s, const Scalar& ratio, const Scalar& from) {
@@ -150,11 +183,6 @@ class stage_extrapolation {
     int degree_ = 0;
     const Scalar* to_coefficients_ = nullptr;    // row k: z -> a_k
     std::vector<Scalar> a_, last_, x_, values_;  // a_: of four components; last_: P_k at the last stage
-};
-
-/// Of three stages at most, whose polynomial is taken as it is.
-struct whole_extrapolation {
-    whole_extrapolation(int, int) {}
 };
 
 }  // namespace stagecraft
