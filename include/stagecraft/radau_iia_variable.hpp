@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/named_member.hpp>
 #include <stagecraft/step/method_set.hpp>
 
 namespace stagecraft {
@@ -32,6 +33,15 @@ template <class... Arguments>
 auto integrate(decltype(radau_iia_variable()) (*)(), const Arguments&... arguments) {
     static_assert(sizeof...(arguments) > 99, "integrate: write radau_iia_variable() with its parentheses");
     return 0;
+}
+
+/// Given to fixed_point().
+template <class Never = void>
+auto fixed_point(decltype(radau_iia_variable()) (*)()) {
+    static_assert(detail::never<Never>,
+                  "fixed_point(method): the method must be one tableau, radau_iia<3>(), say, with its "
+                  "parentheses; radau_iia_variable chooses among several");
+    return radau_iia_variable();
 }
 
 }  // namespace stagecraft
