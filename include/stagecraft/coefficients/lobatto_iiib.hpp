@@ -114,7 +114,7 @@ struct lobatto_iiib<6> {
 
 /// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one.
 template <int S>
-tableau<double, (S > 0 ? S : -1)> lobatto_iiib() {
+tableau<double, (S > 0 ? S : -1)> lobatto_iiib() {  // of a variable s: lobatto_iiib(s) of stagecraft/families.hpp
     constexpr bool generated = 2 <= S && S <= 6;
     static_assert(generated, "lobatto_iiib: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
     tableau<double, (S > 0 ? S : -1)> t;

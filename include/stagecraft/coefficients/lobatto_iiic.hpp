@@ -218,7 +218,7 @@ struct lobatto_iiic<6> {
 
 /// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one.
 template <int S>
-transformed_tableau<double, (S > 0 ? S : -1)> lobatto_iiic() {
+transformed_tableau<double, (S > 0 ? S : -1)> lobatto_iiic() {  // of a variable s: lobatto_iiic(s) of stagecraft/families.hpp
     constexpr bool generated = 2 <= S && S <= 6;
     static_assert(generated, "lobatto_iiic: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
     transformed_tableau<double, (S > 0 ? S : -1)> t;

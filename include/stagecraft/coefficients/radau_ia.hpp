@@ -244,7 +244,7 @@ struct radau_ia<6> {
 
 /// The S-stage member of this family, 1 <= S <= 6: every entry is the double nearest to the exact one.
 template <int S>
-transformed_tableau<double, (S > 0 ? S : -1)> radau_ia() {
+transformed_tableau<double, (S > 0 ? S : -1)> radau_ia() {  // of a variable s: radau_ia(s) of stagecraft/families.hpp
     constexpr bool generated = 1 <= S && S <= 6;
     static_assert(generated, "radau_ia: generated for 1 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
     transformed_tableau<double, (S > 0 ? S : -1)> t;

@@ -416,7 +416,7 @@ struct radau_iia<9> {
 
 /// The S-stage member of this family, 1 <= S <= 9: every entry is the double nearest to the exact one.
 template <int S>
-transformed_tableau<double, (S > 0 ? S : -1)> radau_iia() {
+transformed_tableau<double, (S > 0 ? S : -1)> radau_iia() {  // of a variable s: radau_iia(s) of stagecraft/families.hpp
     constexpr bool generated = 1 <= S && S <= 9;
     static_assert(generated, "radau_iia: generated for 1 <= S <= 9; see stagecraft/tableaux/rounded.hpp for more");
     transformed_tableau<double, (S > 0 ? S : -1)> t;
