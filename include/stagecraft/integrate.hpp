@@ -159,15 +159,26 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     -> result<typename Derived::PlainObject> {
     using given = detail::given_arguments<Method, std::remove_reference_t<Problem>,
                                           typename Derived::PlainObject, std::remove_reference_t<Observer>>;
+    using vector = typename given::vector;
     if constexpr (given::differentiated) {
         using number = typename given::number;
         using numbers = typename given::numbers;
-        [[maybe_unused]] constexpr bool compiles = requires(const number& t, const numbers& y, numbers& f) {
-            problem(t, y, f);
+        // As temporaries, which an `auto&` that is written into does not take: see detail::writes_last.
+        constexpr bool dual_time = requires(numbers & f) {
+            problem(std::declval<number>(), std::declval<numbers>(), f);
+        };
+        if constexpr (!dual_time) {
+            [[maybe_unused]] constexpr bool plain_time = requires(numbers & f) {
+                problem(std::declval<typename given::scalar>(), std::declval<numbers>(), f);
+            };
+        }
+    }
+    if constexpr (given::begun) {
+        [[maybe_unused]] constexpr bool compiles = requires(vector & f) {
+            problem(std::declval<typename given::scalar>(), std::declval<vector>(), f);
         };
     }
-    [[maybe_unused]] constexpr bool watches =
-        requires(const typename given::scalar& t, const typename given::vector& y) {
+    [[maybe_unused]] constexpr bool watches = requires(const typename given::scalar& t, const vector& y) {
         observer(t, y);
     };
     static_assert(given::method_first,

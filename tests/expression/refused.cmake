@@ -2,9 +2,9 @@
 # cmake -D COMPILER=... -D INCLUDES=a;b -D SYSTEM_INCLUDES=c -D DIRECTORY=... [-D HEADER=...] -P refused.cmake
 # Every source in DIRECTORY that names RIGHT must compile with -DRIGHT; none may compile without. What the compiler
 # says then must contain every text after "// says:" in the source, and have at most as many lines as "// lines:"
-# says, where that is there. Sources that include HEADER get it precompiled, and the right forms are compiled as one
-# program, each in a namespace: both take most of the time away. (Explicit instantiations must stand in no namespace:
-# sources with one are compiled alone.)
+# says ("// lines of g++:" of g++), where that is there. Sources that include HEADER get it precompiled, and the right
+# forms are compiled as one program, each in a namespace: both take most of the time away. (Explicit instantiations must
+# stand in no namespace: sources with one are compiled alone.)
 file(GLOB sources ${DIRECTORY}/*.cpp)
 if(NOT sources)
     message(FATAL_ERROR "no sources in ${DIRECTORY}")
@@ -83,9 +83,15 @@ foreach(source IN LISTS sources)
             message("${case}: refused, \"${expected}\"")
         endif()
     endforeach()
-    file(STRINGS ${source} most REGEX "^// lines: ")
+    set(most "")
+    if(NOT compiler MATCHES clang)
+        file(STRINGS ${source} most REGEX "^// lines of g[+][+]: ")
+    endif()
+    if(NOT most)
+        file(STRINGS ${source} most REGEX "^// lines: ")
+    endif()
     if(most)
-        string(REPLACE "// lines: " "" most "${most}")
+        string(REGEX REPLACE "^.*: " "" most "${most}")
         string(REGEX MATCHALL "\n" ends "${says}")
         list(LENGTH ends lines)
         if(lines GREATER most)

@@ -84,6 +84,30 @@ class dual_number {
         return static_cast<T>(value_);
     }
 
+    // Where a number is taken for a vector, or the other way round. The types are deduced, so that this is said before
+    // anything else; that of a component cannot be, so that nothing is said of the expression around it.
+    template <class I>
+    auto operator[](const I& i) const {
+        static_assert(!sizeof(I),
+                      "a number has no components: where this is the state, the arguments stand in another "
+                      "order; a right-hand side is called as f(t, y, out), conditions as r(left, right, "
+                      "out), and both as two_point(f, r)");
+        return i.of_a_number;
+    }
+    template <class I>
+    auto operator()(const I& i) const {
+        return (*this)[i];
+    }
+    template <class Vector>
+    requires(!std::is_convertible_v<const Vector&, dual_number>) auto operator=(
+        const Eigen::EigenBase<Vector>&) {
+        static_assert(
+            !sizeof(Vector),
+            "a component is one number, and what is assigned to it a vector or a matrix of Eigen's: "
+            "take one component of that, p[0], say");
+        return dual_number(*this);
+    }
+
     const S& value() const { return value_; }
     S& value() { return value_; }
     const derivatives_type& derivatives() const { return derivatives_; }

@@ -67,13 +67,16 @@ struct given_arguments {
                           solver_usable = uncalled || check::solver_usable,
                           constancy_usable = uncalled || check::constancy_usable,
                           lower_case = uncalled || check::lower_case;
-    /// The problem is generic and will be differentiated automatically, in these numbers. integrate() calls it with them
-    /// before anybody else does, so that what does not compile in it is said from there.
+    /// The problem is generic, by its declaration, and will be differentiated automatically, in these numbers. integrate()
+    /// calls it with them before anybody else does, so that what does not compile in it is said from there.
     using number = dual<scalar, Vector::RowsAtCompileTime>;
     using numbers = dual_vector<scalar, Vector::RowsAtCompileTime>;
+    static constexpr bool begun = ready && check::column;
     static constexpr bool differentiated = [] {
-        if constexpr (good && check::without_jacobian)
-            return !converts_duals<Problem, const number&, const numbers&, numbers&>();
+        if constexpr (!begun)
+            return false;
+        else if constexpr (check::without_jacobian)
+            return !converts_duals<Problem, const scalar&, const numbers&, numbers&>();
         else
             return false;
     }();
