@@ -6,7 +6,11 @@
 #include <type_traits>
 #include <utility>
 
+// Before what includes it, so that what is said from there is said in fewer lines.
+#include <stagecraft/jacobian/dual_number.hpp>
+
 #include <stagecraft/bvp/bvp_solver.hpp>
+#include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/named_member.hpp>
 
 namespace stagecraft {
@@ -23,6 +27,13 @@ requires usable_guess<Guess, Scalar>
 struct vector_of_guess<Guess, Scalar> {
     using type = decltype(guess_value(std::declval<const Guess&>(), std::declval<const Scalar&>()));
 };
+
+/// f is generic, by its declaration, and will be differentiated automatically.
+template <class Rhs, class Vector,
+          class Numbers = dual_vector<typename Vector::Scalar, Vector::RowsAtCompileTime>>
+inline constexpr bool differentiated_rhs =
+    !has_member_named<Rhs, jacobian_member> &&
+    !converts_duals<Rhs, const typename Vector::Scalar&, const Numbers&, Numbers&>();
 
 template <class Rhs>
 inline constexpr bool is_two_point = false;
@@ -82,6 +93,18 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
         "that returns one, or a solution");
     using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
     using parameters = typename Parameters::PlainObject;
+    if constexpr (guessed && parameters::RowsAtCompileTime == 0)
+        if constexpr (detail::differentiated_rhs<Rhs, vector>) {
+            // Called here before anybody else does, so that what does not compile in f is said from here.
+            using number = dual<Scalar, vector::RowsAtCompileTime>;
+            using numbers = dual_vector<Scalar, vector::RowsAtCompileTime>;
+            [[maybe_unused]] constexpr bool dual_time = requires(numbers & out) {
+                problem.f(std::declval<number>(), std::declval<numbers>(), out);
+            };
+            [[maybe_unused]] constexpr bool plain = requires(vector & out) {
+                problem.f(std::declval<Scalar>(), std::declval<vector>(), out);
+            };
+        }
     using check = detail::checked_two_point<Rhs, Conditions, vector, parameters>;
     constexpr bool rhs = !guessed || check::rhs, conditions = !guessed || !rhs || check::conditions,
                    writes_through = !guessed || check::writes_through;
