@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/step/method_set.hpp>
 
 namespace stagecraft {
