@@ -89,7 +89,9 @@ struct bvp_error {
 };
 
 /// How well posed the linearised problem is, in the spectral norm, as found at mesh points and nodes.
-/// X(t) is the fundamental matrix, M = B_a X(a) + B_b X(b), Phi = X M^-1, G Green's function.
+/// X(t) is the fundamental matrix, M = B_a X(a) + B_b X(b), Phi = X M^-1, G Green's function. All are those of the problem
+/// on the last mesh: where y needs no finer one, modes that it does not show may be worse conditioned than this says (those
+/// that grow to both sides of a turning point, for one).
 template <class Scalar>
 struct bvp_conditioning {
     Scalar kappa1{0};  ///< max |Phi(t)|: how far boundary data reach (lecture (4.6); Ascher-Mattheij-Russell)

@@ -94,10 +94,6 @@ class dual_number {
                       "out), and both as two_point(f, r)");
         return i.of_a_number;
     }
-    template <class I>
-    auto operator()(const I& i) const {
-        return (*this)[i];
-    }
     template <class Vector>
     requires(!std::is_convertible_v<const Vector&, dual_number>) auto operator=(
         const Eigen::EigenBase<Vector>&) {
