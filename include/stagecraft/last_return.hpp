@@ -45,7 +45,7 @@ requires detail::runnable_method<Method> orbit_guess<Vector> last_return(const M
     scalar size(0);
     integrate(method, f, y0, t0, t1, o, passes);
     for (const auto& pass : passes.found()) size = std::max(size, scalar((pass.y - end).norm()));
-    for (int k = 0; k <= 200; ++k)
+    for (int k = 0; k < 200; ++k)  // the last one is `end`
         size = std::max(size, scalar((guess.y(t0 + (t1 - t0) * scalar(k) / 200) - end).norm()));
     const auto& found = passes.found();
     for (auto pass = found.rbegin(); pass != found.rend(); ++pass)

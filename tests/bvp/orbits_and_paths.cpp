@@ -100,6 +100,15 @@ BOOST_AUTO_TEST_CASE(the_first_mesh_follows_the_steps_of_the_guess) {
         check(oscillator{mu}, Vector2d(2, 0), 4 * mu + 20, period);
 }
 
+// t0 + (t1 - t0) may be rounded to beyond t1.
+BOOST_AUTO_TEST_CASE(a_last_return_is_found_whatever_its_times_are_rounded_to) {
+    for (int k = 0; k < 100; ++k) {
+        const double t0 = 0.37 * k, t1 = t0 + 40 + 0.137 * k;
+        const auto guess = sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), t0, t1);
+        BOOST_TEST(std::abs(guess.period - 6.6632868593) < 1e-3);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {
     auto guess = sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 40.0);
     guess.begin -= guess.period;

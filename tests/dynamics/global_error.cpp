@@ -78,6 +78,26 @@ BOOST_AUTO_TEST_CASE(
     BOOST_TEST(watch.lipschitz_bound() > 1e30 * watch.bound());
 }
 
+// The defect of collocation is largest at the ends of a step, and of stiff problems all of the error is seen in it.
+BOOST_AUTO_TEST_CASE(stiff_runs_of_gauss_methods_stay_below_the_one_sided_bound) {
+    using vector = Eigen::Matrix<double, 1, 1>;
+    const auto below = [](const auto& method, double rate, double end) {
+        const auto f = [=](double t, const vector& y, vector& out) {
+            out[0] = -rate * (y[0] - std::cos(t / 2)) - std::sin(t / 2) / 2;
+        };
+        global_error<vector, decltype(f)> watch(f, -rate, rate);
+        const auto r = integrate(method, f, vector(1.5), 0.0, end, {.rtol = 1e-5, .atol = 1e-5}, watch);
+        const double error = std::abs(r.y[0] - std::cos(end / 2) - std::exp(-rate * end) / 2);
+        return r.ok() && error > 0 && error <= watch.bound();
+    };
+    for (const double rate : {100.0, 2000.0, 50000.0})
+        for (double end = 1; end < 4; end += 0.3) {
+            BOOST_TEST(below(gauss<3>(), rate, end));
+            BOOST_TEST(below(gauss<5>(), rate, end));
+            BOOST_TEST(below(gauss<7>(), rate, end));
+        }
+}
+
 BOOST_AUTO_TEST_CASE(
     section_2_3_an_error_delta_in_every_step_is_a_floor_and_a_bound_that_omits_it_is_broken) {
     const auto& p = eight_problems()[2];
