@@ -367,7 +367,8 @@ class collocation_step : public step_defaults<Space> {
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
     coefficient_facts known_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
-    [[no_unique_address]] std::conditional_t<(Stages < 0 || Stages > 3),
+    // Of few stages too where a method of more may follow, whose guess is cut.
+    [[no_unique_address]] std::conditional_t<(Space::columns < 0 || Space::columns > 3),
                                              stage_extrapolation<Scalar, Space::columns>,
                                              whole_extrapolation<Space::columns>>
         extrapolation_;
