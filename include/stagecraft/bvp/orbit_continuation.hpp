@@ -12,8 +12,8 @@
 
 namespace stagecraft {
 
-/// A periodic orbit on a path of such. At a fold p is within the tolerance; y and the period depend on it like a root there,
-/// and are known to about the root of the tolerance's part that p is.
+/// A periodic orbit on a path of such. At a fold only p is within the tolerance: y and the period depend on p
+/// like a square root there, so that the rounding errors of p leave half of their digits.
 template <class Vector>
 struct orbit_point {
     using scalar = typename Vector::Scalar;

@@ -85,7 +85,7 @@ class dual_number {
     }
 
     // Where a number is taken for a vector, or the other way round. The types are deduced, so that this is said before
-    // anything else; that of a component cannot be, so that nothing is said of the expression around it.
+    // anything else; that of operator[] deduces from no such member, so that nothing is said of the expression around it.
     template <class I>
     auto operator[](const I& i) const {
         static_assert(!sizeof(I),

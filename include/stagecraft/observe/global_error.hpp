@@ -14,9 +14,9 @@ namespace stagecraft {
 ///     E <- e^(gamma h) E + (e^(gamma h) - 1)/gamma max |d| (Hairer-Norsett-Wanner I, Theorem I.10.6);
 ///   - lipschitz_bound(): the lecture's (e^(L (t - t0)) - 1)/L max |d| over the whole run, L a Lipschitz constant.
 /// The maximum over a step is taken over nine samples, both ends among them, where the defect of collocation, a multiple of
-/// the nodal polynomial, is largest: the bounds hold as far as these show the defect, and are as
-/// sharp as the constants and u are: the defect of s-stage collocation is O(h^s), of whatever order y itself is. u must
-/// be continuous with u' in every step. Cost: nine evaluations of f and of the continuous solution in every step.
+/// the nodal polynomial, is largest: the bounds hold as far as these show the defect, and are as sharp as the constants and
+/// u are: the defect of s-stage collocation is O(h^s), of whatever order y itself is. u must be continuous with u' in every
+/// step. Cost: nine evaluations of f and of the continuous solution in every step.
 /// Forward in time only.
 template <class Vector, class Problem>
 class global_error {

@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include <stagecraft/dense_output.hpp>
-#include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/stages/transformed.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_extrapolation.hpp>
