@@ -47,9 +47,9 @@ void print_row(const std::string& kind, const std::string& name, const counts& c
 }
 
 const std::map<std::string, problem (*)(dice)> classes{
-    {"linear", linear},   {"nonlinear", nonlinear}, {"index_1", index_1},
-    {"index_2", index_2}, {"index_3", index_3},     {"pendulum", pendulum},
-    {"jumps", jumps},     {"switching", switching}, {"approximate", approximate}};
+    {"linear", linear},           {"nonlinear", nonlinear}, {"index_1", index_1}, {"index_2", index_2},
+    {"index_3", index_3},         {"pendulum", pendulum},   {"jumps", jumps},     {"switching", switching},
+    {"approximate", approximate}, {"signal", signal}};
 const std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10},
     all_tolerances{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 

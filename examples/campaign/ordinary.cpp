@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// Ordinary differential equations: linear ones from large t0, nonlinear ones with curved slow manifolds.
+// Ordinary differential equations: linear ones from large t0, nonlinear ones with curved slow manifolds, one stiff
+// component on a wave.
 #include <Eigen/LU>
+#include <cmath>
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 
@@ -85,6 +87,24 @@ problem nonlinear(dice d) {
     };
     p.y0 = p.exact(0);
     p.description = "n = " + std::to_string(n) + ", t1 = " + std::to_string(p.t1);
+    return p;
+}
+
+/// y' = lambda (y - g) + g', y(0) = g(0), one component on a wave g of amplitude 0.1 ... 10 (Hairer-Wanner
+/// II.IV.15): the steps may hold most of a turn of it, and the phase decides what an estimate sees.
+problem signal(dice d) {
+    problem p;
+    const double lambda = -d.log_between(1e2, 1e7), a = d.log_between(0.1, 10),
+                 omega = d.log_between(0.1, 100), phase = d.between(0, 6.3);
+    p.t1 = d.between(1, 20);
+    const auto g = [=](double t) { return 1 + a * std::sin(omega * t + phase); };
+    p.f = [=](double t, const VectorXd& y, VectorXd& f) {
+        f[0] = lambda * (y[0] - g(t)) + a * omega * std::cos(omega * t + phase);
+    };
+    p.jacobian = [=](double, const VectorXd&, MatrixXd& J) { J(0, 0) = lambda; };
+    p.exact = [=](double t) { return VectorXd(VectorXd::Constant(1, g(t))); };
+    p.y0 = p.exact(0);
+    p.description = "lambda = " + std::to_string(lambda) + ", omega = " + std::to_string(omega);
     return p;
 }
 

@@ -138,6 +138,7 @@ inline VectorXd joined(const VectorXd& a, const VectorXd& b) {
 // The classes.
 problem linear(dice d);
 problem nonlinear(dice d);
+problem signal(dice d);
 problem index_1(dice d);
 problem index_2(dice d);
 problem index_3(dice d);

@@ -75,6 +75,7 @@ class acceptance {
     template <class Step, class System>
     scalar error(Step& method, System& system, const trial_step<Vector, typename Step::output>& trial,
                  const refusals& refused, bool first, report<scalar>& counts) {
+        between_ = scalar(0);
         auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
         weigh(method, system, trial, reading.ratio, refused);
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
@@ -102,6 +103,7 @@ class acceptance {
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves,
                            size_of(system, trial));
+        if (err < scalar(1)) raise(err, plausible(method, system, trial, refused));
         if (continuous_) raise(err, method.output_error(trial.now, trial.weights, system.sums()));
         if (first && err < scalar(1)) raise(err, unresolved(method, system, trial, reading.ratio, counts));
         return err;
@@ -118,6 +120,7 @@ class acceptance {
         const auto sums = system.sums();
         last_h_ = trial.plan.h;
         last_error_ = err;
+        last_between_ = between_;
         last_method_ = this->method();
         if (jumps_.accepted(method)) {
             controller_.forget();
@@ -179,7 +182,7 @@ class acceptance {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(controller_, order_, jumps_, last_h_, last_method_, last_error_);
+        bag(controller_, order_, jumps_, last_h_, last_method_, last_error_, last_between_);
     }
 
   private:
@@ -320,6 +323,18 @@ class acceptance {
         return share_ < scalar(1) && refused.for_error > 3 && err >= scalar(1) && err < most_inherited() &&
                !jumps_.smaller(err);
     }
+    /// A quarter of the error that the estimate of the step before lets expect, in proportion to output_error(): an
+    /// estimate that changes its sign with the phase of the solution passes zero, and believing it the steps would
+    /// grow far beyond those of the solution. Asked of the first attempt at a step, from three stages on: with two
+    /// it changes which steps are taken, and nothing in their errors.
+    template <class Step, class System, class Trial>
+    scalar plausible(Step& method, const System& system, const Trial& trial, const refusals& refused) {
+        if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
+            return scalar(0);
+        between_ = method.output_error(trial.now, trial.weights, system.sums());
+        const bool comparable = last_between_ > scalar(0) && this->method() == last_method_;
+        return comparable && refused.all == 0 ? last_error_ * (between_ / last_between_) / 4 : scalar(0);
+    }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of
     /// the first attempts at a step only: what smaller steps do not take away does come from z_n.
@@ -359,7 +374,8 @@ class acceptance {
     scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
     scalar last_h_{0};  // of the step accepted last, and the number of its method
     int last_method_ = 0;
-    scalar last_error_{0};
+    scalar last_error_{0}, last_between_{0};  // by the estimate and by output_error()
+    scalar between_{0};                       // output_error() of this attempt
 };
 
 }  // namespace stagecraft
