@@ -323,17 +323,20 @@ class acceptance {
         return share_ < scalar(1) && refused.for_error > 3 && err >= scalar(1) && err < most_inherited() &&
                !jumps_.smaller(err);
     }
-    /// A quarter of the error that the estimate of the step before lets expect, in proportion to output_error(): an
-    /// estimate that changes its sign with the phase of the solution passes zero, and believing it the steps would
-    /// grow far beyond those of the solution. Asked of the first attempt at a step, from three stages on: with two
-    /// it changes which steps are taken, and nothing in their errors.
+    /// What an error may be though its estimate is smaller: a quarter of what that of the step before lets expect, in
+    /// proportion to output_error(), but no more than output_error(). An estimate that changes its sign with the phase
+    /// of the solution passes zero, and believing it the steps would grow far beyond those of the solution. Asked of
+    /// the first attempt at a step, from three stages on: with two it changes which steps are taken, and nothing in
+    /// their errors.
     template <class Step, class System, class Trial>
     scalar plausible(Step& method, const System& system, const Trial& trial, const refusals& refused) {
         if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
             return scalar(0);
         between_ = method.output_error(trial.now, trial.weights, system.sums());
-        const bool comparable = last_between_ > scalar(0) && this->method() == last_method_;
-        return comparable && refused.all == 0 ? last_error_ * (between_ / last_between_) / 4 : scalar(0);
+        if (refused.all > 0 || this->method() != last_method_ || !(last_between_ > scalar(0)))
+            return scalar(0);
+        const scalar share = last_error_ / last_between_ / 4;
+        return share < scalar(1) ? share * between_ : between_;
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of
