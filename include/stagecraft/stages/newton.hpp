@@ -87,10 +87,10 @@ class newton_monitor {
             theta = k == 1 ? rate : Scalar(sqrt(rate * (theta < least ? least : theta)));
             if (size <= limits_.noise && rate > Scalar(1) / 4) return end(newton_end::converged);
             if (theta < Scalar(99) / 100) {
-                // One contraction from a guess that was far off tells of the way back, not of where it has led: it
-                // is not enough where the last increment is larger than so many tolerances.
+                // The first contraction from a guess that was far off tells of the way back, not of where it has led:
+                // it is not enough where the last increment is larger than so many tolerances.
                 const Scalar once = limits_.factor / Scalar(limits_.most_at_once);
-                const Scalar believed = k == 1 && theta < once ? once : theta;
+                const Scalar believed = !contracted_ && theta < once ? once : theta;
                 const Scalar left = size * believed / (Scalar(1) - believed);
                 if (left <= limits_.factor) return end(newton_end::converged);
                 // Give up if the iterations that remain cannot reach the goal at the observed rate.
@@ -99,6 +99,7 @@ class newton_monitor {
             } else if (k >= limits_.patience) {
                 return end(newton_end::diverged);
             }
+            contracted_ = contracted_ || 2 * size < last_;
         }
         last_ = size;
         return false;
@@ -108,6 +109,7 @@ class newton_monitor {
     newton_limits<Scalar> limits_;
     newton_outcome<Scalar> outcome_;
     Scalar last_{0};
+    bool contracted_ = false;  // by a half at least, in some iteration
 
   private:
     bool end(newton_end how) {
