@@ -29,6 +29,7 @@ struct trial_step {
     end_slope<Vector>& f;   ///< f at one of the ends
     Vector& y1;             ///< the state at t_next
     Output& now;            ///< the stages, then the continuous solution
+    scalar between{0};      ///< about its error between the ends, where that is asked for
 };
 
 /// How often the present step has been refused: at all, for the size of its error, and by Newton's iteration.
@@ -45,11 +46,11 @@ class acceptance {
   public:
     acceptance(const options<scalar>& o, const scalar& t0, int n)
         : rtol_(o.rtol),
-          continuous_(o.continuous),
           controller_(o.control),
           jumps_(o, t0),
           error_(n),
-          weights_(n) {
+          weights_(n),
+          continuous_(o.continuous) {
         weights_.setZero();
     }
 
@@ -73,9 +74,8 @@ class acceptance {
 
     /// The error of an attempt, of tolerance 1; `first` in the run.
     template <class Step, class System>
-    scalar error(Step& method, System& system, const trial_step<Vector, typename Step::output>& trial,
+    scalar error(Step& method, System& system, trial_step<Vector, typename Step::output>& trial,
                  const refusals& refused, bool first, report<scalar>& counts) {
-        between_ = scalar(0);
         auto reading = jumps_.read(method, ratio_[order_.current()], trial.t, trial.plan.h);
         weigh(method, system, trial, reading.ratio, refused);
         counts.error_solves += method.estimate(system, trial.plan.h, trial.f.value(), trial.now, error_);
@@ -120,7 +120,7 @@ class acceptance {
         const auto sums = system.sums();
         last_h_ = trial.plan.h;
         last_error_ = err;
-        last_between_ = between_;
+        last_between_ = trial.between;
         last_method_ = this->method();
         if (jumps_.accepted(method)) {
             controller_.forget();
@@ -329,14 +329,14 @@ class acceptance {
     /// the first attempt at a step, from three stages on: with two it changes which steps are taken, and nothing in
     /// their errors.
     template <class Step, class System, class Trial>
-    scalar plausible(Step& method, const System& system, const Trial& trial, const refusals& refused) {
+    scalar plausible(Step& method, const System& system, Trial& trial, const refusals& refused) {
         if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
             return scalar(0);
-        between_ = method.output_error(trial.now, trial.weights, system.sums());
+        trial.between = method.output_error(trial.now, trial.weights, system.sums());
         if (refused.all > 0 || this->method() != last_method_ || !(last_between_ > scalar(0)))
             return scalar(0);
         const scalar share = last_error_ / last_between_ / 4;
-        return share < scalar(1) ? share * between_ : between_;
+        return share < scalar(1) ? share * trial.between : trial.between;
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
     /// tolerances: beyond twice that the iteration may have gone to another solution of the constraints. Asked of
@@ -368,7 +368,6 @@ class acceptance {
     static scalar usual_safety() { return scalar(9) / scalar(10); }
 
     scalar rtol_;
-    bool continuous_;
     std::array<scalar, static_cast<std::size_t>(Methods)> ratio_{};
     step_size_controller<scalar> controller_;
     order_controller<scalar, Methods> order_{};
@@ -377,8 +376,8 @@ class acceptance {
     scalar share_{1};   // of the estimate in components of index 2 and 3 that this step has made
     scalar last_h_{0};  // of the step accepted last, and the number of its method
     int last_method_ = 0;
+    bool continuous_;
     scalar last_error_{0}, last_between_{0};  // by the estimate and by output_error()
-    scalar between_{0};                       // output_error() of this attempt
 };
 
 }  // namespace stagecraft

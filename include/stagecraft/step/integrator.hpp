@@ -225,7 +225,7 @@ class integrator {
         method.advance(y_, now, y1_);
         if (plan_.fixed()) return accept(method, plan, now);
 
-        const trial_step<Vector, output_type> trial{plan, t_, y_, weights(), f_, y1_, now};
+        trial_step<Vector, output_type> trial{plan, t_, y_, weights(), f_, y1_, now};
         const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
         if (!(error < scalar(1)) &&
             !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
