@@ -324,7 +324,7 @@ class acceptance {
                !jumps_.smaller(err);
     }
     /// What an error may be though its estimate is smaller: a quarter of what that of the step before lets expect, in
-    /// proportion to output_error(), but no more than output_error(). An estimate that changes its sign with the phase
+    /// proportion to output_error(), but no more than output_error(), and nothing where that is below one. An estimate that changes its sign with the phase
     /// of the solution passes zero, and believing it the steps would grow far beyond those of the solution. Asked of
     /// the first attempt at a step, from three stages on: with two it changes which steps are taken, and nothing in
     /// their errors.
@@ -333,7 +333,8 @@ class acceptance {
         if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
             return scalar(0);
         trial.between = method.output_error(trial.now, trial.weights, system.sums());
-        if (refused.all > 0 || this->method() != last_method_ || !(last_between_ > scalar(0)))
+        if (trial.between < scalar(1) || refused.all > 0 || this->method() != last_method_ ||
+            !(last_between_ > scalar(0)))
             return scalar(0);
         const scalar share = last_error_ / last_between_ / 4;
         return share < scalar(1) ? share * trial.between : trial.between;
