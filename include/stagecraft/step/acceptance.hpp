@@ -103,8 +103,10 @@ class acceptance {
         }
         err = jumps_.judge(method, system, reading, trial.plan.h, err, error_, counts.error_solves,
                            size_of(system, trial));
-        if (err < scalar(1)) raise(err, plausible(method, system, trial, refused));
-        if (continuous_) raise(err, method.output_error(trial.now, trial.weights, system.sums()));
+        if (continuous_)
+            raise(err, method.output_error(trial.now, trial.weights, system.sums()));
+        else if (err < scalar(1))  // plausible() is no more than output_error()
+            raise(err, plausible(method, system, trial, refused));
         if (first && err < scalar(1)) raise(err, unresolved(method, system, trial, reading.ratio, counts));
         return err;
     }
@@ -324,10 +326,10 @@ class acceptance {
                !jumps_.smaller(err);
     }
     /// What an error may be though its estimate is smaller: a quarter of what that of the step before lets expect, in
-    /// proportion to output_error(), but no more than output_error(), and nothing where that is below one. An estimate that changes its sign with the phase
-    /// of the solution passes zero, and believing it the steps would grow far beyond those of the solution. Asked of
-    /// the first attempt at a step, from three stages on: with two it changes which steps are taken, and nothing in
-    /// their errors.
+    /// proportion to output_error(), but no more than output_error(), and nothing where that is below one. An
+    /// estimate that changes its sign with the phase of the solution passes zero, and believing it the steps would
+    /// grow far beyond those of the solution. Asked of the first attempt at a step, from three stages on: with two it
+    /// changes which steps are taken, and nothing in their errors.
     template <class Step, class System, class Trial>
     scalar plausible(Step& method, const System& system, Trial& trial, const refusals& refused) {
         if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
