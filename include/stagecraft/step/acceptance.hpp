@@ -327,10 +327,10 @@ class acceptance {
     }
     /// What an error may be though its estimate is smaller: a quarter of what that of the step before lets expect, in
     /// proportion to output_error(), but no more than output_error(), and nothing where that is below one; of a shorter
-    /// step as much less as the order of the ends is higher than that of output_error(). An estimate that changes its
-    /// sign with the phase of the solution passes zero, and believing it the steps would grow far beyond those of the
-    /// solution. Asked of the first attempt at a step, from three stages on: with two it changes which steps are taken,
-    /// and nothing in their errors.
+    /// step as much less as the order of the ends is higher, s - 1. An estimate that changes its sign with the phase of
+    /// the solution passes zero, and believing it the steps would grow far beyond those of the solution. Asked of the
+    /// first attempt at a step, from three stages on: with two it changes which steps are taken, and nothing in their
+    /// errors.
     template <class Step, class System, class Trial>
     scalar plausible(Step& method, const System& system, Trial& trial, const refusals& refused) {
         if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
@@ -343,8 +343,7 @@ class acceptance {
         using std::pow;
         scalar share = last_error_ / last_between_ / 4;
         const scalar shorter = abs(trial.plan.h / last_h_);
-        if (shorter < scalar(1))
-            share *= scalar(pow(shorter, scalar(method.order() + 1 - method.estimate_power())));
+        if (shorter < scalar(1)) share *= scalar(pow(shorter, scalar(method.count() - 1)));
         return share < scalar(1) ? share * trial.between : trial.between;
     }
     /// What of the estimate cannot come from z_n, whose error the step before has left within some twenty
