@@ -326,11 +326,11 @@ class acceptance {
                !jumps_.smaller(err);
     }
     /// What an error may be though its estimate is smaller: a quarter of what that of the step before lets expect, in
-    /// proportion to output_error(), but no more than output_error(), and nothing where that is below one; of a shorter
-    /// step as much less as the order of the ends is higher, s - 1. An estimate that changes its sign with the phase of
-    /// the solution passes zero, and believing it the steps would grow far beyond those of the solution. Asked of the
-    /// first attempt at a step, from three stages on: with two it changes which steps are taken, and nothing in their
-    /// errors.
+    /// proportion to output_error(), but no more than output_error(), and nothing where that is below one. Of a shorter
+    /// step less is expected, as the error at its end falls faster, with h^{2s} beside h^{s+1} (Radau IIA). An estimate
+    /// that changes its sign with the phase of the solution passes zero, and believing it the steps would grow far
+    /// beyond those of the solution. Asked of the first attempt at a step, from three stages on: with two it changes
+    /// which steps are taken, and nothing in their errors.
     template <class Step, class System, class Trial>
     scalar plausible(Step& method, const System& system, Trial& trial, const refusals& refused) {
         if (system.largest_index() > 1 || !method.knows_output_error() || method.count() < 3)
