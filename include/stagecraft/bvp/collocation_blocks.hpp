@@ -9,8 +9,45 @@
 #include <stagecraft/linear/row_panel.hpp>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableau/legendre_rule.hpp>
+#include <stagecraft/tableau/remembered.hpp>
 
 namespace stagecraft::detail {
+
+/// The weights with which slopes of v at the nodes of a collocation tableau enter q at node j and at the end, where q'' = v':
+/// q_j = q + c_j h v + h sum_k at_nodes(j, k) Z_k. They are A^2 and b A, which integrate through values at the nodes, and
+/// what the leading term of v adds to that: P_s / s over its leading coefficient, times the divided difference of the slopes.
+template <class Scalar, int S>
+struct weights_of_q {
+    Eigen::Matrix<Scalar, S, S> at_nodes;
+    Eigen::Matrix<Scalar, S, S, Eigen::RowMajor> by_rows;
+    Eigen::Matrix<Scalar, 1, S> to_end;
+
+    weights_of_q() = default;
+    explicit weights_of_q(const tableau<Scalar, S>& method)
+        : at_nodes(method.A * method.A), to_end(method.b.transpose() * method.A) {
+        const int k = method.stages();
+        Eigen::Matrix<Scalar, Eigen::Dynamic, 1> values(k + 1), integral(k + 1), at_stages(k);
+        Scalar leading(1);
+        for (int j = 1; j <= k; ++j) leading *= Scalar(k + j) / Scalar(j);
+        for (int j = 0; j < k; ++j) {
+            legendre_values(Scalar(method.c[j]), k, values.data());
+            at_stages[j] = values[k];
+        }
+        Eigen::Matrix<Scalar, 1, S> difference(k);
+        for (int j = 0; j < k; ++j) {
+            difference[j] = Scalar(1) / (Scalar(k) * leading);
+            for (int l = 0; l < k; ++l)
+                if (l != j) difference[j] /= method.c[j] - method.c[l];
+        }
+        for (int j = 0; j < k; ++j) {
+            legendre_integrals(Scalar(method.c[j]), k, integral.data());
+            at_nodes.row(j) += (integral[k] - method.A.row(j).dot(at_stages)) * difference;
+        }
+        by_rows = at_nodes;
+        legendre_integrals(Scalar(1), k, integral.data());
+        to_end += (integral[k] - method.b.dot(at_stages)) * difference;
+    }
+};
 
 /// The equations of one interval [t, t + h] by a collocation tableau, linearised, in the unknowns y at its two
 /// ends, the scaled slopes Z_j = h y'(t + c_j h) and the parameters p:
@@ -34,17 +71,13 @@ class collocation_blocks {
     using panel = row_panel<Scalar, rows_at_compile_time, columns_at_compile_time, slopes_at_compile_time>;
 
   public:
-    using square = Eigen::Matrix<Scalar, S, S>;
-    using by_rows = Eigen::Matrix<Scalar, S, S, Eigen::RowMajor>;
-    using row = Eigen::Matrix<Scalar, 1, S>;
-
     collocation_blocks(const tableau<Scalar, S>& method, int n, int parameters)
         : method_(method),
           A_by_rows_(method.A),
           n_(n),
           np_(parameters),
           panel_(slopes() + n, slopes() + 2 * n + parameters, slopes()) {
-        if constexpr (m > 0) integrate_twice();
+        if constexpr (m > 0) twice_ = remembered(method, [&] { return weights_of_q<Scalar, S>(method); });
     }
 
     int n() const { return N > 0 ? N : n_; }
@@ -54,10 +87,9 @@ class collocation_blocks {
     /// How many numbers apply() and recover() work on.
     int work() const { return slopes() + 2 * n() + np(); }
 
-    /// The weights with which slopes of v at the nodes enter q at node j and at the end: q_j = q + c_j h v + h sum_k
-    /// twice(j, k) Z_k.
-    const square& twice() const { return twice_; }
-    const row& twice_to_end() const { return twice_to_end_; }
+    /// The weights of q at the nodes and at the end.
+    const auto& twice() const { return twice_.at_nodes; }
+    const auto& twice_to_end() const { return twice_.to_end; }
 
     void resize(int intervals) {
         blocks_.resize(static_cast<Eigen::Index>(intervals) * panel_.size());
@@ -111,34 +143,6 @@ class collocation_blocks {
     }
 
   private:
-    /// A^2 and b A, which integrate through values at the nodes, and what the leading term of v adds to that: P_s / s over
-    /// its leading coefficient, times the divided difference of the slopes.
-    void integrate_twice() {
-        const int k = s();
-        twice_ = method_.A * method_.A;
-        twice_to_end_ = method_.b.transpose() * method_.A;
-        Eigen::Matrix<Scalar, Eigen::Dynamic, 1> values(k + 1), integral(k + 1), at_nodes(k);
-        Scalar leading(1);
-        for (int j = 1; j <= k; ++j) leading *= Scalar(k + j) / Scalar(j);
-        for (int j = 0; j < k; ++j) {
-            legendre_values(Scalar(method_.c[j]), k, values.data());
-            at_nodes[j] = values[k];
-        }
-        row difference(k);
-        for (int j = 0; j < k; ++j) {
-            difference[j] = Scalar(1) / (Scalar(k) * leading);
-            for (int l = 0; l < k; ++l)
-                if (l != j) difference[j] /= method_.c[j] - method_.c[l];
-        }
-        for (int j = 0; j < k; ++j) {
-            legendre_integrals(Scalar(method_.c[j]), k, integral.data());
-            twice_.row(j) += (integral[k] - method_.A.row(j).dot(at_nodes)) * difference;
-        }
-        twice_by_rows_ = twice_;
-        legendre_integrals(Scalar(1), k, integral.data());
-        twice_to_end_ += (integral[k] - method_.b.dot(at_nodes)) * difference;
-    }
-
     Scalar* block(int i) { return blocks_.data() + static_cast<std::size_t>(i) * panel_.size(); }
     int* from(int i) { return from_.data() + static_cast<std::size_t>(i) * slopes(); }
 
@@ -149,7 +153,7 @@ class collocation_blocks {
         for (int c = m; c < n(); ++c)
             for (int j = 0; j < s(); ++j) {
                 Scalar* out = a + static_cast<std::ptrdiff_t>((c - m) * s() + j) * width;
-                const Scalar *once = A_by_rows_.data() + j * s(), *twice = twice_by_rows_.data() + j * s();
+                const Scalar *once = A_by_rows_.data() + j * s(), *twice = twice_.by_rows.data() + j * s();
                 const auto entry = [&](int d) { return Scalar(-h * J[(j * (n() + np()) + d) * n() + c]); };
                 for (int d = m; d < n(); ++d) {
                     const bool velocity = d < 2 * m;
@@ -180,7 +184,7 @@ class collocation_blocks {
             a[q + n() + c] = Scalar(1);
             for (int k = 0; k < s(); ++k)
                 if (c < m)
-                    a[c * s() + k] = -h * twice_to_end_[k];
+                    a[c * s() + k] = -h * twice_.to_end[k];
                 else
                     a[(c - m) * s() + k] = -method_.b[k];
             if (c < m) a[q + m + c] = -h;
@@ -188,9 +192,8 @@ class collocation_blocks {
     }
 
     tableau<Scalar, S> method_;
-    by_rows A_by_rows_, twice_by_rows_;
-    square twice_;
-    row twice_to_end_;
+    Eigen::Matrix<Scalar, S, S, Eigen::RowMajor> A_by_rows_;
+    weights_of_q<Scalar, S> twice_;
     int n_, np_;
     panel panel_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> blocks_;

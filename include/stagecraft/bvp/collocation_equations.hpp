@@ -40,9 +40,11 @@ class collocation_equations {
   public:
     using iterate = bvp_iterate<Scalar, N, P>;
     using wide = Eigen::Matrix<Scalar, N, Eigen::Dynamic>;
+    using state = Eigen::Matrix<Scalar, N, 1>;
     using parameters = Eigen::Matrix<Scalar, P, 1>;
     using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using column =
+        Eigen::Matrix<Scalar, (N > 0 && P >= 0 ? N + P : Eigen::Dynamic), 1>;  ///< of the conditions
     using square = Eigen::Matrix<Scalar, N, N>;
     using rule = detail::lifting_rule<Scalar, S>;
     static constexpr int positions = Positions, stages = S;
@@ -291,7 +293,7 @@ class collocation_equations {
     column beta_;
     matrix work_, conditions_;
     Eigen::Matrix<Scalar, S, N, (S == 1 && N != 1 ? Eigen::RowMajor : Eigen::ColMajor)> stages_;
-    Eigen::Matrix<Scalar, N, 1> stage_;
+    state stage_;
     Scalar place_{0};
     bool at_conditions_ = false;
     int replaced_ = 0;

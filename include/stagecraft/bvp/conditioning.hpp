@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/bvp/result.hpp>
@@ -206,7 +207,8 @@ class conditioning_of {
         const scalar epsilon = std::numeric_limits<scalar>::epsilon();
         const int L = x_.intervals();
         wide error = wide::Zero(n, L + 1);
-        column shift = column::Zero(m), sizes(n);  // shift: the first n_p, of the parameters
+        column shift = column::Zero(m);  // the first n_p, of the parameters
+        typename Equations::state sizes(n);
         for (int c = 0; c < n; ++c) sizes[c] = x_.y.row(c).cwiseAbs().maxCoeff();
         for (int k = 0; k < m; ++k) {
             scalar size(0);
@@ -241,21 +243,18 @@ class conditioning_of {
     }
 
     /// The factors are those of another matrix from now on.
-    void forget() { phi_.clear(); }
+    void forget() { known_ = false; }
 
     /// Solves for X(t) M^-1 and P, unless they are known.
     void fundamental() {
-        if (!phi_.empty()) return;
+        if (std::exchange(known_, true)) return;
         const int n = equations_.n(), m = n + equations_.np(), L = x_.intervals();
-        const wide zero = wide::Zero(n, L);
-        wide y(n, L + 1);
         typename Equations::parameters p(equations_.np());
         parameters_.resize(equations_.np(), m);
+        phi_.resize(static_cast<std::size_t>(m));
         for (int k = 0; k < m; ++k) {
-            column unit = column::Zero(m);
-            unit[k] = scalar(1);
-            equations_.factors().solve(zero, unit, y, p);
-            phi_.push_back(y);
+            phi_[k].resize(n, L + 1);
+            equations_.factors().solve(wide::Zero(n, L), column::Unit(m, k), phi_[k], p);
             parameters_.col(k) = p;
             ++solves_;
         }
@@ -348,6 +347,7 @@ class conditioning_of {
     std::vector<wide> phi_;
     Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> parameters_;
     int solves_ = 0;
+    bool known_ = false;
 };
 
 }  // namespace stagecraft

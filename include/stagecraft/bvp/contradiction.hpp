@@ -17,7 +17,7 @@ auto left_over(Equations& equations, const conditioning_of<Equations>& condition
                int k) {
     using std::abs;
     using scalar = std::decay_t<decltype(x.t[0])>;
-    using column = typename Equations::column;
+    using state = typename Equations::state;
     const int n = equations.n(), np = equations.np(), L = x.intervals();
     const auto& u = conditioning.response(k);
     const auto& p = conditioning.parameters();
@@ -26,7 +26,7 @@ auto left_over(Equations& equations, const conditioning_of<Equations>& condition
     const auto look = [&](const scalar& rest, const scalar& of) {
         if (of > scalar(0) && !(abs(rest / of) <= worst)) worst = abs(rest / of);
     };
-    column most = column::Zero(n), left = most, terms = most;
+    state most = state::Zero(n), left = most, terms = most;
     for (int i = 0; i <= L; ++i)
         for (int c = 0; c < n; ++c) most[c] = std::max(most[c], scalar(abs(u(c, i))));
     for (int r = 0; r < n + np; ++r) {

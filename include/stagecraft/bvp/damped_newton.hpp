@@ -189,7 +189,8 @@ class damped_newton {
     /// estimate evaluates f and r and sees what they leave.
     bool linear_ = false, tested_ = false;
     iterate d_, bar_, trial_, difference_;
-    Eigen::Matrix<scalar, Eigen::Dynamic, 1> weights_, scale_p_;
+    typename Equations::state weights_;
+    typename Equations::parameters scale_p_;
 };
 
 }  // namespace stagecraft

@@ -36,7 +36,7 @@ class error_estimate {
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     using wide = typename Equations::wide;
     using column = typename Equations::column;
-    using matrix = typename Equations::matrix;
+    using state = typename Equations::state;
     using parameters = typename Equations::parameters;
     using rule = typename Equations::rule;
 
@@ -141,7 +141,7 @@ class error_estimate {
     scalar defect(const iterate& x) const {
         using std::abs;
         const int n = equations_.n(), s = equations_.s(), np = equations_.np(), width = n + np;
-        column change(n), value(n), own(n);
+        state change(n), value(n), own(n);
         scalar worst(0);
         for (int i = 0; i < x.intervals(); ++i) {
             change = error_.y.col(i + 1) - error_.y.col(i);
@@ -181,18 +181,13 @@ class error_estimate {
     template <class Vector>
     void write(const iterate& x, solution<Vector>& out) const {
         const int m = nodes(), n = equations_.n();
-        interpolation_nodes<scalar, dynamic> at(m);
-        at.size = m;
-        for (int k = 0; k < m; ++k) at.c[k] = rule_.gauss.c[k];
-        at.finish();
-        dense_output<Vector, dynamic> piece(n, m);
         out.start(x.t.front(), x.y.col(0), x.t.back());
+        out.reserve(x.intervals(), m);
         for (int i = 0; i < x.intervals(); ++i) {
-            piece.cover(at, x.t[i], x.h(i), Vector(x.y.col(i)));
+            scalar* numbers = out.add(x.t[i], x.h(i), x.t[i + 1], rule_.of_pieces);
+            std::copy_n(&x.y(0, i), n, numbers);
             for (int k = 0; k < m; ++k)
-                detail::combine<N>(rule_.integrals.row(k).data(), m, &slopes_(0, i * m), n,
-                                   piece.increments().col(k).data(), n);
-            out(x.t[i + 1], Vector(x.y.col(i + 1)), x.h(i), piece);
+                detail::combine<N>(rule_.integrals.data() + k * m, m, &slopes_(0, i * m), n, numbers += n, n);
         }
     }
 
@@ -200,7 +195,6 @@ class error_estimate {
     static constexpr int N = wide::RowsAtCompileTime, NN = N > 0 ? N *N : N, M = Equations::positions,
                          S = Equations::stages > 0 ? Equations::stages : 0,
                          usual_nodes = detail::lifting_elimination<Equations>::usual_nodes;
-    using vector = Eigen::Matrix<scalar, N, 1>;
 
     template <int Nodes>
     int nodes_of() const {
@@ -379,9 +373,9 @@ class error_estimate {
     std::vector<int> swaps_;
     std::vector<char> marks_;
     wide slopes_, delta_, inner_, raised_, unseen_, left_over_, scale_, d_, g_, minus_;
-    vector stage_, own_, off_, most_;
-    column moved_;
+    state stage_, own_, off_, most_;
     Eigen::Matrix<scalar, N, N> small_;
+    Eigen::Matrix<scalar, Eigen::Dynamic, 1> moved_;
     column ends_;
     iterate error_, by_jumps_;
     scalar floor_{0}, negligible_{0}, place_{0};

@@ -196,7 +196,7 @@ class lifting_elimination {
     long version_ = -1;
     int kept_ = 1;
     std::ptrdiff_t panel_size_ = 0;
-    typename Equations::column hJ_, panels_, x_, moved_;
+    Eigen::Matrix<scalar, Eigen::Dynamic, 1> hJ_, panels_, x_, moved_;
     std::vector<int> from_, interpolated_, factored_;
     Eigen::Matrix<scalar, N, 1> own_, change_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <stagecraft/bvp/options.hpp>
+#include <stagecraft/dense_output.hpp>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableau/legendre_rule.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
@@ -48,6 +49,8 @@ struct lifting_rule {
     matrix lagrange_integrals_of;  ///< s x m, the integrals of the same polynomials to the Gauss nodes
     matrix to_coefficients;        ///< values at the Gauss nodes to Legendre coefficients
     point check[2];
+    interpolation_nodes<Scalar, dynamic>
+        of_pieces;               ///< the Gauss nodes, for polynomials through values there
     std::vector<Scalar> ratios;  ///< k / (k + 1)
     row at_start, at_end;        ///< from values at the Gauss nodes to those at 0 and 1
     Scalar first, last;          ///< where f is evaluated first and last
@@ -60,7 +63,11 @@ struct lifting_rule {
           gauss(nodes_for(order, t.stages(), t.facts.r_infinity)),
           integrals(gauss.size(), gauss.size()),
           lagrange(gauss.size(), t.stages()),
-          to_coefficients(gauss.to_coefficients) {
+          to_coefficients(gauss.to_coefficients),
+          of_pieces(gauss.size()) {
+        of_pieces.size = gauss.size();
+        std::copy_n(gauss.c.data(), gauss.size(), of_pieces.c.begin());
+        of_pieces.finish();
         for (int k = 0; k < gauss.size(); ++k) {
             integrals.row(k) = gauss.integral(gauss.c[k]);
             lagrange.row(k) = lagrange_at(gauss.c[k]);

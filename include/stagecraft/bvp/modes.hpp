@@ -17,13 +17,13 @@ template <class Equations>
 class modes_of {
   public:
     using wide = typename Equations::wide;
-    using column = typename Equations::column;
     using scalar = typename wide::Scalar;
+    using column = Eigen::Matrix<scalar, Eigen::Dynamic, 1>;
 
     /// `sizes` are those of the components of y.
     template <class Iterate>
     modes_of(const Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x,
-             const column& sizes, const scalar& floor)
+             const typename Equations::state& sizes, const scalar& floor)
         : sizes_(sizes), sizes_of_p_(x.p.cwiseAbs()) {
         using std::abs;
         conditioning.fundamental();
@@ -76,7 +76,8 @@ class modes_of {
         return v;
     }
 
-    column sizes_, sizes_of_p_;
+    typename Equations::state sizes_;
+    column sizes_of_p_;
     Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic> all_;
 };
 

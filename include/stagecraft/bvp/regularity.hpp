@@ -31,7 +31,7 @@ class regularity {
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     using wide = typename Equations::wide;
     using column = typename Equations::column;
-    using matrix = typename Equations::matrix;
+    using parameters = typename Equations::parameters;
     using rule = typename Equations::rule;
     static constexpr int N = wide::RowsAtCompileTime;
 
@@ -71,7 +71,7 @@ class regularity {
         kernel_found found{0, !turns_};
         for (int k = 0; k < modes.count(); ++k) {
             if (modes.size(k) < noise || !take(modes, k)) continue;
-            typename Equations::parameters shift(equations_.np());
+            parameters shift(equations_.np());
             const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
             const bool none = 100 * modes.conditions(e, shift).norm() > scalar(1) ||
                               (!linear && 1000 * modes.size(k) > most);
@@ -109,7 +109,7 @@ class regularity {
     /// What one rounding error in every entry makes of u, relative to it.
     scalar rounding(const scalar& floor) {
         choose(floor);
-        typename Equations::parameters shift(equations_.np());
+        parameters shift(equations_.np());
         const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
         return share(e, shift);
     }
@@ -140,7 +140,7 @@ class regularity {
             const scalar least = std::min(scalar(size.row(c).maxCoeff()), floor);
             for (int i = 0; i <= x_.intervals(); ++i) size(c, i) = std::max(size(c, i), least);
         }
-        typename Equations::parameters shift(equations_.np());
+        parameters shift(equations_.np());
         const wide e = answer_to_rounding(size, x_.p.cwiseAbs(), shift);
         scalar worst(0);
         for (int i = 0; i <= x_.intervals(); ++i)
@@ -220,7 +220,7 @@ class regularity {
         const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor);
         const bool resolved = resolved_;
         std::vector<int> taken;
-        std::vector<column> made;
+        std::vector<typename modes_of<Equations>::column> made;
         for (int k = 0; k < modes.count(); ++k) {
             iterate e;
             if (!take(modes, k)) continue;
@@ -342,8 +342,7 @@ class regularity {
         }
         return whole > scalar(0) ? scalar(most / whole) : scalar(0);
     }
-    template <class Parameters>
-    scalar share(const wide& e, const Parameters& p) const {
+    scalar share(const wide& e, const parameters& p) const {
         using std::abs;
         scalar most = share(e);
         for (Eigen::Index j = 0; j < p.size(); ++j)
@@ -351,8 +350,7 @@ class regularity {
         return most;
     }
     /// The answer of the linearised problem to one rounding error in every entry, y and p being of these sizes.
-    template <class Parameters>
-    wide answer_to_rounding(const wide& size, const column& p, Parameters& shift) {
+    wide answer_to_rounding(const wide& size, const parameters& p, parameters& shift) {
         using std::abs;
         const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
         const scalar eps = std::numeric_limits<scalar>::epsilon();
@@ -393,7 +391,8 @@ class regularity {
 
     wide u_, d_, g_;
     Eigen::Matrix<scalar, N, P> J_;
-    column p_, size_, scale_;
+    parameters p_;
+    typename Equations::state size_, scale_;
     scalar answer_{0};
     std::optional<scalar> doubt_;
     bool resolved_ = false, turns_ = false;

@@ -16,8 +16,8 @@ bool is_autonomous(Equations& equations, const Iterate& x) {
     const int L = x.intervals();
     const auto middle = [&](int i) { return (x.t[i] + x.t[i + 1]) / 2; };
     for (int i = 0; i < L; ++i) {
-        const typename Equations::column y = (x.y.col(i) + x.y.col(i + 1)) / 2,
-                                         here = equations.slope(middle(i), y, x.p);
+        const typename Equations::state y = (x.y.col(i) + x.y.col(i + 1)) / 2,
+                                        here = equations.slope(middle(i), y, x.p);
         if (!(here == equations.slope(middle((i + L / 2 + 1) % L), y, x.p))) return false;
     }
     return true;
@@ -37,7 +37,7 @@ Scalar translation_missed(Equations& equations, conditioning_of<Equations>& cond
     typename Equations::wide v(n, L + 1);
     for (int i = 0; i <= L; ++i) v.col(i) = equations.slope((x.t[0] + x.t[1]) / 2, x.y.col(i), x.p);
     if (!(v.sum() - v.sum() == Scalar(0))) return Scalar(0);
-    typename Equations::column scale(n);
+    typename Equations::state scale(n);
     for (int c = 0; c < n; ++c) scale[c] = floor + x.y.row(c).cwiseAbs().maxCoeff();
     const auto size = [&] {  // of v beside y
         Scalar most(0);

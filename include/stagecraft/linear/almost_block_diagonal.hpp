@@ -160,26 +160,23 @@ class block_chain {
     template <class X, class Z, class Head, class Links, class Last>
     void solve_transposed(const X& v, const Z& vz, Head& h, Links& g, Last& t) {
         const int n = size(), m = n + q_;
-        Scalar* r = rhs_.data();
-        std::vector<Scalar> next(static_cast<std::size_t>(n)), border(static_cast<std::size_t>(q_));
-        for (int k = 0; k < n; ++k) next[k] = v(k, 0);
+        Scalar *r = rhs_.data(), *border = r + n;
+        for (int k = 0; k < n; ++k) r[k] = v(k, 0);
         for (int k = 0; k < q_; ++k) border[k] = vz[k];
         for (int i = 0; i < links_; ++i) {
             const auto a = panel(i);
             for (int k = 0; k < n; ++k) {
-                Scalar sum = next[k];
+                Scalar sum = r[k];
                 for (int j = 0; j < k; ++j) sum -= a(j, k) * top_(j, i);
                 top_(k, i) = sum / a(k, k);
             }
             for (int k = 0; k < n; ++k) {
-                next[k] = v(k, i + 1);
-                for (int j = 0; j < n; ++j) next[k] -= a(j, n + k) * top_(j, i);
+                r[k] = v(k, i + 1);
+                for (int j = 0; j < n; ++j) r[k] -= a(j, n + k) * top_(j, i);
             }
             for (int k = 0; k < q_; ++k)
                 for (int j = 0; j < n; ++j) border[k] -= a(j, 2 * n + k) * top_(j, i);
         }
-        for (int k = 0; k < n; ++k) r[k] = next[k];
-        for (int k = 0; k < q_; ++k) r[n + k] = border[k];
         for (int k = 0; k < m; ++k) {
             for (int j = 0; j < k; ++j) r[k] -= last_(j, k) * r[j];
             r[k] /= last_(k, k);

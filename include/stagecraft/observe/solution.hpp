@@ -84,14 +84,27 @@ class solution {
     requires(State::SizeAtCompileTime == Vector::SizeAtCompileTime ||
              State::SizeAtCompileTime == Eigen::Dynamic || Vector::SizeAtCompileTime == Eigen::Dynamic) void
     operator()(const scalar& t, const State&, const scalar&, const Output& output) {
-        pieces_.push_back({output.t0(), output.step(), t, numbers_.size(), nodes_of(output.nodes())});
-        const auto append = [&](const auto& x) {
-            numbers_.insert(numbers_.end(), x.data(), x.data() + x.size());
-        };
-        append(output.y0());
         const auto& nodes = output.nodes();
+        scalar* numbers = add(output.t0(), output.step(), t, nodes);
+        const auto append = [&](const auto& x) { numbers = std::copy_n(x.data(), x.size(), numbers); };
+        append(output.y0());
         append(output.increments().middleCols(nodes.first_column, nodes.size));
-        t1_ = t;
+    }
+
+    /// One piece more, from t0 to t1; the n (1 + nodes.size) numbers of its polynomial, y(t0) and the increments at the
+    /// nodes, are to be written where the pointer that is returned leads.
+    template <class Nodes>
+    scalar* add(const scalar& t0, const scalar& h, const scalar& t1, const Nodes& nodes) {
+        const std::size_t first = numbers_.size();
+        pieces_.push_back({t0, h, t1, first, nodes_of(nodes)});
+        numbers_.resize(first + static_cast<std::size_t>(y0_.size() * (1 + nodes.size)));
+        t1_ = t1;
+        return numbers_.data() + first;
+    }
+    /// Takes room for so many pieces with so many nodes each.
+    void reserve(int pieces, int nodes) {
+        pieces_.reserve(static_cast<std::size_t>(pieces));
+        numbers_.reserve(static_cast<std::size_t>(pieces * y0_.size() * (1 + nodes)));
     }
 
     /// A run that an event has ended earlier covers less.
