@@ -8,7 +8,9 @@
 #include <dlfcn.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <stagecraft/problem/capabilities.hpp>
 #include <string>
 #include <vector>
@@ -93,11 +95,28 @@ outcome radau(radau_function solver, const Problem& problem, double rtol, double
     };
     const auto jac = solver == radau_symbol ? reinterpret_cast<void (*)()>(+without)
                                             : reinterpret_cast<void (*)()>(+with_bands);
+    // M as the band that it is, which both codes treat for itself; beyond the rows of q' = v.
+    static int mass_width;
+    mass_width = 0;
+    if constexpr (requires { problem.mass(); }) {
+        const Eigen::MatrixXd M = problem.mass();
+        for (int j = first_row; j < n; ++j)
+            for (int i = first_row; i < n; ++i)
+                if (M(i, j) != 0) mass_width = std::max(mass_width, std::abs(i - j));
+    }
+    if (2 * mass_width + 1 >= n - first_row) mass_width = n - first_row;  // full
     const auto mass = [](int* nm, double* am, int* lmas, double*, int*) {
         if constexpr (requires { current->mass(); }) {
             Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> out(am, *lmas, *nm,
                                                                      Eigen::OuterStride<>(*lmas));
-            out.topRows(*nm) = Eigen::MatrixXd(current->mass()).bottomRightCorner(*nm, *nm);
+            const Eigen::MatrixXd M = Eigen::MatrixXd(current->mass()).bottomRightCorner(*nm, *nm);
+            if (mass_width == *nm) {
+                out.topRows(*nm) = M;
+            } else {
+                for (int j = 0; j < *nm; ++j)
+                    for (int d = -mass_width; d <= mass_width; ++d)
+                        out(d + mass_width, j) = j + d >= 0 && j + d < *nm ? M(j + d, j) : 0;
+            }
         } else {
             (void)nm, (void)am, (void)lmas;
         }
@@ -110,7 +129,7 @@ outcome radau(radau_function solver, const Problem& problem, double rtol, double
     if constexpr (banded) ml = Problem::lower, mu = Problem::upper;
     int imas = 0;
     if constexpr (requires { problem.mass(); }) imas = 1;
-    int mlmas = n - first_row, mumas = n - first_row;
+    int mlmas = mass_width, mumas = mass_width;
     const int ljac = banded ? ml + mu + 1 : n, le = banded ? 2 * ml + mu + 1 : n;
     int lwork = n * (ljac + n * imas + 7 * le + 24) + 20, liwork = 5 * n + 20;  // seven stages at most
     std::vector<double> work(lwork, 0.0);
