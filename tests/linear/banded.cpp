@@ -116,6 +116,32 @@ BOOST_AUTO_TEST_CASE(matrices_factored_in_turn_have_the_factors_that_each_has_al
     BOOST_TEST(!blocks::factor_all(reals, pairs, sc::identity_mass{}, zero, shift));
 }
 
+// The same of all right-hand sides of a step, of any number of stages; with a large shift no rows are exchanged.
+BOOST_AUTO_TEST_CASE(systems_solved_in_turn_have_the_solutions_that_each_has_alone) {
+    using blocks = sc::banded_blocks<double>;
+    std::mt19937 g(13);
+    const int n = 23;
+    for (const sc::bandwidth band : {bands[0], bands[1], bands[2], bands[3], bands[6], {4, 4}})
+        for (const double size : {0.5, 40.0})
+            for (const auto& [number, of_pairs] :
+                 {std::pair{1, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {1, 3}, {3, 1}}) {
+                const auto J = random_band(n, band, g);
+                std::vector<double> shift;
+                for (int k = 0; k < number + 2 * of_pairs; ++k) shift.push_back(size + 0.1 * k);
+                std::vector<blocks::real> reals(static_cast<std::size_t>(number), blocks::real(n));
+                std::vector<blocks::complex> pairs(static_cast<std::size_t>(of_pairs), blocks::complex(n));
+                BOOST_REQUIRE(blocks::factor_all(reals, pairs, sc::identity_mass{}, J, shift.data()));
+                const Eigen::VectorXd b = Eigen::VectorXd::Random(n * (number + 2 * of_pairs));
+                Eigen::VectorXd x = b, y = b;
+                blocks::solve_all(reals, pairs, x.data(), n);
+                double* at = y.data();
+                for (const auto& block : reals) block.solve(at), at += n;
+                for (const auto& block : pairs) block.solve(at, at + n), at += 2 * n;
+                BOOST_TEST(x == y);
+                BOOST_TEST(x != b);
+            }
+}
+
 BOOST_AUTO_TEST_CASE(a_band_wider_than_the_matrix_is_an_error) {
     BOOST_CHECK_THROW(sc::banded_matrix<double>(3, {3, 0}), std::invalid_argument);
     BOOST_CHECK_THROW(sc::banded_matrix<double>(3, {0, -1}), std::invalid_argument);

@@ -51,6 +51,38 @@ bool eliminate_in_turn(int n, int lower, Ranges&&... ranges) {
     });
 }
 
+/// Calls row(first), row(first + step), ... of each of `substitutions` in turn, `count` times: while one waits for a result
+/// of its own, the others go on.
+template <class... Substitution>
+[[gnu::flatten]] inline bool substitute_in_turn(int first, int step, int count,
+                                                Substitution... substitutions) {
+    for (int k = first; count > 0; k += step, --count) (substitutions.row(k), ...);
+    return true;
+}
+
+/// Solves with factors of one size and band, a row of each in turn; one after the other where rows were exchanged or there
+/// are many diagonals. Each of `systems` has the factors `lu` and the right-hand side `x`.
+template <class First, class... More>
+void solve_in_turn(const First& first, const More&... more) {
+    const int n = first.lu.size(), width = std::max({first.lu.width(), more.lu.width()...});
+    with_count(first.lu.lower(), [&](auto lower) {
+        if constexpr (lower > 0)
+            if (!(first.lu.exchanged() || ... || more.lu.exchanged()))
+                return substitute_in_turn(0, 1, n, first.template down<lower, false>(),
+                                          more.template down<lower, false>()...);
+        return (substitute_in_turn(0, 1, n, first.template down<lower, true>()) && ... &&
+                substitute_in_turn(0, 1, n, more.template down<lower, true>()));
+    });
+    with_count(width, [&](auto constant) {
+        if constexpr (constant > 0)
+            return substitute_in_turn(n - 1, -1, n, first.template up<constant>(width),
+                                      more.template up<constant>(width)...);
+        else
+            return (substitute_in_turn(n - 1, -1, n, first.template up<0>(width)) && ... &&
+                    substitute_in_turn(n - 1, -1, n, more.template up<0>(width)));
+    });
+}
+
 }  // namespace detail
 
 /// LU with row pivoting of a banded matrix over T (a scalar or a complex_number). Row exchanges widen the
@@ -122,68 +154,91 @@ class banded_lu {
         return true;
     }
 
+    int size() const { return n_; }
+    int lower() const { return lower_; }
+    /// The diagonals above the main one that the upper factor has, and whether rows were exchanged.
+    int width() const { return width_; }
+    bool exchanged() const { return exchanged_; }
+
     /// x := A^-1 x; x is indexed from 0 to n - 1.
     template <class X>
-    void solve(X&& x) const {
-        detail::with_count(lower_, [&](auto lower) {
-            return exchanged_ ? this->template solve_lower<lower, true>(x)
-                              : this->template solve_lower<lower, false>(x);
-        });
-        detail::with_count(width_, [&](auto width) { return this->template solve_upper<width>(x); });
+    void solve(const X& x) const {
+        detail::solve_in_turn(right_hand_side<X>{*this, x});
     }
 
-  private:
-    // The entries of x that a column changes are kept in `next`, which moves along with it. Those beyond the
-    // ends of x are zeros; what becomes of them is not used.
+    /// Substitution with the lower factor, a row at a time from the first one on. Lower: its diagonals, 0 where their number
+    /// is not a constant; where it is, the entries of x that a column changes are kept in `next`, which moves along with
+    /// it. Those beyond the ends of x are zeros; what becomes of them is not used.
     template <int Lower, bool Exchanged, class X>
-    bool solve_lower(X& x) const {
-        if constexpr (Lower == 0) return solve_wide_lower(x);
-        std::array<T, Lower + 1> next{};
-        for (int i = 0; i <= Lower && i < n_; ++i) next[i] = x[i];
-        for (int k = 0; k < n_; ++k) {
-            const T* ck = column(k) + k;
-            if constexpr (Exchanged)
-                unrolled<Lower>(Lower, [&, p = pivot_[k] - k](auto i) {
-                    if (p == i + 1) std::swap(next[0], next[i + 1]);
-                });
-            const T m = next[0];
-            x.set(k, m);
-            unrolled<Lower>(Lower, [&](auto i) { next[i] = next[i + 1] - ck[i + 1] * m; });
-            next[Lower] = k + 1 + Lower < n_ ? T(x[k + 1 + Lower]) : T{};
+    struct downwards {
+        const banded_lu& lu;
+        X x;
+        std::array<T, Lower + 1> next;
+
+        downwards(const banded_lu& factors, const X& to) : lu(factors), x(to), next{} {
+            for (int i = 0; i <= Lower && i < lu.n_; ++i) next[i] = x[i];
         }
-        return true;
-    }
+        void row(int k) {
+            const T* ck = lu.column(k) + k;
+            const int p = lu.pivot_[k] - k;
+            if constexpr (Lower > 0) {
+                if constexpr (Exchanged)
+                    unrolled<Lower>(Lower, [&](auto i) {
+                        if (p == i + 1) std::swap(next[0], next[i + 1]);
+                    });
+                const T m = next[0];
+                x.set(k, m);
+                unrolled<Lower>(Lower, [&](auto i) { next[i] = next[i + 1] - ck[i + 1] * m; });
+                next[Lower] = k + 1 + Lower < lu.n_ ? T(x[k + 1 + Lower]) : T{};
+            } else {
+                const T m = x[k + p];
+                if (p != 0) x.set(k + p, x[k]);
+                x.set(k, m);
+                for (int i = 1; i <= std::min(lu.lower_, lu.n_ - 1 - k); ++i)
+                    x.set(k + i, x[k + i] - ck[i] * m);
+            }
+        }
+    };
+    /// The same with the upper factor, from the last row on.
     template <int Width, class X>
-    bool solve_upper(X& x) const {
-        std::array<T, Width + 1> next{};
-        for (int i = 0; i <= Width && i < n_; ++i) next[i] = x[n_ - 1 - i];
-        for (int k = n_ - 1; k >= 0; --k) {
-            const T* ck = column(k) + k;
+    struct upwards {
+        const banded_lu& lu;
+        X x;
+        int width;
+        std::array<T, Width + 1> next;
+
+        upwards(const banded_lu& factors, const X& to, int diagonals)
+            : lu(factors), x(to), width(diagonals), next{} {
+            for (int i = 0; i <= Width && i < lu.n_; ++i) next[i] = x[lu.n_ - 1 - i];
+        }
+        void row(int k) {
+            const T* ck = lu.column(k) + k;
             const T m = (Width > 0 ? next[0] : T(x[k])) * ck[0];
             x.set(k, m);
             if constexpr (Width > 0) {
                 unrolled<Width>(Width, [&](auto i) { next[i] = next[i + 1] - ck[-1 - i] * m; });
                 next[Width] = k - 1 - Width >= 0 ? T(x[k - 1 - Width]) : T{};
             } else {
-                for (int i = std::max(0, k - width_); i < k; ++i) x.set(i, x[i] - ck[i - k] * m);
+                for (int i = std::max(0, k - width); i < k; ++i) x.set(i, x[i] - ck[i - k] * m);
             }
         }
-        return true;
-    }
-
+    };
+    /// Factors and a right-hand side, for solve_in_turn().
     template <class X>
-    bool solve_wide_lower(X& x) const {
-        for (int k = 0; k < n_; ++k) {
-            const T* ck = column(k);
-            const int p = pivot_[k];
-            const T m = x[p];
-            if (p != k) x.set(p, x[k]);
-            x.set(k, m);
-            for (int i = k + 1; i <= std::min(k + lower_, n_ - 1); ++i) x.set(i, x[i] - ck[i] * m);
+    struct right_hand_side {
+        const banded_lu& lu;
+        X x;
+        template <int Lower, bool Exchanged>
+        auto down() const {
+            return downwards<Lower, Exchanged, X>(lu, x);
         }
-        return true;
-    }
+        template <int Width>
+        auto up(int width) const {
+            return upwards<Width, X>(lu, x, width);
+        }
+    };
 
+  private:
     /// Column j such that column(j)[i] is entry (i, j).
     T* column(int j) { return a_.data() + (static_cast<std::ptrdiff_t>(height_) * j + lower_ + upper_ - j); }
     const T* column(int j) const {
@@ -208,7 +263,7 @@ struct banded_blocks {
             assemble(lu_, mass, J, shift);
             return lu_.factor();
         }
-        void solve(Scalar* x) const { lu_.solve(access{x}); }
+        void solve(Scalar* x) const { detail::solve_in_turn(with(x)); }
         /// As of banded_lu.
         template <int Lower>
         bool eliminate(int k) {
@@ -222,6 +277,9 @@ struct banded_blocks {
             void set(int i, const Scalar& v) const { x[i] = v; }
         };
         friend banded_blocks;
+        auto with(Scalar* x) const {
+            return typename banded_lu<Scalar>::template right_hand_side<access>{lu_, {x}};
+        }
         banded_lu<Scalar> lu_;
     };
 
@@ -235,7 +293,7 @@ struct banded_blocks {
             assemble(lu_, mass, J, complex_number<Scalar>{re, im});
             return lu_.factor();
         }
-        void solve(Scalar* x, Scalar* y) const { lu_.solve(access{x, y}); }
+        void solve(Scalar* x, Scalar* y) const { detail::solve_in_turn(with(x, y)); }
         /// As of banded_lu.
         template <int Lower>
         bool eliminate(int k) {
@@ -249,6 +307,9 @@ struct banded_blocks {
             void set(int i, const complex_number<Scalar>& v) const { x[i] = v.re, y[i] = v.im; }
         };
         friend banded_blocks;
+        auto with(Scalar* x, Scalar* y) const {
+            return typename banded_lu<complex_number<Scalar>>::template right_hand_side<access>{lu_, {x, y}};
+        }
         banded_lu<complex_number<Scalar>> lu_;
     };
 
@@ -263,6 +324,29 @@ struct banded_blocks {
             shift += 2;
         }
         return detail::eliminate_in_turn(J.size(), J.lower(), reals, pairs);
+    }
+
+    /// Solves with all matrices of a step; the right-hand sides follow each other as the shifts do, n numbers each. At most
+    /// three matrices at a time: what more of them hold on to would not stay in registers.
+    static void solve_all(const std::vector<real>& reals, const std::vector<complex>& pairs, Scalar* x,
+                          int n) {
+        const auto column = [&](std::ptrdiff_t k) { return x + k * n; };
+        const auto pair = [&, first = static_cast<std::ptrdiff_t>(reals.size())](std::size_t k) {
+            const std::ptrdiff_t at = first + 2 * static_cast<std::ptrdiff_t>(k);
+            return pairs[k].with(column(at), column(at + 1));
+        };
+        std::size_t k = pairs.size() % 2;
+        if (reals.size() == 1 && k == 1) {
+            detail::solve_in_turn(reals[0].with(x), pair(0));
+        } else if (reals.size() == 1 && !pairs.empty()) {
+            detail::solve_in_turn(reals[0].with(x), pair(0), pair(1));
+            k = 2;
+        } else {
+            for (std::size_t r = 0; r < reals.size(); ++r)
+                reals[r].solve(column(static_cast<std::ptrdiff_t>(r)));
+            if (k == 1) detail::solve_in_turn(pair(0));
+        }
+        for (; k < pairs.size(); k += 2) detail::solve_in_turn(pair(k), pair(k + 1));
     }
 
   private:

@@ -55,6 +55,8 @@ class separate_blocks {
     void solve(const System& system, Scalar* x) {
         if constexpr (may_be_sparse)
             if (pairs_.factored()) return pairs_.solve(x);
+        if constexpr (requires { Blocks::solve_all(real_, complex_, x, n_); })
+            return Blocks::solve_all(real_, complex_, x, n_);
         each(system, x, [](auto& block, auto*... parts) { block.solve(parts...); });
     }
     /// The same, where the largest right-hand side may be solved up to `part` of it (0: as usual), and each other one up
