@@ -33,6 +33,7 @@ struct oscillator {
         if (fault == 6) f = Vector2d(y[1], -std::sin(y[0]));
         if (fault == 7) f = Vector2d(y[1], -3.6 * std::exp(y[0]));  // Bratu beyond its fold
         if (fault == 9) f = Vector2d(y[1], -0.2 * y[1] - y[0] * y[0] * y[0] + e * std::cos(t));  // Duffing
+        if (fault == 10) f = Vector2d(1 / t, y[0] - y[1]);
         if (fault == 3 && t > 0.4) f[0] = std::numeric_limits<double>::infinity();
     }
 };
@@ -47,6 +48,7 @@ struct ends {
         if (kind == 2) r = Vector2d(a[0] - alpha, 2 * a[0] - beta);  // dependent
         if (kind == 3) r[0] = a[0];                                  // one is not written
         if (kind == 5) r = Vector2d(a[1], a[0] - b[0]);
+        if (kind == 7) r = a;
         if (kind == 4) throw std::runtime_error("no");
         if (kind == 6) r.data()[2] = b[1];  // as r[2] without assertions
     }
@@ -263,6 +265,16 @@ BOOST_AUTO_TEST_CASE(what_callables_do_wrong_is_a_status) {
     BOOST_TEST(word(lobatto.status) == "non_finite");
     BOOST_TEST(lobatto.message.find("t = 0,") != std::string::npos);
     BOOST_TEST(lobatto.message.find("Gauss") != std::string::npos);
+}
+
+// x' = 1/t: the error of log t stays as the mesh closes in on t = 0.
+BOOST_AUTO_TEST_CASE(a_singularity_without_a_solution_ends_the_run) {
+    for (const double tolerance : {1e-3, 1e-8}) {
+        const auto r = solve(1, {0, 0, 7}, 10, {.rtol = tolerance});
+        BOOST_TEST(word(r.status) == "tolerance_not_met");
+        BOOST_TEST(!(r.error.global < 0.1));
+        BOOST_TEST(r.report.meshes < 60);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(resized_outputs_and_wrong_numbers_of_conditions_are_named) {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -93,9 +91,10 @@ class bvp_solver {
     template <class Guess>
     void search(const Guess& guess) {
         // The least error so far, and the meshes in a row that did not halve it: these double the mesh, so that
-        // the loop ends by max_intervals even where the error is nothing but rounding and goes up and down.
+        // the loop ends by max_intervals even where the error is nothing but rounding and goes up and down. Those that
+        // close in on a jump or a singularity do not: `stuck` counts meshes in a row that took no tenth off.
         Scalar least = std::numeric_limits<Scalar>::infinity();
-        int idle = 0, jumped = 0;
+        int idle = 0, jumped = 0, stuck = 0;
         if (few_ && !slow_beside(x_, system_, equations_.s())) few_ = false, begin(guess, guess_mesh_);
         for (;;) {
             if (from_guess_) least = std::numeric_limits<Scalar>::infinity(), idle = 0;  // anew
@@ -124,8 +123,11 @@ class bvp_solver {
                 continue;
             }
             before_ = x_;
+            stuck = error_ < 9 * least / 10 ? 0 : stuck + 1;
             idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
             if ((idle > 1 || (idle == 1 && rounding_only())) && hopeless(error_)) return;
+            if (stuck > 20)
+                return end(bvp_status::tolerance_not_met, "the error stays, however the mesh is refined");
             least = std::min(least, error_);
             const auto& jumps =
                 estimate_.jumps();  // in one mesh after the other: no layer is mistaken for one
@@ -201,21 +203,17 @@ class bvp_solver {
     /// After Newton has failed: a finer mesh, from the guess or from the last solution.
     template <class Guess>
     bool recover(const Guess& guess) {
-        if (outcome_.end == damped_newton_end::non_finite && from_guess_) {
-            if (equations_.conditions_at_fault())
-                end(bvp_status::non_finite,
-                    "the conditions r gave NaN or infinity, or left a number unwritten");
-            else
-                end_at(equations_.place());
-            return false;
-        }
-        if (hopeless(outcome_.remainder)) return false;
+        // Where f is not finite there are no factors, or those of another mesh.
+        const bool finite = outcome_.end != damped_newton_end::non_finite;
+        if (!finite && from_guess_) return end_where_not_finite(), false;
+        if (finite && hopeless(outcome_.remainder)) return false;
         if (++failures_ > 6 || 2 * x_.intervals() > o_.max_intervals || !o_.adapt) {
+            if (!finite) return end_where_not_finite(), false;
             end(bvp_status::newton_failed, "Newton's iteration found no decrease" +
                                                (failure_.empty() ? "" : "; at its last iterate " + failure_));
             return false;
         }
-        if (before_.t.empty() || rough() || outcome_.end == damped_newton_end::non_finite) {
+        if (before_.t.empty() || rough() || !finite) {
             begin(guess, guess_mesh_ = halved(guess_mesh_));
         } else {
             const auto finer = halved(x_.t);
@@ -341,6 +339,10 @@ class bvp_solver {
     void end(bvp_status status, const std::string& message) {
         result_.status = status;
         result_.message = message;
+    }
+    void end_where_not_finite() {
+        if (!equations_.conditions_at_fault()) return end_at(equations_.place());
+        end(bvp_status::non_finite, "the conditions r gave NaN or infinity, or left a number unwritten");
     }
     void end_at(const Scalar& t) {
         const auto& c = equations_.method().c;
