@@ -19,11 +19,13 @@ namespace {
 
 // Van der Pol's oscillator, or with mu = 0 the lecture's limit cycle.
 struct oscillator {
-    double mu;
+    double mu, force = 0;
     template <class T, class Y>
-    void operator()(const T&, const Y& y, Y& f) const {
+    void operator()(const T& t, const Y& y, Y& f) const {
+        using std::sin;
         f[0] = y[1];
         f[1] = mu * (1 - y[0] * y[0]) * y[1] - y[0];
+        if (force != 0) f[1] += force * sin(t);
         if (mu == 0) {
             f[0] = y[1] + y[0] * (1 - y[0] * y[0] - y[1] * y[1]);
             f[1] = -y[0] + y[1] * (1 - y[0] * y[0] - y[1] * y[1]);
@@ -117,6 +119,10 @@ BOOST_AUTO_TEST_CASE(a_period_counted_twice_and_a_point_are_not_orbits) {
     BOOST_TEST(sc::name(twice.status) == std::string("multiple_period"));
     BOOST_CHECK_THROW(sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 1.0),
                       std::invalid_argument);
+    BOOST_CHECK_EXCEPTION(sc::periodic_orbit(sc::gauss<5>(), oscillator{1, 0.1}, guess),
+                          std::invalid_argument, [](const auto& e) {
+                              return std::string(e.what()).find("must not depend on t") != std::string::npos;
+                          });
     guess.period = 0;
     BOOST_CHECK_THROW(sc::periodic_orbit(sc::gauss<5>(), oscillator{1}, guess), std::invalid_argument);
 }

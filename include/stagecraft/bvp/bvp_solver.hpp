@@ -92,7 +92,7 @@ class bvp_solver {
     void search(const Guess& guess) {
         // The least error so far, and the meshes in a row that did not halve it: these double the mesh, so that
         // the loop ends by max_intervals even where the error is nothing but rounding and goes up and down. Those that
-        // close in on a jump or a singularity do not: `stuck` counts meshes in a row that took no tenth off.
+        // close in on a jump or a singularity do not: `stuck` counts meshes in a row that took no hundredth off.
         Scalar least = std::numeric_limits<Scalar>::infinity();
         int idle = 0, jumped = 0, stuck = 0;
         if (few_ && !slow_beside(x_, system_, equations_.s())) few_ = false, begin(guess, guess_mesh_);
@@ -123,7 +123,7 @@ class bvp_solver {
                 continue;
             }
             before_ = x_;
-            stuck = error_ < 9 * least / 10 ? 0 : stuck + 1;
+            stuck = error_ < 99 * least / 100 ? 0 : stuck + 1;
             idle = error_ <= o_.rtol || error_ < least / 2 ? 0 : idle + 1;
             if ((idle > 1 || (idle == 1 && rounding_only())) && hopeless(error_)) return;
             if (stuck > 20)

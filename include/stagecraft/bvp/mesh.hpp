@@ -163,7 +163,8 @@ concept usable_guess = constant_guess<Guess> || requires(const Guess& guess, con
 template <class Scalar, class Guess>
 auto guess_value(const Guess& guess, const Scalar& t, Eigen::Index n) {
     auto value = guess_value(guess, t);
-    if (value.size() != n) throw bad_problem("guess must have the same number of components at every t");
+    if (value.size() != n)
+        throw bad_problem("solve_bvp: guess must have the same number of components at every t");
     return value;
 }
 template <class Scalar, class Guess>

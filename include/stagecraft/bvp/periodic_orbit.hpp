@@ -92,6 +92,12 @@ orbit_conditions<Vector> phase_of(Rhs& f, const orbit_guess<Vector>& guess, cons
         throw std::invalid_argument("periodic_orbit: phase_component and integral_phase exclude each other");
     Vector normal(n);
     f(guess.begin, at, normal);
+    Vector later = normal;
+    f(guess.begin + guess.period * Scalar(0.381966), at, later);
+    if ((normal.array() < later.array() || normal.array() > later.array()).any())
+        throw std::invalid_argument(
+            "periodic_orbit: f must not depend on t; solutions of an equation that does, of a period "
+            "that is known, are found by solve_bvp with r = left - right");
     if (!(normal.norm() > Scalar(0))) return {at, Vector::Zero(n), Scalar(0)};
     if (o.phase_component < 0) return {at, normal / normal.norm(), Scalar(0)};
     return {at, Vector::Unit(n, o.phase_component), o.phase_value - at[o.phase_component]};

@@ -126,7 +126,7 @@ template <class Scalar>
 std::string not_finite_at(const Scalar& t, bool end) {
     std::ostringstream text;
     text.precision(std::numeric_limits<Scalar>::max_digits10);
-    text << "f or its Jacobian gave NaN or infinity at t = " << t;
+    text << "f or its Jacobian gave NaN or infinity, or left a component unwritten, at t = " << t;
     if (end) text << ", an end of the interval, where Gauss methods do not evaluate f";
     return text.str();
 }
