@@ -7,7 +7,9 @@
 namespace stagecraft {
 
 /// Gauss methods of which solve_bvp takes the one that suits the tolerance: solve_bvp(gauss_variable(), ...).
-struct gauss_choice {};
+struct gauss_choice {
+    friend void take_tableau(const gauss_choice&);  // stands where a tableau does (bvp/solve.hpp)
+};
 inline gauss_choice gauss_variable() { return {}; }
 
 /// solve_bvp with 5 stages for rtol above 1e-6 and 7 below.
