@@ -160,12 +160,6 @@ class banded_lu {
     int width() const { return width_; }
     bool exchanged() const { return exchanged_; }
 
-    /// x := A^-1 x; x is indexed from 0 to n - 1.
-    template <class X>
-    void solve(const X& x) const {
-        detail::solve_in_turn(right_hand_side<X>{*this, x});
-    }
-
     /// Substitution with the lower factor, a row at a time from the first one on. Lower: its diagonals, 0 where their number
     /// is not a constant; where it is, the entries of x that a column changes are kept in `next`, which moves along with
     /// it. Those beyond the ends of x are zeros; what becomes of them is not used.
@@ -223,7 +217,7 @@ class banded_lu {
             }
         }
     };
-    /// Factors and a right-hand side, for solve_in_turn().
+    /// Factors and a right-hand side, indexed from 0 to n - 1, in which solve_in_turn() leaves the solution.
     template <class X>
     struct right_hand_side {
         const banded_lu& lu;

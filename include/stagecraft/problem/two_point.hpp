@@ -23,8 +23,8 @@ struct two_point_problem {
 };
 
 /// The problem of a right-hand side f(t, y, out), or f(t, y, p, out) with unknown parameters p, and conditions
-/// r(left, right, out) or r(left, right, p, out), which write n + n_p numbers: with algebraic components (mass(), index 1) their equations at one end
-/// are among them. f may bring jacobian(t, y, J)
+/// r(left, right, out) or r(left, right, p, out), which write n + n_p numbers: with algebraic components (mass(),
+/// index 1) their equations at one end are among them. f may bring jacobian(t, y, J)
 /// (with parameters jacobian(t, y, p, J), J being n x (n + n_p)), mass() and index() as for integrate(); what
 /// it does not bring, and the derivatives of r, come from automatic differentiation or differences.
 template <class Rhs, class Conditions>
