@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_jump_that_both_rules_miss_counts_as_error) {
             const switched f{inside(random), height};
             const auto r = solve(method, f, {.rtol = 1e-6});
             const double error = error_of(r.y, f);
-            failed += !r.ok(), blind += error > 4 * r.error.global, wrong += error > 4e-6;
+            failed += !r.ok(), blind += error > 10 * r.error.global, wrong += error > 4e-6;
             intervals += r.report.intervals;
         }
         BOOST_TEST(failed == 0);

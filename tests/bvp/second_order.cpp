@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
@@ -25,6 +26,13 @@ struct fast_modes {
 };
 struct of_second_order : fast_modes {
     static constexpr int second_order_components = 1;
+};
+// The same in the order (v, q), which is not of that form.
+struct velocities_first : fast_modes {
+    void operator()(double t, const Vector2d& y, Vector2d& f) const {
+        fast_modes::operator()(t, Vector2d(y[1], y[0]), f);
+        std::swap(f[0], f[1]);
+    }
 };
 // Not of that form, though its Jacobian is: q' = v + 1.
 struct not_of_second_order : of_second_order {
@@ -58,7 +66,10 @@ auto solve(double eps, const sc::bvp_options<double>& o) {
     return sc::solve_bvp(sc::gauss<5>(), sc::two_point(Problem{{eps}}, ends{}), -1.0, 1.0, Vector2d(0, 0), o);
 }
 auto solve_first_order(double eps, const sc::bvp_options<double>& o) {
-    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(fast_modes{eps}, ends{}), -1.0, 1.0, Vector2d(0, 0),
+    const auto r = [](const Vector2d& a, const Vector2d& b, Vector2d& out) {
+        out = Vector2d(a[1] + 1, b[1] + 1);
+    };
+    return sc::solve_bvp(sc::gauss<5>(), sc::two_point(velocities_first{{eps}}, r), -1.0, 1.0, Vector2d(0, 0),
                          o);
 }
 
@@ -120,6 +131,62 @@ BOOST_AUTO_TEST_CASE(orders_at_mesh_points_and_between_them) {
     }
     BOOST_TEST(std::abs(std::log2(at[0] / at[1]) - 10) < 0.3);
     BOOST_TEST(std::log2(between[0] / between[1]) > 7.5);
+}
+
+// What nobody has declared is seen: one evaluation of f more, and the same numbers.
+BOOST_AUTO_TEST_CASE(a_system_of_second_order_is_recognised) {
+    for (const double eps : {1.0, 1e-4, 1e-8}) {
+        const auto declared = solve<of_second_order>(eps, {.rtol = 1e-8}),
+                   seen = sc::solve_bvp(sc::gauss<5>(), sc::two_point(fast_modes{eps}, ends{}), -1.0, 1.0,
+                                        Vector2d(0, 0), {.rtol = 1e-8});
+        BOOST_TEST(seen.ok());
+        BOOST_TEST(seen.report.f == declared.report.f + 1);
+        BOOST_TEST((seen.mesh == declared.mesh));
+        for (const double t : {-0.7, 0.1, 0.9}) BOOST_TEST((seen.y(t) == declared.y(t)));
+    }
+}
+
+// u''' = -u, u = exp(-t), at fixed and at run-time size: u' = v is the one equation of that form.
+BOOST_AUTO_TEST_CASE(one_equation_of_three_is_recognised) {
+    const auto f = [](const auto&, const auto& y, auto& out) {
+        out[0] = y[1], out[1] = y[2], out[2] = -y[0];
+    };
+    const auto r = [](const auto& a, const auto& b, auto& out) {
+        out[0] = a[0] - 1, out[1] = a[1] + 1, out[2] = b[0] - std::exp(-2.0);
+    };
+    const auto error = [](const auto& answer) {
+        double worst = 0;
+        for (int k = 0; k <= 200; ++k)
+            for (int c = 0; c < 3; ++c)
+                worst = std::max(worst,
+                                 std::abs(answer.y(k / 100.0)[c] - (c == 1 ? -1 : 1) * std::exp(-k / 100.0)));
+        return worst;
+    };
+    const auto fixed = sc::solve_bvp(sc::gauss<3>(), sc::two_point(f, r), 0.0, 2.0, Eigen::Vector3d(0, 0, 0),
+                                     {.rtol = 1e-9}),
+               three = sc::solve_bvp(sc::gauss<3>(), sc::two_point(f, r), 0.0, 2.0, Eigen::Vector3d(1, -1, 1),
+                                     {.rtol = 1e-9});
+    const auto dynamic = sc::solve_bvp(sc::gauss<3>(), sc::two_point(f, r), 0.0, 2.0,
+                                       Eigen::VectorXd(Eigen::Vector3d(0, 0, 0)), {.rtol = 1e-9});
+    BOOST_TEST((fixed.ok() && three.ok() && dynamic.ok()));
+    BOOST_TEST(error(fixed) < 1e-9);
+    BOOST_TEST(error(three) < 1e-9);
+    BOOST_TEST(error(dynamic) < 1e-9);
+    BOOST_TEST(dynamic.report.intervals == fixed.report.intervals);
+}
+
+// q' = v on a part of the interval, at one node in the middle and near the guess: what was taken for granted is given up where
+// an evaluation contradicts it, and the work of both attempts is counted.
+BOOST_AUTO_TEST_CASE(what_only_looked_like_second_order_is_solved_as_it_is) {
+    const auto r = [](const auto& a, const auto& b, auto& out) { out[0] = a[0], out[1] = b[0] - 1; };
+    const auto later = [](const auto& t, const auto& y, auto& out) {
+        out[0] = y[1], out[1] = -y[0];
+        if (t > 0.9) out[0] += 1;
+    };
+    const auto pushed = sc::solve_bvp(sc::gauss<5>(), sc::two_point(later, r), 0.0, 1.0, Vector2d(0, 0),
+                                      {.rtol = 1e-10, .fixed_points = {0.9}});
+    BOOST_TEST(pushed.ok());
+    BOOST_TEST(std::abs(pushed.y(0.0)[1] - (1 - std::sin(0.1)) / std::sin(1.0)) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_first_component_whose_derivative_is_not_the_second_is_refused) {

@@ -332,18 +332,18 @@ BOOST_AUTO_TEST_CASE(intervals_are_limited_and_counts_are_what_they_cost) {
     BOOST_TEST(fixed.report.factorisations == 1);  // linear: one
     BOOST_TEST(fixed.report.error_solves == 1);
     BOOST_TEST(fixed.report.jacobians == 10 * 5 + 10);  // one per interval: are they constant?
-    // Where no mode is fast six intervals are tried first, after a look at f in the middle of each;
+    // Where no mode is fast six intervals are tried first, after a look at f in the middle of each and one at its form;
     const auto easy = solve(1, {0, 1}, 0, {.rtol = 1e-6});
     BOOST_TEST(easy.ok());
     BOOST_TEST(easy.report.intervals == 6);
-    BOOST_TEST(easy.report.f <= 6 * (1 + 2 * 5 + 7 + 2) + 6);
+    BOOST_TEST(easy.report.f <= 1 + 6 * (1 + 2 * 5 + 7 + 2) + 6);
     BOOST_TEST(easy.report.factorisations <= 2);
-    // where they see too little, they cost one step of Newton's iteration.
+    // where they see too little, they cost one step of Newton's iteration and, where they seemed enough, its estimate.
     const sc::bvp_options<double> strict{.rtol = 1e-10}, ten{.rtol = 1e-10, .intervals = 10};
     for (const double T : {10.0, 20.0, 40.0, 80.0}) {
         const auto after = solve(T, {0, 1}, 0, strict), alone = solve(T, {0, 1}, 0, ten);
         BOOST_TEST(after.ok());
-        BOOST_TEST(after.report.f <= alone.report.f + 6 * (1 + 2 * 5) + 6);
+        BOOST_TEST(after.report.f <= alone.report.f + 6 * (1 + 2 * 5 + 7 + 2) + 6);
     }
     const auto tiny = sc::solve_bvp(sc::gauss<5>(), sc::two_point(oscillator{}, ends{0, 1e-15}), 0.0, 1e-15,
                                     Vector2d(0, 0), {.rtol = 1e-10});
@@ -369,7 +369,13 @@ BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_large_values_is_no_success) {
     const auto turning = with(1, 2, 0.1);
     BOOST_TEST(turning.ok());
     BOOST_TEST(std::abs(turning.y(0.0)[1] + 0.5) < 1e-8);
-    for (const double e : {0.01, 0.005, 0.002}) BOOST_TEST(word(with(1, 2, e).status) == "ill_conditioned");
+    int refined = 0;  // where nothing but rounding is left, meshes may be refined to the end
+    for (const double e : {0.01, 0.007, 0.005, 0.004, 0.003, 0.002, 0.001}) {
+        const std::string status = word(with(1, 2, e).status);
+        refined += status == "too_many_intervals";
+        BOOST_TEST((status == "ill_conditioned" || status == "too_many_intervals"));
+    }
+    BOOST_TEST(refined <= 1);
     const auto usual = with(1e6);  // y = 1e6 sinh(1 - t) / sinh(1)
     BOOST_TEST(usual.ok());
     BOOST_TEST(std::abs(usual.y(0.5)[0] / (1e6 * std::sinh(0.5) / std::sinh(1.)) - 1) < 1e-8);

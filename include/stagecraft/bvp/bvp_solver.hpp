@@ -25,25 +25,42 @@ namespace stagecraft::detail {
 
 /// One problem on its way to the solution: Newton's iteration on a coarse mesh, the errors, the next mesh, until
 /// the tolerance holds or it is clear that it will not.
-template <class Scalar, int S, class Problem, class Vector, class Parameters, int Positions>
+template <class Scalar, int S, class Problem, class Vector, class Parameters>
 class bvp_solver {
     using system_type = two_point_system<Problem, Vector, Parameters>;
-    using equations_type = collocation_equations<system_type, S, Positions>;
+    using equations_type = collocation_equations<system_type, S>;
     using iterate = typename equations_type::iterate;
     using result_type = bvp_result<Vector, Parameters>;
 
   public:
     bvp_solver(const tableau<Scalar, S>& method, Problem& problem, int n, const Parameters& p,
-               const bvp_options<Scalar>& o)
+               const bvp_options<Scalar>& o, int positions = 0)
         : o_(o),
           floor_(o.atol > Scalar(0) ? Scalar(o.atol / o.rtol) : Scalar(1)),
           system_(problem.f, problem.r, n, static_cast<int>(p.size()), counts_),
           mass_(make_mass<Scalar>(problem.f, n)),
-          equations_(method, system_, mass_),
+          equations_(method, system_, mass_, positions),
           elimination_(equations_, lifting_rule_of(method)),
           estimate_(equations_, elimination_, o.fixed_points),
           newton_(equations_, result_.report, floor_) {
         x_.p = p;
+    }
+
+    /// Looks whether the first equations are q' = v: in the middle, near the guess. From then on they are taken for it, and
+    /// run() throws not_of_second_order where another evaluation of f shows that they are not.
+    template <class Guess>
+    void look_for_second_order(const Guess& guess, const Scalar& a, const Scalar& b) {
+        if (!decltype(mass_)::identity) return;
+        try {
+            equations_.look_for_second_order((a + b) / 2, guess_value(guess, (a + b) / 2), x_.p);
+        } catch (...) {
+        }  // run() says what is wrong with f
+    }
+    bool of_second_order() const { return equations_.positions() > 0; }
+    /// Adds the work of another solver, which was given up.
+    void count_work_of(const bvp_solver& other) {
+        counts_ = other.counts_;
+        result_.report = other.result_.report;
     }
 
     template <class Guess>
@@ -55,6 +72,8 @@ class bvp_solver {
         try {
             search(guess);
         } catch (const bad_problem&) {
+            throw;
+        } catch (const not_of_second_order&) {
             throw;
         } catch (const size_change&) {
             end(bvp_status::size_changed, "f or r resized its output");
@@ -247,7 +266,7 @@ class bvp_solver {
         if (!newton_.linear() || (vanishes_ && regular_.resolved()) || 2 * x_.intervals() > o_.max_intervals)
             return false;
         ++result_.report.factorisations;
-        equations_type finer(equations_.method(), system_, mass_);
+        equations_type finer(equations_.method(), system_, mass_, equations_.positions());
         return confirms_condition(finer, estimate_.on(halved(x_.t), x_), elimination_.shared_lifting(),
                                   floor_, last_kappa_);
     }
@@ -282,7 +301,7 @@ class bvp_solver {
         kappa_ = conditioning_.norm(least);
     }
     void end_in_family() {
-        equations_type own(equations_.method(), system_, mass_);
+        equations_type own(equations_.method(), system_, mass_, equations_.positions());
         const bool usable = estimate_.run(x_, floor_, o_.rtol / 100);
         result_.kernel = kernel_dimension(
             own, [&](const std::vector<Scalar>& t) { return estimate_.on(t, x_); }, x_,

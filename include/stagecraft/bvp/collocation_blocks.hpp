@@ -56,34 +56,31 @@ struct weights_of_q {
 ///
 /// The slopes are eliminated by rows with pivots from both kinds of equations, so that the n equations left,
 /// E y + F y_+ + P p = g, are well scaled for growing and decaying modes alike: a pole of R(z) is no obstacle.
-/// With Positions = m > 0 the first m equations are q' = v, v being the next m components. Then v is a polynomial of
+/// With `positions` = m > 0 the first m equations are q' = v, v being the next m components. Then v is a polynomial of
 /// degree s as before, and q its integral, of degree s + 1, as in collocation of q'' itself (Ascher-Christiansen-Russell
 /// 1981): where fast modes leave nothing of superconvergence, that gains two orders. s (n - m) unknowns are
 /// eliminated instead of s n.
-template <class Scalar, int N, int P, int S, int Positions = 0>
+template <class Scalar, int N, int P, int S>
 class collocation_blocks {
     static constexpr bool fixed = N > 0 && P >= 0 && S > 0;
-    static constexpr int m = Positions, stages = S > 0 ? S : 0;
-    static constexpr int slopes_at_compile_time = fixed && S * (N - m) <= 16 ? S * (N - m) : 0;
-    static constexpr int rows_at_compile_time = slopes_at_compile_time ? slopes_at_compile_time + N : 0;
-    static constexpr int columns_at_compile_time =
-        slopes_at_compile_time ? slopes_at_compile_time + 2 * N + P : 0;
-    using panel = row_panel<Scalar, rows_at_compile_time, columns_at_compile_time, slopes_at_compile_time>;
+    static constexpr int stages = S > 0 ? S : 0;
 
   public:
-    collocation_blocks(const tableau<Scalar, S>& method, int n, int parameters)
+    collocation_blocks(const tableau<Scalar, S>& method, int n, int parameters, int positions)
         : method_(method),
           A_by_rows_(method.A),
           n_(n),
           np_(parameters),
+          m_(positions),
           panel_(slopes() + n, slopes() + 2 * n + parameters, slopes()) {
-        if constexpr (m > 0) twice_ = remembered(method, [&] { return weights_of_q<Scalar, S>(method); });
+        if (m_ > 0) twice_ = remembered(method, [&] { return weights_of_q<Scalar, S>(method); });
     }
 
     int n() const { return N > 0 ? N : n_; }
     int np() const { return P >= 0 ? P : np_; }
     int s() const { return S > 0 ? S : method_.stages(); }
-    int slopes() const { return s() * (n() - m); }
+    int positions() const { return m_; }
+    int slopes() const { return s() * (n() - m_); }
     /// How many numbers apply() and recover() work on.
     int work() const { return slopes() + 2 * n() + np(); }
 
@@ -101,7 +98,7 @@ class collocation_blocks {
     template <class Mass>
     auto factor(int i, const Scalar& h, const Scalar* J, const Mass& mass) {
         write(block(i), h, J, mass);
-        panel_.eliminate(block(i), from(i));
+        on_panel([&](const auto& panel) { panel.eliminate(block(i), from(i)); });
         return condensed(i);
     }
 
@@ -117,10 +114,10 @@ class collocation_blocks {
     /// left sides are to become) into the right-hand sides of the eliminated equations: x holds slopes() + n numbers, the
     /// last n being g.
     void apply(int i, const Scalar* rho, const Scalar* gamma, Scalar* x) {
-        for (int c = m, l = 0; c < n(); ++c)
+        for (int c = m_, l = 0; c < n(); ++c)
             for (int j = 0; j < s(); ++j, ++l) x[l] = rho ? rho[j * n() + c] : Scalar(0);
         for (int c = 0; c < n(); ++c) x[slopes() + c] = gamma[c];
-        panel_.forward(block(i), from(i), x);
+        on_panel([&](const auto& panel) { panel.forward(block(i), from(i), x); });
     }
 
     /// The slopes Z (n x s) from what apply() left in x, once y at both ends and p are known.
@@ -129,27 +126,37 @@ class collocation_blocks {
         Scalar* known = x + slopes();
         for (int c = 0; c < n(); ++c) known[c] = left[c], known[n() + c] = right[c];
         for (int c = 0; c < np(); ++c) known[2 * n() + c] = p[c];
-        panel_.back(block(i), 2 * n() + np(), x);
-        for (int c = m, l = 0; c < n(); ++c)
+        on_panel([&](const auto& panel) { panel.back(block(i), 2 * n() + np(), x); });
+        for (int c = m_, l = 0; c < n(); ++c)
             for (int j = 0; j < s(); ++j, ++l) z[j * n() + c] = x[l];
-        if constexpr (m > 0) {
+        if (m_ > 0) {
             moved_.resize(s());
-            for (int c = 0; c < m; ++c) {
+            for (int c = 0; c < m_; ++c) {
                 transform<stages, stages>(s(), s(), method_.A.data(), x + c * s(), 1, moved_.data());
                 for (int j = 0; j < s(); ++j)
-                    z[j * n() + c] = h * (left[m + c] + moved_[j]) + (rho ? rho[j * n() + c] : Scalar(0));
+                    z[j * n() + c] = h * (left[m_ + c] + moved_[j]) + (rho ? rho[j * n() + c] : Scalar(0));
             }
         }
     }
 
   private:
+    /// act(panel) with the sizes of the panel known at compile time where it is small.
+    template <int M = 0, class Act>
+    void on_panel(const Act& act) const {
+        if constexpr (fixed && 2 * M <= N) {
+            constexpr int q = S * (N - M);
+            if (m_ != M) return on_panel<M + 1>(act);
+            if constexpr (q <= 16) return act(row_panel<Scalar, q + N, q + 2 * N + P, q>(0, 0, 0));
+        }
+        act(panel_);
+    }
     Scalar* block(int i) { return blocks_.data() + static_cast<std::size_t>(i) * panel_.size(); }
     int* from(int i) { return from_.data() + static_cast<std::size_t>(i) * slopes(); }
 
     /// Slopes and their equations are ordered by components, those of each at all nodes one behind the other.
     template <class Mass>
     void write(Scalar* a, const Scalar& h, const Scalar* J, const Mass& mass) const {
-        const int q = slopes(), width = panel_.width(), columns = panel_.columns();
+        const int m = m_, q = slopes(), width = panel_.width(), columns = panel_.columns();
         for (int c = m; c < n(); ++c)
             for (int j = 0; j < s(); ++j) {
                 Scalar* out = a + static_cast<std::ptrdiff_t>((c - m) * s() + j) * width;
@@ -169,7 +176,7 @@ class collocation_blocks {
                 for (int d = 0; d < np(); ++d) out[q + 2 * n() + d] = entry(n() + d);
                 for (int d = columns; d < width; ++d) out[d] = Scalar(0);
             }
-        for_mass<m>(mass, n(), [&](int r, int column, const Scalar& value) {
+        for_mass(mass, m, n(), [&](int r, int column, const Scalar& value) {
             for (int j = 0; j < s(); ++j)
                 a[static_cast<std::ptrdiff_t>(r * s() + j) * width + column * s() + j] += value;
         });
@@ -177,7 +184,7 @@ class collocation_blocks {
     }
 
     void write_continuity(Scalar* a, const Scalar& h) const {
-        const int q = slopes(), width = panel_.width();
+        const int m = m_, q = slopes(), width = panel_.width();
         for (int c = 0; c < n(); ++c, a += width) {
             for (int j = 0; j < width; ++j) a[j] = Scalar(0);
             a[q + c] = Scalar(-1);
@@ -194,8 +201,8 @@ class collocation_blocks {
     tableau<Scalar, S> method_;
     Eigen::Matrix<Scalar, S, S, Eigen::RowMajor> A_by_rows_;
     weights_of_q<Scalar, S> twice_;
-    int n_, np_;
-    panel panel_;
+    int n_, np_, m_;
+    row_panel<Scalar, 0, 0, 0> panel_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> blocks_;
     std::vector<int> from_;
     Eigen::Matrix<Scalar, S, 1> moved_;

@@ -16,6 +16,11 @@
 
 namespace stagecraft {
 
+namespace detail {
+/// Thrown where the first components of f are not those of y that follow, for which they were taken.
+struct not_of_second_order {};
+}  // namespace detail
+
 /// What Newton's iteration works on: the mesh, y at its points, the scaled slopes Z = h y' at the s nodes of
 /// every interval (n x s each, side by side) and the parameters. Corrections have the same form.
 template <class Scalar, int N, int P>
@@ -30,8 +35,8 @@ struct bvp_iterate {
 
 /// The collocation equations of a two-point problem on a mesh: residuals, their linearisation (condensed
 /// interval by interval to an n x 2n relation) and solutions with its factors. System is the two_point_system, S the number
-/// of stages, Positions that of the first equations that are q' = v.
-template <class System, int S, int Positions>
+/// of stages; the first `positions` equations are q' = v.
+template <class System, int S>
 class collocation_equations {
     using Scalar = typename System::scalar;
     using Mass = typename System::mass_type;
@@ -47,13 +52,14 @@ class collocation_equations {
         Eigen::Matrix<Scalar, (N > 0 && P >= 0 ? N + P : Eigen::Dynamic), 1>;  ///< of the conditions
     using square = Eigen::Matrix<Scalar, N, N>;
     using rule = detail::lifting_rule<Scalar, S>;
-    static constexpr int positions = Positions, stages = S;
+    static constexpr int stages = S;
 
-    collocation_equations(const tableau<Scalar, S>& method, System& system, const Mass& mass)
+    collocation_equations(const tableau<Scalar, S>& method, System& system, const Mass& mass,
+                          int positions = 0)
         : method_(method),
           system_(system),
           mass_(mass),
-          blocks_(method, system.size(), system.parameters()),
+          blocks_(method, system.size(), system.parameters(), positions),
           conditions_(system.size() + system.parameters(), 2 * system.size() + system.parameters()),
           stages_(s(), system.size()),
           stage_(system.size()) {}
@@ -64,6 +70,29 @@ class collocation_equations {
     int n() const { return N > 0 ? N : system_.size(); }
     int np() const { return P >= 0 ? P : system_.parameters(); }
     int s() const { return S > 0 ? S : method_.stages(); }
+    int positions() const { return blocks_.positions(); }
+    /// Takes the first m components for positions: the largest m <= n / 2 for which f is the next m of y there, at a point
+    /// where all of them differ.
+    void look_for_second_order(const Scalar& t, state y, const parameters& p) {
+        int m = n() / 2;
+        if (m == 0) return;
+        const Scalar size = y.cwiseAbs().maxCoeff(), apart = (size > Scalar(0) ? size : Scalar(1)) / 1000000;
+        for (int c = 0; c < n(); ++c) y[c] += (c + 1) * apart;
+        const auto& f = system_.f(t, y, p);
+        const auto holds = [&] {
+            for (int c = 0; c < m; ++c)
+                if (!(f[c] == y[c + m])) return false;
+            return true;
+        };
+        while (!holds()) --m;
+        blocks_ = {method_, n(), np(), m};
+    }
+    /// Throws not_of_second_order where f, evaluated at y, is not q' = v in its first components.
+    template <class F, class Y>
+    void demand_second_order(const F& f, const Y& y) const {
+        for (int c = 0; c < positions(); ++c)
+            if (!(f[c] == y[c + positions()])) throw detail::not_of_second_order();
+    }
 
     /// Where f or r was not finite: a time, or an end's conditions.
     const Scalar& place() const { return place_; }
@@ -220,11 +249,11 @@ class collocation_equations {
         const Scalar *Z = &x.Z(0, i * count), *y = &x.y(0, i), h = x.h(i);
         for (int c = 0; c < size; ++c) {
             Scalar* at_nodes = &stages_(0, c);
-            const bool twice = c < Positions;
+            const bool twice = c < positions();
             detail::transform<known, known>(count, count, twice ? blocks_.twice().data() : method_.A.data(),
-                                            Z + c + (twice ? Positions : 0), size, at_nodes);
+                                            Z + c + (twice ? positions() : 0), size, at_nodes);
             for (int j = 0; j < count; ++j)
-                at_nodes[j] = y[c] + (twice ? Scalar(h * (method_.c[j] * y[c + Positions] + at_nodes[j]))
+                at_nodes[j] = y[c] + (twice ? Scalar(h * (method_.c[j] * y[c + positions()] + at_nodes[j]))
                                             : at_nodes[j]);
         }
     }
@@ -232,7 +261,7 @@ class collocation_equations {
         for (int c = 0; c < n(); ++c) stage_[c] = stages_(j, c);
     }
     bool evaluate(const iterate& x, bool derivatives) {
-        const int size = n(), width = size + np(), count = s();
+        const int size = n(), width = size + np(), count = s(), m = positions();
         for (int i = 0; i < x.intervals(); ++i) {
             const Scalar h = x.h(i), *Z = &x.Z(0, i * count);
             set_stages(x, i);
@@ -243,23 +272,19 @@ class collocation_equations {
                 if (!all_finite(f, size)) return fail_at(t);
                 Scalar* rho = &rho_(0, i * count + j);
                 for (int c = 0; c < size; ++c) rho[c] = h * f[c];
-                for (int c = 0; c < Positions; ++c)
-                    if (!(f[c] == stage_[c + Positions]))
-                        throw bad_problem(
-                            "solve_bvp: problem.second_order_components does not hold: f_i is not y_{m+i}");
+                demand_second_order(f, stage_);
                 add_mass_times(mass_, Scalar(-1), Z + j * size, rho, size);
                 if (derivatives && !take_jacobian(t, &J_(0, (i * count + j) * width))) return fail_at(t);
             }
             Scalar* gamma = &gamma_(0, i);
             for (int c = 0; c < size; ++c) gamma[c] = x.y(c, i) - x.y(c, i + 1);
-            for (int c = 0; c < Positions; ++c) {
-                Scalar sum = x.y(c + Positions, i);
-                for (int k = 0; k < count; ++k)
-                    sum += blocks_.twice_to_end()[k] * Z[k * size + c + Positions];
+            for (int c = 0; c < m; ++c) {
+                Scalar sum = x.y(c + m, i);
+                for (int k = 0; k < count; ++k) sum += blocks_.twice_to_end()[k] * Z[k * size + c + m];
                 gamma[c] += h * sum;
             }
             for (int k = 0; k < count; ++k)
-                for (int c = Positions; c < size; ++c) gamma[c] += method_.b[k] * Z[k * size + c];
+                for (int c = m; c < size; ++c) gamma[c] += method_.b[k] * Z[k * size + c];
         }
         const auto& r = system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
         for (int k = 0; k < width; ++k) beta_[k] = -r[k];
@@ -287,7 +312,7 @@ class collocation_equations {
     tableau<Scalar, S> method_;
     System& system_;
     const Mass& mass_;
-    detail::collocation_blocks<Scalar, N, P, S, Positions> blocks_;
+    detail::collocation_blocks<Scalar, N, P, S> blocks_;
     two_point_matrix<Scalar, N> matrix_;
     wide rho_, gamma_, g_, J_;
     column beta_;

@@ -192,7 +192,7 @@ class error_estimate {
     }
 
   private:
-    static constexpr int N = wide::RowsAtCompileTime, NN = N > 0 ? N *N : N, M = Equations::positions,
+    static constexpr int N = wide::RowsAtCompileTime, NN = N > 0 ? N *N : N,
                          S = Equations::stages > 0 ? Equations::stages : 0,
                          usual_nodes = detail::lifting_elimination<Equations>::usual_nodes;
 
@@ -204,7 +204,8 @@ class error_estimate {
     /// The slopes, times h, of the polynomial of y (the solution's or the error's) at the nodes of interval i.
     template <int Nodes>
     void collocation_slopes(const iterate& x, const iterate& y, int i, scalar* out) {
-        const int n = equations_.n(), m = nodes_of<Nodes>(), s = S > 0 ? S : equations_.s();
+        const int n = equations_.n(), m = nodes_of<Nodes>(), M = equations_.positions(),
+                  s = S > 0 ? S : equations_.s();
         const scalar *Z = &y.Z(0, i * s), h = x.h(i);
         for (int k = 0; k < m; ++k)
             detail::combine<N, S>(rule_.lagrange.data() + k * s, s, Z, n, out + k * n, n);
@@ -265,9 +266,10 @@ class error_estimate {
             const auto& f = equations_.system().f(t, stage_, x.p);
             if (!all_finite(f, n)) return fail_at(t);
             scalar* d = &d_(0, k);
+            equations_.demand_second_order(f, stage_);
             for (int c = 0; c < n; ++c) d[c] = -h * f[c];
             add_mass_times(equations_.mass(), scalar(1), W + k * n, d, n);
-            for (int c = 0; c < M; ++c) d[c] = scalar(0);
+            for (int c = 0; c < equations_.positions(); ++c) d[c] = scalar(0);
         }
         return true;
     }

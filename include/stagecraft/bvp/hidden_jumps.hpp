@@ -29,7 +29,7 @@ void add_hidden_jumps(const Rule& rule, const Equations& equations, const Iterat
         if (std::binary_search(known.begin(), known.end(), x.t[i])) continue;
         const scalar h = x.h(i - 1), next = x.h(i), behind = (1 - rule.last) * h, before = rule.first * next;
         const auto J = equations.jacobians(i - 1).middleCols((s - 1) * width, n);
-        for (int c = Equations::positions; c < n; ++c) {
+        for (int c = equations.positions(); c < n; ++c) {
             const scalar left = rule.at_end.dot(slopes.row(c).segment((i - 1) * m, m)) / h,
                          right = rule.at_start.dot(slopes.row(c).segment(i * m, m)) / next;
             scalar usual = rounding * (abs(left) + abs(right));
@@ -61,7 +61,7 @@ bool find_jumps(const Rule& rule, const Equations& equations, const Iterate& x, 
     jumps.setZero(n, x.intervals());
     for (int i = 0; i < x.intervals(); ++i) {
         bool here = false;
-        for (int c = Equations::positions; c < n; ++c) {
+        for (int c = equations.positions(); c < n; ++c) {
             if (!(rule.unseen * inner(c, i) > negligible) ||
                 !(inner(c, i) > rule.jump_share * rule.last_coefficients(&slopes(c, i * m), n)))
                 continue;

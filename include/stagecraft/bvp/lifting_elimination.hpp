@@ -24,8 +24,7 @@ class lifting_elimination {
     using iterate = typename Equations::iterate;
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     static constexpr int N = Equations::wide::RowsAtCompileTime, NN = N > 0 ? N *N : N,
-                         M = Equations::positions, S = Equations::stages > 0 ? Equations::stages : 0,
-                         R = N > 0 ? N - M : 0;
+                         S = Equations::stages > 0 ? Equations::stages : 0;
 
   public:
     using rule = typename Equations::rule;
@@ -54,7 +53,7 @@ class lifting_elimination {
             from_.resize(static_cast<std::size_t>(all * size));
         interpolated_.assign(static_cast<std::size_t>(all), -1),
             factored_.assign(static_cast<std::size_t>(all), -1);
-        x_.resize(size), moved_.resize((M + 1) * m);
+        x_.resize(size), moved_.resize((positions() + 1) * m);
         own_.resize(n), change_.resize(n);
     }
 
@@ -75,21 +74,8 @@ class lifting_elimination {
     /// g from d, both n x m.
     template <int Nodes, class Columns>
     void solve(int i, const scalar& h, const Columns& d, Columns& g) {
-        const auto p = panel<Nodes>();
-        const int size = p.rows(), k = slot(i);
-        scalar *a = panels_.data() + k * panel_size_, *x = x_.data();
-        int* from = from_.data() + static_cast<std::size_t>(k) * size;
         const scalar* hJ = jacobians<Nodes>(i, h);
-        if (std::exchange(factored_[k], i) == i) {
-            right_sides<Nodes>(hJ, d, x, 1);
-            p.forward(a, from, x);
-        } else {
-            write<Nodes>(p, h, hJ, a);
-            right_sides<Nodes>(hJ, d, a + size, p.width());
-            p.eliminate(a, from);
-            for (int l = 0; l < size; ++l) x[l] = a[l * p.width() + size];
-        }
-        p.back(a, 0, x);
+        on_panel<Nodes>([&](const auto& p) { eliminate<Nodes>(p, i, h, hJ, d); });
         take<Nodes>(h, d, g);
     }
 
@@ -129,21 +115,45 @@ class lifting_elimination {
     }
     template <int Nodes>
     int unknowns() const {
-        return (equations_.n() - M) * nodes<Nodes>();
+        return (equations_.n() - positions()) * nodes<Nodes>();
     }
-    template <int Nodes>
-    auto panel() const {
-        constexpr int all = R * Nodes, known = all <= 16 ? all : 0;  // larger ones gain nothing by it
+    int positions() const { return equations_.positions(); }
+    /// act(panel) with the sizes of the panel known at compile time where it is small; larger ones gain nothing by it.
+    template <int Nodes, int M = 0, class Act>
+    void on_panel(const Act& act) const {
+        if constexpr (Nodes > 0 && 0 < N && 2 * M <= N) {
+            constexpr int all = (N - M) * Nodes;
+            if (positions() != M) return on_panel<Nodes, M + 1>(act);
+            if constexpr (all <= 16) return act(row_panel<scalar, all, all + 1, all>(all, all + 1, all));
+        }
         const int size = unknowns<Nodes>();
-        return row_panel < scalar, known, known ? known + 1 : 0, known > (size, size + 1, size);
+        act(row_panel<scalar, 0, 0, 0>(size, size + 1, size));
     }
     /// Where the factors of interval i are kept.
     int slot(int i) const { return kept_ > 1 ? i : 0; }
 
+    /// What is eliminated of g, in x: with the factors of interval i, or with new ones.
+    template <int Nodes, class Panel, class Columns>
+    void eliminate(const Panel& p, int i, const scalar& h, const scalar* hJ, const Columns& d) {
+        const int size = p.rows(), k = slot(i);
+        scalar *a = panels_.data() + k * panel_size_, *x = x_.data();
+        int* from = from_.data() + static_cast<std::size_t>(k) * size;
+        if (std::exchange(factored_[k], i) == i) {
+            right_sides<Nodes>(hJ, d, x, 1);
+            p.forward(a, from, x);
+        } else {
+            write<Nodes>(p, h, hJ, a);
+            right_sides<Nodes>(hJ, d, a + size, p.width());
+            p.eliminate(a, from);
+            for (int l = 0; l < size; ++l) x[l] = a[l * p.width() + size];
+        }
+        p.back(a, 0, x);
+    }
+
     /// Unknowns and equations are ordered by components, those of each at all nodes one behind the other.
     template <int Nodes, class Panel>
     void write(const Panel& p, const scalar& h, const scalar* hJ, scalar* a) const {
-        const int n = equations_.n(), m = nodes<Nodes>(), width = p.width();
+        const int n = equations_.n(), m = nodes<Nodes>(), M = positions(), width = p.width();
         for (int c = M; c < n; ++c)
             for (int k = 0; k < m; ++k) {
                 const scalar *once = rule_->integrals.data() + k * m, *twice = rule_->twice.data() + k * m,
@@ -157,7 +167,7 @@ class lifting_elimination {
                 }
                 for (int l = p.columns() - 1; l < width; ++l) row[l] = scalar(0);
             }
-        for_mass<M>(equations_.mass(), n, [&](int row, int column, const scalar& value) {
+        for_mass(equations_.mass(), M, n, [&](int row, int column, const scalar& value) {
             for (int k = 0; k < m; ++k)
                 a[static_cast<std::ptrdiff_t>(row * m + k) * width + column * m + k] += value;
         });
@@ -166,7 +176,7 @@ class lifting_elimination {
     /// d + h f_q (integral of d_q) of the components that are eliminated, `stride` apart.
     template <int Nodes, class Columns>
     void right_sides(const scalar* hJ, const Columns& d, scalar* out, int stride) {
-        const int n = equations_.n(), m = nodes<Nodes>();
+        const int n = equations_.n(), m = nodes<Nodes>(), M = positions();
         bool moved = false;
         for (int q = 0; q < M; ++q)
             for (int k = 0; k < m; ++k) moved |= !(d(q, k) == scalar(0));
@@ -182,7 +192,7 @@ class lifting_elimination {
     /// g from what the elimination has left in x.
     template <int Nodes, class Columns>
     void take(const scalar& h, const Columns& d, Columns& g) {
-        const int n = equations_.n(), m = nodes<Nodes>();
+        const int n = equations_.n(), m = nodes<Nodes>(), M = positions();
         for (int c = M; c < n; ++c)
             for (int k = 0; k < m; ++k) g(c, k) = x_[(c - M) * m + k];
         for (int q = 0; q < M; ++q) {

@@ -127,8 +127,8 @@ class path_follower {
         bvp_options<Scalar> b;
         b.rtol = rtol_, b.intervals = o_.intervals, b.mesh = mesh, b.conditioning = false;
         two_point_problem<Rhs, conditions> problem{problem_.f, r};
-        bvp_solver<Scalar, S, two_point_problem<Rhs, conditions>, Vector, Parameters, 0> s(method_, problem,
-                                                                                           n_, p, b);
+        bvp_solver<Scalar, S, two_point_problem<Rhs, conditions>, Vector, Parameters> s(method_, problem, n_,
+                                                                                        p, b);
         auto solved = s.run(guess, a_, b_);
         out.status = solved.status, out.message = solved.message;
         out.p = solved.p;

@@ -238,7 +238,7 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
     b.conditioning = false;
     detail::validate(b, Scalar(0), Scalar(1));
     b.mesh = detail::mesh_of_steps(guess, o.intervals, o.max_intervals);
-    using solver_type = detail::bvp_solver<Scalar, S, problem, Vector, parameters, 0>;
+    using solver_type = detail::bvp_solver<Scalar, S, problem, Vector, parameters>;
     std::optional<solver_type> solver;
     bvp_result<Vector, parameters> solved;
     const auto given = detail::in_units_of_the_period(guess);

@@ -79,6 +79,9 @@ struct call_of_solve_bvp {
 /// solve with the factors of Newton's iteration (bvp/error_estimate.hpp). Success means: the estimated error
 /// of y(t) for all t, and of p, is within the tolerance, and the linearised problem is regular beyond the errors of
 /// rounding, of differences and, where its fundamental solutions are resolved, of the mesh (bvp/regularity.hpp).
+/// Where the first m components of f are the next m of y, q' = v, the largest such m is found by one evaluation of f near
+/// the guess, or stated by f's second_order_components: q is then a polynomial of degree s + 1, and m s unknowns less
+/// are eliminated.
 /// Bad arguments throw std::invalid_argument, which names the argument; everything else is said by
 /// result.status. Cost of a Newton step: N s evaluations of f and its Jacobian, O(N s^3 n^3) operations.
 template <class Scalar, int S, class Rhs, class Conditions, class Guess, class Parameters>
@@ -126,15 +129,26 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
         if constexpr (has_index<Rhs>)
             for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(problem.f.index().size()); ++i)
                 detail::demand_bvp(problem.f.index()[i] <= 1, "problem.index() must not exceed 1");
-        constexpr int positions = [] {
-            if constexpr (has_second_order_components<Rhs>)
-                return int(Rhs::second_order_components);
-            else
-                return 0;
-        }();
-        detail::bvp_solver<Scalar, S, two_point_problem<Rhs, Conditions>, vector, parameters, positions>
-            solver(method, problem, n, p, o);
-        return solver.run(guess, a, b);
+        using solver = detail::bvp_solver<Scalar, S, two_point_problem<Rhs, Conditions>, vector, parameters>;
+        int positions = 0;
+        constexpr bool declared = has_second_order_components<Rhs>;
+        if constexpr (declared) positions = position_components<Rhs>(n);
+        solver first(method, problem, n, p, o, positions);
+        if constexpr (!declared) first.look_for_second_order(guess, a, b);
+        try {
+            auto result = first.run(guess, a, b);
+            const bool failed =
+                result.status == bvp_status::newton_failed || result.status == bvp_status::non_finite;
+            if (declared || !failed || !first.of_second_order())
+                return result;  // else once more as it stands
+        } catch (const detail::not_of_second_order&) {
+            if (declared)
+                throw bad_problem(
+                    "solve_bvp: problem.second_order_components does not hold: f_i is not y_{m+i}");
+        }
+        solver again(method, problem, n, p, o);
+        again.count_work_of(first);
+        return again.run(guess, a, b);
     } else {
         return bvp_result<vector, parameters>{};
     }

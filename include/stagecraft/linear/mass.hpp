@@ -111,15 +111,15 @@ void add_mass(const entry_mass<Scalar>& m, const Scalar& factor, Scalar* a, int 
 
 namespace detail {
 
-/// write(row, column, value) for every entry of M, n x n, without its first First rows and columns, which are not counted.
-template <int First, class Write>
-void for_mass(const identity_mass&, int n, const Write& write) {
-    for (int i = 0; i < n - First; ++i) write(i, i, 1);
+/// write(row, column, value) for every entry of M, n x n, without its first rows and columns, which are not counted.
+template <class Write>
+void for_mass(const identity_mass&, int first, int n, const Write& write) {
+    for (int i = 0; i < n - first; ++i) write(i, i, 1);
 }
-template <int First, class Scalar, class Write>
-void for_mass(const entry_mass<Scalar>& m, int, const Write& write) {
+template <class Scalar, class Write>
+void for_mass(const entry_mass<Scalar>& m, int first, int, const Write& write) {
     for (const auto& e : m.entries())
-        if (e.row >= First && e.column >= First) write(e.row - First, e.column - First, e.value);
+        if (e.row >= first && e.column >= first) write(e.row - first, e.column - first, e.value);
 }
 
 }  // namespace detail
