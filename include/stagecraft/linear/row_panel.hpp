@@ -37,17 +37,14 @@ class row_panel {
     /// LU in place: multipliers below the diagonal, the reciprocals of the pivots on it; from[k] is the row that changed
     /// places with row k. Below a pivot that nothing can be divided by, multipliers are zero.
     void eliminate(Scalar* a, int* from) const {
-        for_pivots([&](auto k) {
-            Scalar* top = a + k * width();
-            const bool usable = exchange(a, from, k);
-            const auto subtract = subtraction<decltype(k)>(top, k);
-            for (int i = k + 1; i < rows(); ++i) {
-                Scalar* other = top + (i - k) * width();
-                const Scalar by = usable ? Scalar(other[k] * top[k]) : Scalar(0);
-                if (!(by == Scalar(0))) subtract(other, by);  // of few dependences most are
-                other[k] = by;
-            }
-        });
+        const auto one_alone = [&](const Scalar* top, auto k) { return subtraction(top, k); };
+        if constexpr (unrolled) {
+            for_pivots([&](auto k) { pivot(a, from, k, one_alone); });
+        } else {
+            int k = 0;
+            for (; k + 1 < pivots(); k += 2) pivot_twice(a, from, k);
+            if (k < pivots()) pivot(a, from, k, one_alone);
+        }
     }
 
     /// x, `rows` numbers, as the elimination would have left it in another column. In every sum the newest number comes last,
@@ -82,6 +79,36 @@ class row_panel {
         else for (int k = 0; k < pivots(); ++k) act(k);
     }
 
+    /// Brings the largest pivot to row k and writes the multipliers of the rows below; what `subtraction_of` makes of the pivot's
+    /// row subtracts its multiples from them.
+    template <class Index, class Make>
+    void pivot(Scalar* a, int* from, Index k, const Make& subtraction_of) const {
+        Scalar* top = a + k * width();
+        const bool usable = exchange(a, from, k);
+        const auto subtract = subtraction_of(top, k);
+        for (int i = k + 1; i < rows(); ++i) {
+            Scalar* other = top + (i - k) * width();
+            const Scalar by = usable ? Scalar(other[k] * top[k]) : Scalar(0);
+            subtract(other, by);
+            other[k] = by;
+        }
+    }
+
+    /// pivot() for k and k + 1, to the same bits: only column k + 1 is needed to choose the second, and what both subtract
+    /// from the others is read and written once.
+    void pivot_twice(Scalar* a, int* from, int k) const {
+        pivot(a, from, k, [](const Scalar* top, int k) {
+            return [=](Scalar* other, const Scalar& by) { other[k + 1] -= by * top[k + 1]; };
+        });
+        const Scalar* one = a + k * width();
+        pivot(a, from, k + 1, [=, row = width()](Scalar* two, int) {
+            subtract_multiple(two[k], one, k + 2, row, two);
+            return [=](Scalar* other, const Scalar& by) {
+                subtract_multiples(other[k], one, by, two, k + 2, row, other);
+            };
+        });
+    }
+
     /// Brings the largest pivot to row k, inverted; false if nothing can be divided by it.
     bool exchange(Scalar* a, int* from, int k) const {
         using std::abs;
@@ -110,6 +137,7 @@ class row_panel {
             } held;
             for (int q = 0; q < count; ++q) held.part[q] = P::load(top + begin + q * P::size);
             return [held, top](Scalar* other, const Scalar& by) {
+                if (by == Scalar(0)) return;
                 for (int j = Index::value + 1; j < begin; ++j) other[j] -= by * top[j];
                 for (int q = 0; q < count; ++q) {
                     Scalar* to = other + begin + q * P::size;
@@ -123,8 +151,9 @@ class row_panel {
         }
     }
 
-    /// The same between the columns `begin` and `end`, which ends a packet.
+    /// The same between the columns `begin` and `end`, which ends a packet. Of few dependences most multipliers are zero.
     static void subtract_multiple(const Scalar by, const Scalar* top, int begin, int end, Scalar* other) {
+        if (by == Scalar(0)) return;
         const auto all = P::all(by);
         for (; begin % P::size != 0 && begin < end; ++begin) other[begin] -= by * top[begin];
         for (; begin + 2 * P::size <= end; begin += 2 * P::size) {
@@ -135,6 +164,25 @@ class row_panel {
         }
         for (; begin < end; begin += P::size)
             P::store(other + begin, P::load(other + begin) - all * P::load(top + begin));
+    }
+
+    /// The same with multiples x and y of two rows.
+    static void subtract_multiples(const Scalar x, const Scalar* one, const Scalar y, const Scalar* two,
+                                   int begin, int end, Scalar* other) {
+        if (x == Scalar(0)) return subtract_multiple(y, two, begin, end, other);
+        if (y == Scalar(0)) return subtract_multiple(x, one, begin, end, other);
+        const auto all_x = P::all(x), all_y = P::all(y);
+        const auto less_both = [&](int j) {
+            return P::load(other + j) - all_x * P::load(one + j) - all_y * P::load(two + j);
+        };
+        for (; begin % P::size != 0 && begin < end; ++begin)
+            other[begin] = other[begin] - x * one[begin] - y * two[begin];
+        for (; begin + 2 * P::size <= end; begin += 2 * P::size) {
+            const auto here = less_both(begin), behind = less_both(begin + P::size);
+            P::store(other + begin, here);
+            P::store(other + begin + P::size, behind);
+        }
+        for (; begin < end; begin += P::size) P::store(other + begin, less_both(begin));
     }
 
     /// sum less the products of row and x from `first` to before `last`.
