@@ -300,6 +300,24 @@ BOOST_AUTO_TEST_CASE(a_touch_counts_and_a_near_miss_does_not) {
     BOOST_TEST(watch.found()[2].t == 0.5 + 1e-6, within(1e-9));
 }
 
+// Wherever the samples fall; and a third power is one crossing, not a crossing and a touch.
+BOOST_AUTO_TEST_CASE(a_touch_counts_at_every_place_of_a_step) {
+    for (int k = 0; k < 100; ++k) {
+        const double touched = 0.3 + k * 0.00737;
+        const auto power = [touched](int p, double sign) {
+            return sc::event([=](double t, const V1&) { return sign * std::pow(t - touched, p); });
+        };
+        auto watch = sc::events<V1>(power(2, 1), power(2, -1), power(4, 1), power(3, 1));
+        run_clock(0, 1.5, 0.4, watch);
+        BOOST_TEST_CONTEXT("at " << touched) {
+            BOOST_REQUIRE(watch.found().size() == 4u);
+            for (const auto& o : watch.found()) BOOST_TEST(std::abs(o.t - touched) < 1e-4);
+            for (const auto& o : watch.found())
+                if (o.event < 2) BOOST_TEST(std::abs(o.t - touched) < 1e-8);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_function_that_gives_nan_ends_the_run_and_is_named) {
     auto watch = sc::events<V1>(sc::event(time_minus(0.3)),
                                 sc::event([](double t, const V1&) { return std::sqrt(2.25 - t) + 1; }));

@@ -69,9 +69,10 @@ void narrow(F&& g, time_bracket<Scalar>& i, const Scalar& resolution) {
 
 /// Looks for a point where g, which has the same sign at both ends of the bracket, is zero or has the other
 /// sign. A golden section search follows the extremum to 1e-8 of the interval and ends as soon as such a
-/// point is met: then it returns true and sets t and value. g must not return NaN.
+/// point is met: then it returns true and sets t and value. An extremum of at most `touch` is taken for zero. g must not
+/// return NaN.
 template <class Scalar, class F>
-bool find_dip(F&& g, const time_bracket<Scalar>& i, Scalar& t, Scalar& value) {
+bool find_dip(F&& g, const time_bracket<Scalar>& i, const Scalar& touch, Scalar& t, Scalar& value) {
     using std::sqrt;
     const bool negative = i.at_a < Scalar(0);
     const Scalar golden = (Scalar(3) - sqrt(Scalar(5))) / 2;
@@ -101,7 +102,9 @@ bool find_dip(F&& g, const time_bracket<Scalar>& i, Scalar& t, Scalar& value) {
             at_y = height(y);
         }
     }
-    return at_y <= Scalar(0);
+    if (at_y > touch) return false;
+    if (at_y > Scalar(0)) t = y, value = Scalar(0);
+    return true;
 }
 
 }  // namespace stagecraft

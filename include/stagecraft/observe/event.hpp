@@ -229,12 +229,15 @@ class event_watch {
             if (i.at_a == scalar(0)) return;
         }
         scalar t{}, v{};
-        const auto dips = [&](const auto& f, const time_bracket<scalar>& j) {
+        const auto dips = [&](const auto& f, const time_bracket<scalar>& j, const scalar& touch) {
             return heads_for_zero(j.at_a, f(j.a + near)) && heads_for_zero(j.at_b, f(j.b - near)) &&
-                   find_dip(f, j, t, v);
+                   find_dip(f, j, touch, t, v);
         };
         if (!changes_sign(i)) {
-            if (!may_dip(e, i.at_a, i.at_b) || !dips(g, i)) return;
+            // A smooth g that touches zero is as flat there as rounding of its values on the way.
+            const scalar touch =
+                4 * std::numeric_limits<scalar>::epsilon() * std::max<scalar>(abs(i.at_a), abs(i.at_b));
+            if (!may_dip(e, i.at_a, i.at_b) || !dips(g, i, touch)) return;
             search(e, {i.a, i.at_a, t, v}, g, solution, depth + 1);
             return search(e, {t, v, i.b, i.at_b}, g, solution, depth + 1);
         }
@@ -250,7 +253,7 @@ class event_watch {
         if (abs(r - j.b) < abs(near)) j.b -= near;
         j.at_a = other_factor(j.a);
         j.at_b = other_factor(j.b);
-        if (changes_sign(j) || !dips(other_factor, j)) return;
+        if (changes_sign(j) || !dips(other_factor, j, scalar(0))) return;
         v *= t - r;
         const auto part = [&](const scalar& from, const scalar& at_from, const scalar& to,
                               const scalar& at_to) {
@@ -347,7 +350,7 @@ class event_watch {
 ///
 /// The time reported is the first at which g is zero or has its new sign, so that a run continued from there
 /// does not meet the same event again; an event within rounding of t0 is not reported. A smooth g that
-/// reaches zero exactly and turns back is an event. A g that returns NaN ends the run with status::function_threw
+/// reaches zero to rounding and turns back is an event. A g that returns NaN ends the run with status::function_threw
 /// (std::domain_error naming the event and t).
 ///
 /// A ball that bounces to rest bounces infinitely often in finite time. Its flights become shorter than t can
