@@ -2,8 +2,10 @@
 #define BOOST_TEST_MODULE right_hand_sides
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/linear/banded_blocks.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 #include <stdexcept>
 
@@ -170,6 +172,56 @@ BOOST_AUTO_TEST_CASE(discontinuous_right_hand_sides_are_solved_to_the_tolerance)
                         BOOST_TEST(r.report.rejected_error > 0);
                     }
                 }
+        }
+}
+
+// Runs often begin exactly where f jumps: a block at rest with dry friction, a thermostat at its limit. Differences of f
+// across the jump must not be taken for a Jacobian, which would be the jump over 1e-14.
+struct block_at_rest {
+    std::function<double(double)> friction;
+    void operator()(double, const V& y, V& f) const {
+        f[0] = y[1];
+        f[1] = -y[0] - friction(y[1]);
+    }
+};
+struct banded_block_at_rest : block_at_rest {
+    sc::bandwidth bandwidth() const { return {1, 1}; }
+};
+BOOST_AUTO_TEST_CASE(runs_that_begin_where_f_jumps_are_solved_to_the_tolerance) {
+    const auto sign = [](double v) { return v > 0 ? 0.1 : v < 0 ? -0.1 : 0.0; };
+    const auto right = [](double v) { return v >= 0 ? 0.1 : -0.1; };
+    const auto left = [](double v) { return v > 0 ? 0.1 : -0.1; };
+    const auto check = [](const auto& m, const auto& block, double tol) {
+        // Until t = pi: x = 0.1 + 0.9 cos t.
+        const auto r = sc::integrate(m, block, V(Eigen::Vector2d(1, 0)), 0, 3, {.rtol = tol, .atol = tol});
+        BOOST_TEST_CONTEXT("s = " << m.stages() << " c_1 = " << m.c[0] << " tol = " << tol) {
+            BOOST_TEST(sc::name(r.status) == "success");
+            BOOST_TEST(std::abs(r.y[0] - 0.1 - 0.9 * std::cos(3.0)) < 10 * tol);
+            BOOST_TEST(std::abs(r.y[1] + 0.9 * std::sin(3.0)) < 10 * tol);
+        }
+    };
+    for (const auto& m : methods())
+        for (const double tol : {1e-4, 1e-6, 1e-8})
+            for (const std::function<double(double)>& friction :
+                 {std::function<double(double)>(sign), std::function<double(double)>(right),
+                  std::function<double(double)>(left)}) {
+                if (m.stages() == 1) continue;  // the error of an order of one, not of the jump
+                check(m, block_at_rest{friction}, tol);
+                check(m, banded_block_at_rest{{friction}}, tol);
+            }
+    // A thermostat that cools from its limit: y' = 15 - y below 20 and from there on (or above), 30 - y else.
+    for (const bool inclusive : {false, true})
+        for (const auto& m : methods()) {
+            if (m.stages() == 1) continue;
+            const auto heating = [=](double, const V& y, V& f) {
+                const bool on = inclusive ? y[0] <= 20 : y[0] < 20;
+                f[0] = on ? 15 - y[0] : 30 - y[0];
+            };
+            const double outside = inclusive ? 15 : 30;
+            const auto r =
+                sc::integrate(m, heating, V(V::Constant(1, 20)), 0, 1, {.rtol = 1e-6, .atol = 1e-6});
+            BOOST_TEST(sc::name(r.status) == "success");
+            BOOST_TEST(std::abs(r.y[0] - outside - (20 - outside) * std::exp(-1.0)) < 1e-5 * 21);
         }
 }
 

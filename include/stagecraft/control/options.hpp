@@ -54,12 +54,19 @@ struct options {
     Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50
 };
 
+namespace detail {
+/// Apart from the demands, of which each would write its own text together.
+[[noreturn, gnu::noinline]] inline void refuse(const char* what) {
+    throw std::invalid_argument(std::string("integrate: ") + what);
+}
+}  // namespace detail
+
 /// Throws std::invalid_argument that names the first option out of range; n is the size of the state.
 template <class Scalar>
 void validate(const options<Scalar>& o, Eigen::Index n) {
     const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };
     const auto demand = [](bool good, const char* what) {
-        if (!good) throw std::invalid_argument(std::string("integrate: ") + what);
+        if (!good) detail::refuse(what);
     };
     demand(finite(o.rtol) && o.rtol > Scalar(0), "rtol must be positive and finite");
     // Below that, the rounding of y alone exceeds what Newton's iteration may leave, whatever atol is.

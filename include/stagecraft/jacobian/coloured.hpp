@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stagecraft/jacobian/finite_difference.hpp>
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <vector>
 
@@ -33,7 +34,7 @@ class coloured_jacobian {
   public:
     using scalar = typename Vector::Scalar;
 
-    explicit coloured_jacobian(Eigen::Index n) : y_(n), f_(n), step_(n) {}
+    explicit coloured_jacobian(Eigen::Index n) : y_(n), f_(n), before_(n), step_(n) {}
 
     /// Finds the groups for the pattern of J.
     template <class Matrix>
@@ -59,14 +60,15 @@ class coloured_jacobian {
 
     int groups() const { return static_cast<int>(groups_.size()); }
 
-    /// Writes J, given f0 = f(t, y) and what counts as negligible in every component; returns the
-    /// evaluations.
+    /// Writes J, given f0 = f(t, y), what counts as negligible in every component, and how far a first step reaches;
+    /// returns the evaluations.
     template <class Problem, class Matrix>
     int operator()(Problem& problem, const scalar& t, const Vector& y, const Vector& f0,
-                   const Vector& negligible, Matrix& J) {
+                   const Vector& negligible, const scalar& reach, Matrix& J) {
         using std::abs;
         using std::sqrt;
         const scalar root = sqrt(std::numeric_limits<scalar>::epsilon());
+        int calls = groups();
         y_ = y;
         for (const auto& columns : groups_) {
             for (const int j : columns) {
@@ -75,16 +77,24 @@ class coloured_jacobian {
                 step_[j] = y_[j] - y[j];
             }
             problem(t, y_, f_);
+            const scalar* left = f0.data();
+            if (may_have_jumped(f0, f_, negligible, reach)) {
+                before_ = f_;
+                left = before_.data();
+                for (const int j : columns) y_[j] += step_[j];
+                problem(t, y_, f_);
+                ++calls;
+            }
             for (const int j : columns) {
-                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = (f_[i] - f0[i]) / step_[j]; });
+                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = (f_[i] - left[i]) / step_[j]; });
                 y_[j] = y[j];
             }
         }
-        return groups();
+        return calls;
     }
 
   private:
-    Vector y_, f_, step_;
+    Vector y_, f_, before_, step_;
     std::vector<std::vector<int>> groups_;
 };
 

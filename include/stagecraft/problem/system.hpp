@@ -263,8 +263,10 @@ class system
         }
     }
 
-    /// Evaluates the Jacobian at (t, y); f0 = f(t, y) and `negligible` serve finite differences only.
-    void evaluate_jacobian(const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible) {
+    /// Evaluates the Jacobian at (t, y); f0 = f(t, y), `negligible` and, in a first step, `reach` serve finite
+    /// differences only.
+    void evaluate_jacobian(const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible,
+                           const scalar& reach = scalar(0)) {
         ++report_.jacobians;
         if constexpr (analytic) {
             failure_.keep([&] {
@@ -276,7 +278,7 @@ class system
             report_.f_jacobian += measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, J_); });
         } else {
             report_.f_jacobian +=
-                measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, negligible, J_); });
+                measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, negligible, reach, J_); });
         }
     }
 

@@ -90,14 +90,15 @@ class linearisation {
     void evaluate(System& system, const scalar& t, const Vector& y, const Vector& f0, const scalar& h,
                   const Output* before, bool ahead, const options<scalar>& o, Vector& point) {
         using std::abs;
-        if constexpr (System::finite_difference) look_for_negligible(system, y, f0, h, before, o);
+        scalar reach(0);
+        if constexpr (System::finite_difference) reach = look_for_negligible(system, y, f0, h, before, o);
         ahead_ = !System::finite_difference && ahead;
         if (ahead_) {
             const scalar last = before->step(), at = t + (abs(h) < abs(last) ? h : last) * 2 / 5;
             before->evaluate(at, point);
             system.evaluate_jacobian(at, point, f0, negligible_);
         } else {
-            system.evaluate_jacobian(t, y, f0, negligible_);
+            system.evaluate_jacobian(t, y, f0, negligible_, reach);
             // A derivative may be infinite where f is not, as that of sqrt(y) at 0: then a little further along the
             // solution, if it moves.
             if constexpr (System::automatic) {
@@ -197,10 +198,10 @@ class linearisation {
     /// Increments of differences are to be small beside what a component is, or moves by: h f0 where it is not stiff.
     /// Where it is, f0 is |J| times what the step before left of it beside the smooth solution, which may be anything;
     /// so it is not taken to move faster than in that step (which may have been an eighth of this one), and in the
-    /// first one not by more than an automatic first step would have it.
+    /// first one not by more than an automatic first step would have it. Returns the length of that one, later 0.
     template <class Output>
-    void look_for_negligible(const System& system, const Vector& y, const Vector& f0, const scalar& h,
-                             const Output* last, const options<scalar>& o) {
+    scalar look_for_negligible(const System& system, const Vector& y, const Vector& f0, const scalar& h,
+                               const Output* last, const options<scalar>& o) {
         using std::abs;
         scalar reach = abs(h);
         if (last == nullptr) {
@@ -217,6 +218,7 @@ class linearisation {
             }
             negligible_[i] = moved > small ? moved : small;
         }
+        return last == nullptr ? reach : scalar(0);
     }
 
     /// As the Jacobian gets older theta grows, and with it the number of iterations: of those that the next step
