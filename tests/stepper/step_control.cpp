@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(proportional_integral_control_rejects_less_where_stability_
 struct told {
     struct system {
         static constexpr bool finite_difference = false, automatic = false;
-        static void evaluate_jacobian(double, const V1&, const V1&, const V1&) {}
+        static void evaluate_jacobian(double, const V1&, const V1&, const V1&, double = 0) {}
         static int size() { return 1; }
     };
     sc::linearisation<system, V1> linear{1};

@@ -34,7 +34,7 @@ class coloured_jacobian {
   public:
     using scalar = typename Vector::Scalar;
 
-    explicit coloured_jacobian(Eigen::Index n) : y_(n), f_(n), before_(n), step_(n) {}
+    explicit coloured_jacobian(Eigen::Index n) : y_(n), f_(n), step_(n) {}
 
     /// Finds the groups for the pattern of J.
     template <class Matrix>
@@ -77,16 +77,17 @@ class coloured_jacobian {
                 step_[j] = y_[j] - y[j];
             }
             problem(t, y_, f_);
-            const scalar* left = f0.data();
-            if (may_have_jumped(f0, f_, negligible, reach)) {
-                before_ = f_;
-                left = before_.data();
-                for (const int j : columns) y_[j] += step_[j];
+            const bool jump = may_have_jumped(f0, f_, negligible, reach);
+            for (const int j : columns) {
+                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = jump ? f_[i] : f0[i]; });
+                if (jump) y_[j] += step_[j];
+            }
+            if (jump) {
                 problem(t, y_, f_);
                 ++calls;
             }
             for (const int j : columns) {
-                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = (f_[i] - left[i]) / step_[j]; });
+                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = (f_[i] - entry) / step_[j]; });
                 y_[j] = y[j];
             }
         }
@@ -94,7 +95,7 @@ class coloured_jacobian {
     }
 
   private:
-    Vector y_, f_, before_, step_;
+    Vector y_, f_, step_;
     std::vector<std::vector<int>> groups_;
 };
 

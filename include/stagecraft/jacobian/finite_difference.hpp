@@ -27,7 +27,7 @@ bool may_have_jumped(const Vector& f0, const Vector& f, const Vector& negligible
 template <class Scalar, int N>
 class finite_difference_jacobian {
   public:
-    explicit finite_difference_jacobian(Eigen::Index n) : y_(n), f_(n), before_(n) {}
+    explicit finite_difference_jacobian(Eigen::Index n) : y_(n), f_(n) {}
 
     /// Writes J, given f0 = f(t, y), what counts as negligible in every component, and how far a first step reaches;
     /// returns the evaluations.
@@ -47,22 +47,21 @@ class finite_difference_jacobian {
             const Scalar step = y_[j] - y[j];
             f_.setZero(n);
             problem(t, y_, f_);
-            const Scalar* left = f0.data();
-            if (may_have_jumped(f0, f_, negligible, reach)) {
-                before_ = f_;
-                left = before_.data();
+            const bool jump = may_have_jumped(f0, f_, negligible, reach);
+            for (int i = 0; i < n; ++i) J(i, j) = jump ? f_[i] : f0[i];
+            if (jump) {
                 y_[j] += step;
                 problem(t, y_, f_);
                 ++calls;
             }
-            for (int i = 0; i < n; ++i) J(i, j) = (f_[i] - left[i]) / step;
+            for (int i = 0; i < n; ++i) J(i, j) = (f_[i] - J(i, j)) / step;
             y_[j] = y[j];
         }
         return calls;
     }
 
   private:
-    Eigen::Matrix<Scalar, N, 1> y_, f_, before_;
+    Eigen::Matrix<Scalar, N, 1> y_, f_;
 };
 
 }  // namespace stagecraft
