@@ -83,8 +83,7 @@ formulation projected(const Model& model, const VectorXd& q, const VectorXd& v) 
     using stagecraft::invariants;
     using state = Eigen::Matrix<double, 2 * Model::coordinates, 1>;
     formulation f = written("index-reduced, projected", stagecraft::index_reduced(model), q, v);
-    const auto lost = invariants(model);
-    f.correct = [keep = stagecraft::projection_onto<lost.count>(lost)](double t, VectorXd& y) mutable {
+    f.correct = [keep = stagecraft::projection_onto(invariants(model))](double t, VectorXd& y) mutable {
         state fixed = y;
         const bool moved = keep.correct(t, fixed);
         if (moved) y = fixed;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <stagecraft/dae/constraint_newton.hpp>
@@ -34,6 +35,16 @@ struct projection_record {
         if (change > largest) largest = change;
         return true;
     }
+};
+
+/// In place of a projection that has been refused.
+struct no_projection {
+    template <class Scalar, class Vector>
+    bool correct(const Scalar&, Vector&) {
+        return false;
+    }
+    template <class Scalar, class Vector>
+    void operator()(const Scalar&, const Vector&) const {}
 };
 
 /// The T that `held` holds; a new one is made if it holds none, or one of another size.
@@ -208,6 +219,18 @@ class projection_onto_equations {
 template <int M, class Constraint>
 projection_onto_equations<M, Constraint> projection_onto(Constraint g) {
     return projection_onto_equations<M, Constraint>(std::move(g));
+}
+/// The same for a g that says M itself, as g.count: the `invariants` of a mechanical model.
+template <class Constraint>
+auto projection_onto(Constraint g) {
+    constexpr bool counted = requires { std::integral_constant<int, Constraint::count>(); };
+    static_assert(counted,
+                  "projection_onto<M>(g): give M, the number of equations 0 = g(t, y), as well: "
+                  "projection_onto<1>(g)");
+    if constexpr (counted)
+        return projection_onto_equations<Constraint::count, Constraint>(std::move(g));
+    else
+        return detail::no_projection();
 }
 
 /// What a projection on a problem's own constraints does.

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
 #include <stagecraft/mechanics/free_motion.hpp>
@@ -21,7 +22,7 @@ namespace stagecraft {
 /// (HLR89, section 1; thesis (1.10); a Hessenberg form: q and v have index 1, lambda index 2). M is factored
 /// once per evaluation, or never where the model brings `solve_mass`. Made by `index_2`.
 template <mechanical_model Model, class Scalar = double>
-class index_2_dae {
+class index_2_dae : detail::start_of_another_size<Model, 1> {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
     static constexpr int second_order_components = n;
@@ -58,6 +59,7 @@ class index_2_dae {
         detail::check_start(model_, q, v, t);
         return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
     }
+    using detail::start_of_another_size<Model, 1>::initial_state;
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,
                                                 const Scalar& = Scalar(0)) const {
@@ -83,7 +85,7 @@ index_2_dae<Model, Scalar> index_2(Model model) {
 /// may be added to r G v, and the violation obeys g'' + r g' + s g = 0 (Baumgarte 1972). Made by
 /// `index_reduced` and `baumgarte`.
 template <mechanical_model Model, class Scalar = double>
-class index_reduced_ode {
+class index_reduced_ode : detail::start_of_another_size<Model, 0> {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n;
     static constexpr int second_order_components = n;
@@ -146,6 +148,7 @@ class index_reduced_ode {
         consistent_multiplier(model_, q, v, t);  // throws where there is none
         return detail::joined<size>(q, v);
     }
+    using detail::start_of_another_size<Model, 0>::initial_state;
     const Model& model() const { return model_; }
 
   private:
@@ -205,11 +208,21 @@ index_reduced_ode<Model, detail::real_scalar<Scalar, Beta>> baumgarte(Model mode
 }
 
 /// Of constraints of velocity there is no beta.
-template <class Scalar = double, mechanical_model Model, class Beta>
-requires(!holonomic_model<Model>) index_reduced_ode<Model, double> baumgarte(Model model, Scalar, Beta) {
+template <class Scalar = double, mechanical_model Model, class... Rates>
+requires(!holonomic_model<Model>) index_reduced_ode<Model, double> baumgarte(Model model, const Rates&...) {
     static_assert(detail::never<Model>,
                   "baumgarte: the model has constraints of velocity only, G v = 0, no g(q): take "
                   "index_reduced(model, r), by which G v decays as exp(-r t)");
+    return index_reduced<double>(std::move(model));
+}
+
+/// One of the two rates is missing, or both.
+template <class Scalar = double, holonomic_model Model, class... Alpha>
+requires(sizeof...(Alpha) < 2) index_reduced_ode<Model, double> baumgarte(Model model, const Alpha&...) {
+    static_assert(
+        detail::never<Model>,
+        "baumgarte(model, alpha, beta): give both rates of g'' + 2 alpha g' + beta^2 g = 0; the usual "
+        "choice alpha = beta damps critically: baumgarte(model, 10, 10)");
     return index_reduced<double>(std::move(model));
 }
 

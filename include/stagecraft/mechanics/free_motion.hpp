@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <utility>
 
+#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/consistent_multiplier.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
 
@@ -12,7 +13,7 @@ namespace stagecraft {
 /// The ordinary differential equation q' = v, v' = M(q)^-1 F(q, v, t) in the state (q, v), for any method; implicit ones
 /// use its Jacobian. M is factored once per evaluation. Made by `free_motion`.
 template <class Model, class Scalar = double>
-class free_motion_ode : checked_model<Model> {
+class free_motion_ode : checked_model<Model>, detail::start_of_another_size<Model, 0> {
   public:
     static constexpr int n = Model::coordinates, size = 2 * n;
     static constexpr int second_order_components = n;
@@ -63,6 +64,7 @@ class free_motion_ode : checked_model<Model> {
                              "F (with lagrangian: from Q and the derivatives of T and V)");
         return detail::joined<size>(q, v);
     }
+    using detail::start_of_another_size<Model, 0>::initial_state;
     const Model& model() const { return model_; }
 
   private:

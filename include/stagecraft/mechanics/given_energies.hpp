@@ -8,6 +8,8 @@
 
 #include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/mechanics/model.hpp>
+#include <stagecraft/named_member.hpp>
+#include <stagecraft/taken_arguments.hpp>
 
 namespace stagecraft {
 
@@ -33,6 +35,25 @@ concept takes_one_scalar = requires {
     &T::operator();
 };
 
+/// True for generalised forces Q(q, v, t), which no constraint can be called as.
+template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
+concept forces_on = std::is_invocable_v<const Q&, const Vector&, const Vector&, const double&>;
+
+/// True if the generic F, which can be called with a number as its last argument t, takes no dual number there: it is
+/// declared as `double t`. The other arguments are vectors. Found out without compiling what F does.
+template <class F, class... Vectors>
+concept takes_plain_time =
+    !takes_one_scalar<F> && has_member_named<F, call_operator_member> && !std::is_final_v<F> &&
+    converts_argument<F, sizeof...(Vectors), const Vectors&..., const dual_number<double, 1>&>;
+
+/// A constraint g(q, t) and forces Q(q, v, t) that do so.
+template <class Constraint, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>,
+          class Dual = Eigen::Matrix<dual_number<double, 1>, Coordinates, 1>>
+concept constraint_in_plain_time =
+    std::is_invocable_v<const Constraint&, const Vector&, double> && takes_plain_time<Constraint, Dual>;
+template <class Forces, int Coordinates, class Dual = Eigen::Matrix<dual_number<double, 1>, Coordinates, 1>>
+concept forces_in_plain_time = forces_on<Forces, Coordinates> && takes_plain_time<Forces, Dual, Dual>;
+
 /// What the caller of `lagrangian` gives.
 template <class Kinetic, class Potential, class Constraint, class Forces>
 struct lagrangian_parts {
@@ -54,10 +75,6 @@ struct refused_energy {
     }
 };
 
-/// True for generalised forces Q(q, v, t), which no constraint can be called as.
-template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
-concept forces_on = std::is_invocable_v<const Q&, const Vector&, const Vector&, const double&>;
-
 /// True for forces of which a vector can be made, and where there are none.
 template <class Q, int Coordinates, class Vector = Eigen::Matrix<double, Coordinates, 1>>
 concept returns_forces = std::is_same_v<Q, no_forces> ||
@@ -77,8 +94,11 @@ struct given_energies {
                           kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
                           potential = !kinetic || std::is_invocable_v<const Potential&, const vector&>,
                           forces = returns_forces<Forces, Coordinates>,
+                          constraint_time = !(constraint_in_plain_time<Others, Coordinates> || ...),
+                          forces_time = !forces_in_plain_time<Forces, Coordinates>,
                           on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
-                          usable = generic && kinetic && potential && forces && on_the_stack;
+                          usable = generic && kinetic && potential && forces && constraint_time &&
+                                   forces_time && on_the_stack;
 };
 
 }  // namespace detail

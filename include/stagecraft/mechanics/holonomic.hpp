@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
 
 namespace stagecraft {
@@ -15,7 +16,7 @@ namespace detail {
 /// The part that both forms share: the model, and states (q, v, lambda, ...) with Multipliers vectors of the size of
 /// lambda.
 template <class Model, class Scalar, int Multipliers>
-class holonomic_form {
+class holonomic_form : start_of_another_size<Model, Multipliers> {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + Multipliers * m;
     using state = Eigen::Matrix<Scalar, size, 1>;
@@ -30,6 +31,7 @@ class holonomic_form {
         check_start(model_, q, v, t);
         return joined<size>(q, v, consistent_multiplier(model_, q, v, t));
     }
+    using start_of_another_size<Model, Multipliers>::initial_state;
     /// The multiplier in a state.
     multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
         return part<m>(y, 2 * n);

@@ -127,10 +127,17 @@ requires(!requires {
                                 double t = 0) {
     static_assert(Coordinates > 0,
                   "independent_constraints<rank>(constraint, q): q must be a vector of fixed size");
-    using energy = detail::refused_energy;
-    using parts = detail::lagrangian_parts<energy, energy, Constraint, no_forces>;
-    const lagrangian_model<Coordinates, Rank, parts> all(parts{{}, {}, constraint, {}});
-    const auto rows = detail::rows_of_rank<Rank>(all.template G<double>(q, t));
+    constexpr bool generic = !detail::constraint_in_plain_time<Constraint, Coordinates>;
+    static_assert(generic,
+                  "independent_constraints<rank>(constraint, q): the constraint must take t of any scalar as "
+                  "well, as it is differentiated automatically: [](const auto& q, const auto& t) { ... }");
+    std::array<int, Rank> rows{};
+    if constexpr (generic) {
+        using energy = detail::refused_energy;
+        using parts = detail::lagrangian_parts<energy, energy, Constraint, no_forces>;
+        const lagrangian_model<Coordinates, Rank, parts> all(parts{{}, {}, constraint, {}});
+        rows = detail::rows_of_rank<Rank>(all.template G<double>(q, t));
+    }
     return detail::kept_constraints<Rank, Constraint>{std::move(constraint), rows};
 }
 

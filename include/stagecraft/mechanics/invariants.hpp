@@ -12,8 +12,7 @@ namespace stagecraft {
 /// What index reduction loses: the equations 0 = g(q, t) (of a holonomic model) and 0 = G v + b as functions of
 /// states that begin with (q, v), ready for `projection_onto` (dae/projection.hpp):
 ///
-///     const auto lost = invariants(model);
-///     auto keep = projection_onto<lost.count>(lost);
+///     auto keep = projection_onto(invariants(model));
 ///     integrate(method, index_reduced(model), y0, t0, t1, options, keep);
 ///
 /// Made by `invariants`.

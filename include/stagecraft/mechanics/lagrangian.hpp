@@ -234,6 +234,9 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
     static_assert(given::forces,
                   "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
                   "do not depend on it, and return a vector of n numbers");
+    static_assert(given::forces_time,
+                  "lagrangian: the generalised forces must take t of any scalar as well, as they are "
+                  "differentiated automatically: [](const auto& q, const auto& v, const auto& t) { ... }");
     if constexpr (given::usable) {
         using parts = lagrangian_parts<Kinetic, Potential, no_constraint, Forces>;
         return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
@@ -246,9 +249,9 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
 
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
 /// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm();
-/// }`). The constraint returns either a number or column of m position constraints, 0 = g, whose gradient is
-/// taken automatically (the model is then holonomic), or the m x n matrix G of velocity constraints 0 = G v,
-/// or the m x (n + 1) matrix (G, b) of affine ones, 0 = G v + b.
+/// }`) and in t (`const auto& t`). The constraint returns either a number or column of m position constraints,
+/// 0 = g, whose gradient is taken automatically (the model is then holonomic), or the m x n matrix G of velocity
+/// constraints 0 = G v, or the m x (n + 1) matrix (G, b) of affine ones, 0 = G v + b.
 /// Q(q, v, t), if given, returns the generalised forces besides the potential: damping, drives, friction. No
 /// derivative is written by hand, so that none can be wrong. Vectors of second derivatives lie on the stack, which limits
 /// n to 24 (EIGEN_STACK_ALLOCATION_LIMIT); beyond, see `sized_mechanical_model`.
@@ -272,6 +275,12 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
     static_assert(given::forces,
                   "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
                   "do not depend on it, and return a vector of n numbers");
+    static_assert(given::forces_time,
+                  "lagrangian: the generalised forces must take t of any scalar as well, as they are "
+                  "differentiated automatically: [](const auto& q, const auto& v, const auto& t) { ... }");
+    static_assert(given::constraint_time,
+                  "lagrangian: the constraint must take t of any scalar as well, as it is differentiated "
+                  "automatically: [](const auto& q, const auto& t) { ... }");
     constexpr bool fewer = Constraints < Coordinates;
     static_assert(
         fewer,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
 
@@ -16,7 +17,7 @@ namespace detail {
 /// The part that all forms share: the model, the contact, and states (q, v, ...) with Extra more vectors of
 /// the size of lambda.
 template <class Model, class Scalar, int Extra>
-class regularised_form {
+class regularised_form : start_of_another_size<Model, Extra> {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + Extra * m;
     static constexpr int second_order_components = n;
@@ -28,6 +29,7 @@ class regularised_form {
 
     const Model& model() const { return model_; }
     const stagecraft::contact<Scalar>& contact() const { return contact_; }
+    using start_of_another_size<Model, Extra>::initial_state;
 
   protected:
     template <class S>
@@ -132,6 +134,7 @@ class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {
     state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
         return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
     }
+    using base::initial_state;
     /// The contact force in a state.
     force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template tail<m>(); }
 };
@@ -178,6 +181,7 @@ class multiplier_form : public detail::regularised_form<Model, Scalar, 1> {
     state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
         return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
     }
+    using base::initial_state;
     force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template tail<m>(); }
 };
 
@@ -227,6 +231,7 @@ class creep_form : public detail::regularised_form<Model, Scalar, 1> {
     state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
         return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
     }
+    using base::initial_state;
     force multiplier(const state& y, const Scalar& t = Scalar(0)) const {
         return contact_force(y, base::creep(t, y, base::G(t, y)));
     }
@@ -302,6 +307,7 @@ class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
     state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
         return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
     }
+    using base::initial_state;
     force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template segment<m>(2 * n); }
 
   private:

@@ -86,6 +86,7 @@ class regularised_position_problem : public detail::regularised_form<Model, Scal
     state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
         return initial_state(q, v, consistent_multiplier(model_, q, v, t), t);
     }
+    using base::initial_state;
     /// The contact force in a state.
     force multiplier(const state& y, const Scalar& = Scalar(0)) const { return y.template tail<m>(); }
 
