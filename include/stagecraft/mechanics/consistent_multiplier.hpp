@@ -32,9 +32,15 @@ small_ldlt<S, m> independent_constraints(const Eigen::Matrix<S, m, m>& inertia,
     return factors;
 }
 
-/// Throws std::domain_error that says where M is not finite or, to working precision, not positive definite.
+/// What to do where M is singular in directions that the constraints exclude, as with Euler parameters.
+inline constexpr const char* regular_by_constraints =
+    "; if it is positive definite on all v with G v = 0, add a multiple of (G v + b)^2 to T: no motion "
+    "changes";
+
+/// Throws std::domain_error that says where M is not finite or, to working precision, not positive definite, and then
+/// what to do.
 template <class S, int n>
-void check_mass(const Eigen::Matrix<S, n, n>& M) {
+void check_mass(const Eigen::Matrix<S, n, n>& M, const char* remedy = "") {
     const small_ldlt<S, n> factors(M);
     for (int k = 0; k < n; ++k) {
         if (factors.pivot(k) > S(64) * Eigen::NumTraits<S>::epsilon() * M(k, k)) continue;
@@ -45,7 +51,8 @@ void check_mass(const Eigen::Matrix<S, n, n>& M) {
             throw std::domain_error("mechanical: M(q) is not finite here, in row " + row);
         throw std::domain_error("mechanical: M(q) is not positive definite here: " +
                                 (M(k, k) > S(0) ? "with coordinate " + row + " it is singular or indefinite"
-                                                : "the mass of coordinate " + row + " is not positive"));
+                                                : "the mass of coordinate " + row + " is not positive") +
+                                remedy);
     }
 }
 
@@ -81,7 +88,7 @@ multiplier_vector<S, Model> consistent_multiplier(const Model& model, const coor
         if (const std::string where = singular_position(model, q); !where.empty())
             throw std::domain_error("mechanical: M(q) is singular: " + where);
     }
-    detail::check_mass<S, Model::coordinates>(model.M(q));
+    detail::check_mass<S, Model::coordinates>(model.M(q), detail::regular_by_constraints);
     const coordinate_vector<S, Model> F = force<S>(model, q, v, t);
     detail::check_finite(F, "F (with lagrangian: from Q and the derivatives of T and V)");
     const multiplier_vector<S, Model> curvature =

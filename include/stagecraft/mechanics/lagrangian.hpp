@@ -252,6 +252,8 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
 /// }`) and in t (`const auto& t`). The constraint returns either a number or column of m position constraints,
 /// 0 = g, whose gradient is taken automatically (the model is then holonomic), or the m x n matrix G of velocity
 /// constraints 0 = G v, or the m x (n + 1) matrix (G, b) of affine ones, 0 = G v + b.
+/// M must be positive definite: where it is not, but is on the velocities that the constraints admit (Euler parameters
+/// with their length), add a multiple of (G v + b)^2 to T, which makes M regular and changes neither motion nor lambda.
 /// Q(q, v, t), if given, returns the generalised forces besides the potential: damping, drives, friction. No
 /// derivative is written by hand, so that none can be wrong. Vectors of second derivatives lie on the stack, which limits
 /// n to 24 (EIGEN_STACK_ALLOCATION_LIMIT); beyond, see `sized_mechanical_model`.

@@ -200,9 +200,7 @@ class sized_formulation
         if constexpr (sized::has_position<Model>)
             look("position", sized::g(model_, q, t), 1e-9 * (1 + q.cwiseAbs().maxCoeff()));
         look("velocity", sized::velocity_constraint(model_, q, v, t), 1e-9 * (1 + v.cwiseAbs().maxCoeff()));
-        if (const std::string text = violated.str(); !text.empty())
-            throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" +
-                                        text + " (assemble(model, q, v) finds such q and v nearby)");
+        if (const std::string text = violated.str(); !text.empty()) detail::refuse_start(text, t);
     }
 
     Model model_;

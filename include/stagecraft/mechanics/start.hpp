@@ -37,6 +37,15 @@ multiplier_vector<S, Model> position_constraint(const Model& model, const coordi
 
 namespace detail {
 
+/// Throws std::invalid_argument, with the constraints that are violated and the time of the start.
+template <class Scalar>
+[[noreturn]] void refuse_start(const std::string& violated, const Scalar& t) {
+    std::ostringstream text;
+    text << "mechanical: the initial q and v must satisfy the constraints at t = " << t << violated
+         << " (assemble(model, q, v, t) finds such q and v nearby)";
+    throw std::invalid_argument(text.str());
+}
+
 template <class Vector, class Scalar>
 void list_violations(std::ostringstream& text, const char* what, const Vector& r, const Scalar& allowed) {
     using std::abs;
@@ -63,9 +72,7 @@ void check_start(const Model& model, const coordinate_vector<Scalar, Model>& q,
         constraint_gradient<Scalar>(model, q, t);
     list_violations(violated, "velocity constraint", velocity_constraint<Scalar>(model, G, q, v, t),
                     Scalar(eps * largest(G) * at_least(largest(v), 1)));
-    if (const std::string text = violated.str(); !text.empty())
-        throw std::invalid_argument("mechanical: the initial q and v must satisfy the constraints" + text +
-                                    " (assemble(model, q, v) finds such q and v nearby)");
+    if (const std::string text = violated.str(); !text.empty()) refuse_start(text, t);
 }
 
 template <class Vector>
@@ -101,7 +108,7 @@ assembly<typename DerivedQ::Scalar, Model> assemble(const Model& model, const Ei
     multiplier_vector<S, Model> left;
     // The smallest change in the metric of M with G change = r.
     const auto change = [&](const multiplier_vector<S, Model>& r) {
-        detail::check_mass<S, n>(model.M(at.q));
+        detail::check_mass<S, n>(model.M(at.q), detail::regular_by_constraints);
         const mass_inverse<S, Model> solve(model, at.q);
         const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model, at.q, t);
         Eigen::Matrix<S, n, m> W;
