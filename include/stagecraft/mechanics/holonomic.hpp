@@ -58,7 +58,8 @@ Eigen::Matrix<S, m, 1> inverse_lengths(const Eigen::Matrix<S, m, n>& G) {
 }  // namespace detail
 
 /// The equations of motion of a holonomic model as they are, index 3: state (q, v, lambda), 0 = g(q); q has
-/// index 1, v 2, lambda 3. Made by `index_3`.
+/// index 1, v 2, lambda 3. v and lambda are poor, and q accumulates their errors (measured, in tolerances: four-bar
+/// linkage at 1e-10, q 4,200 and v 5e4; chain of 60 links at 1e-8, q 255). Made by `index_3`.
 template <holonomic_model Model, class Scalar = double>
 class index_3_dae : public detail::holonomic_form<Model, Scalar, 1> {
     using base = detail::holonomic_form<Model, Scalar, 1>;

@@ -108,7 +108,8 @@ class independent_model_of_rank : public detail::kept_rate<Model, Rank> {
 /// that are independent at q and time t: the motion is the same, and the multipliers that remain are unique. How a
 /// force is shared among dependent constraints is no question that rigid bodies answer; `regularised_position` gives
 /// each its stiffness. Constraints that depend on others along the whole motion are meant: those left out are
-/// not looked at again. Throws std::domain_error with the rank of G if it is another one, as in a singular position.
+/// not looked at again, and where those kept lose rank on the way (a dead point) the motion may leave the others.
+/// Throws std::domain_error with the rank of G if it is another one, as in a singular position.
 template <int Rank, class Model>
 requires requires { Model::coordinates; }
 independent_model_of_rank<Model, Rank> independent_constraints(
