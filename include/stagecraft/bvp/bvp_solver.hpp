@@ -249,12 +249,13 @@ class bvp_solver {
     /// number is so large that what the errors of x leave of M may be all there is, the mesh is halved until both stay. M of a
     /// linear problem does not depend on x: it is enough that its fundamental solutions are known to some digits.
     bool settled() {
-        const Scalar kappa = relative_kappa(), last = last_kappa_;
+        const bool singular = singular_end();
+        const Scalar kappa = relative_kappa(), last = last_kappa_, growth(singular ? 4 : 2);
         const bool unknown = regular_.unknown(floor_, newton_.linear() ? Scalar(0) : error_),
-                   stays = kappa < 2 * last && last < 2 * kappa;
+                   stays = kappa < growth * last && last < growth * kappa;
         if (last < Scalar(0)) first_kappa_ = kappa;
         last_kappa_ = kappa;
-        vanishes_ = unknown || (regular_.resolved() && kappa > 10 * first_kappa_);
+        vanishes_ = unknown || (regular_.resolved() && kappa > 10 * first_kappa_ && !singular);
         return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100 ||
                              (newton_.linear() && regular_.doubt() < Scalar(1e-5)))) ||
                !o_.adapt || (!regular_.turns() && ++checks_ > 6) ||
@@ -273,6 +274,11 @@ class bvp_solver {
     /// Is it by chance that the condition number stays, which has grown to what the errors of a nonlinear x may make of it?
     bool coincident() const {
         return vanishes_ && checks_ <= 6 && !newton_.linear() && last_kappa_ * error_ > Scalar(1);
+    }
+    /// At a singular end point the answer of slopes to a value there goes with 1/h, and doubles with every mesh.
+    bool singular_end() {
+        mesh_choice<equations_type> choice(equations_, estimate_, x_, o_);
+        return choice.begins_singular() || choice.ends_singular();
     }
     Scalar relative_kappa() { return conditioning_.fundamental(), conditioning_.relative(floor_); }
     /// Is an error that stays what rounding leaves, and no mesh will make it less?

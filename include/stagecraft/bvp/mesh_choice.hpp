@@ -108,8 +108,8 @@ class mesh_choice {
     std::vector<Scalar> resolving(std::vector<Scalar> mesh) {
         using std::sqrt;
         const int L = x_.intervals(), s = equations_.s();
-        mesh = graded(mesh, x_.t.front(), reach(0, 0));
-        mesh = graded(mesh, x_.t.back(), reach(L - 1, s - 1));
+        if (!begins_singular()) mesh = graded(mesh, x_.t.front(), reach(0, 0));
+        if (!ends_singular()) mesh = graded(mesh, x_.t.back(), reach(L - 1, s - 1));
         // Layers inside are where modes that grow turn into modes that decay.
         for (int k = 1; k < s * L; ++k) {
             const Scalar before = trace(k - 1), after = trace(k);
@@ -121,7 +121,26 @@ class mesh_choice {
         return mesh;
     }
 
+    /// Is the end a a singular point of the first kind: does the Jacobian go like 1/(t - a) in the first interval? Its modes
+    /// are as fast beside any mesh, however fine, so that none resolves them, and none has to.
+    bool begins_singular() {
+        const auto& c = equations_.method().c;
+        const int last = equations_.s() - 1;
+        return in_proportion(reach(0, 0), c[0], reach(0, last), c[last]);
+    }
+    /// The same at b.
+    bool ends_singular() {
+        const auto& c = equations_.method().c;
+        const int L = x_.intervals(), last = equations_.s() - 1;
+        return in_proportion(reach(L - 1, last), 1 - c[last], reach(L - 1, 0), 1 - c[0]);
+    }
+
   private:
+    /// Is the step that resolves the fastest mode longer by what the distance from the end is longer, within a third?
+    static bool in_proportion(const Scalar& near_reach, const Scalar& near, const Scalar& far_reach,
+                              const Scalar& far) {
+        return far > 3 * near / 2 && 3 * far_reach * near > 2 * near_reach * far;
+    }
     /// The intervals in which f jumps, if these are few and their errors count. They are as others from then on.
     std::vector<int> set_apart(std::vector<Scalar>& local, std::vector<Scalar>& part, const Scalar& total,
                                Scalar& all) const {
