@@ -9,6 +9,7 @@
 
 #include <stagecraft/bvp/error_estimate.hpp>
 #include <stagecraft/bvp/mesh.hpp>
+#include <stagecraft/bvp/missed_phase.hpp>
 #include <stagecraft/bvp/options.hpp>
 
 namespace stagecraft::detail {
@@ -87,6 +88,7 @@ class mesh_choice {
     std::vector<Scalar> spread() {
         using std::abs;
         const int L = x_.intervals(), n = equations_.n(), s = equations_.s();
+        if (missed_phase(equations_, x_, estimate_.order()) > Scalar(1)) return following_turns();
         std::vector<Scalar> part(static_cast<std::size_t>(L)), variation(part);
         for (int i = 0; i < L; ++i) part[i] = Scalar(1) / Scalar(L);
         for (int c = 0; c < n; ++c) {
@@ -136,6 +138,22 @@ class mesh_choice {
     }
 
   private:
+    /// The next mesh where modes turn faster than this one shows: the same angle for every interval, two radians where
+    /// max_intervals are enough for that.
+    std::vector<Scalar> following_turns() {
+        const int L = x_.intervals();
+        std::vector<Scalar> part(static_cast<std::size_t>(L));
+        Scalar all(0);
+        for (int i = 0; i < L; ++i) {
+            part[i] = fastest_turn(middle_jacobian(equations_, x_, i), Scalar(0)).angle;
+            all += part[i];
+        }
+        for (Scalar& p : part) p = std::max(p, Scalar(all / Scalar(10 * L)));
+        const Scalar wanted = std::min(Scalar(all / 2), Scalar(o_.max_intervals));
+        const int intervals = static_cast<int>(static_cast<double>(wanted));
+        return equidistributed(x_.t, mesh_density(x_.t, part, Scalar(5)), std::max(3 * L / 2, intervals),
+                               o_.fixed_points);
+    }
     /// Is the step that resolves the fastest mode longer by what the distance from the end is longer, within a third?
     static bool in_proportion(const Scalar& near_reach, const Scalar& near, const Scalar& far_reach,
                               const Scalar& far) {

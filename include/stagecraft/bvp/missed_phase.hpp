@@ -53,6 +53,26 @@ auto largest_rate(const Square& J) {
     return sqrt(typename Square::Scalar((J * J).cwiseAbs().rowwise().sum().maxCoeff()));
 }
 
+/// How far the fastest mode turns and the slowest one of these grows or decays.
+template <class Scalar>
+struct turn_of_modes {
+    Scalar angle, growth;
+};
+/// Of the modes of J that turn by more than `counts`, and more than they grow or decay; no angle where there are none.
+template <class Square>
+turn_of_modes<typename Square::Scalar> fastest_turn(const Square& J, const typename Square::Scalar& counts) {
+    using std::abs;
+    using scalar = typename Square::Scalar;
+    turn_of_modes<scalar> turn{scalar(0), std::numeric_limits<scalar>::infinity()};
+    if (!(largest_rate(J) > counts)) return turn;
+    for (const auto& z : turning_modes(J)) {
+        if (!(z.imag() > counts && abs(z.real()) < z.imag())) continue;
+        turn.angle = std::max(turn.angle, scalar(z.imag()));
+        turn.growth = std::min(turn.growth, scalar(abs(z.real())));
+    }
+    return turn;
+}
+
 /// The angles that a method of this order misses of the modes exp(i w t) of f_y, from one end to the other: in an interval
 /// those of Gauss methods miss gauss_error_constant (h w)^(order + 1). 0 where the modes that turn grow or decay, or mass()
 /// stands before y'.
@@ -66,18 +86,10 @@ auto missed_phase(const Equations& equations, const Iterate& x, int order) {
                  counts = pow(scalar(1 / (constant * scalar(1000 * x.intervals()))), scalar(1 / power));
     scalar angle(0), growth(0);
     for (int i = 0; i < x.intervals(); ++i) {
-        const auto J = middle_jacobian(equations, x, i);
-        const scalar most = largest_rate(J);
-        if (!(most > counts)) continue;
-        scalar least = std::numeric_limits<scalar>::infinity(), turned(0);
-        for (const auto& z : turning_modes(J)) {
-            if (!(z.imag() > counts && abs(z.real()) < z.imag())) continue;
-            turned = std::max(turned, scalar(z.imag()));
-            least = std::min(least, scalar(abs(z.real())));
-        }
-        if (!(turned > scalar(0))) continue;
-        angle += std::min(scalar(constant * pow(turned, power)), scalar(1));
-        growth += least;
+        const auto turn = fastest_turn(middle_jacobian(equations, x, i), counts);
+        if (!(turn.angle > scalar(0))) continue;
+        angle += std::min(scalar(constant * pow(turn.angle, power)), scalar(1));
+        growth += turn.growth;
     }
     return growth < scalar(10) ? angle : scalar(0);
 }
