@@ -167,10 +167,13 @@ class conditioning_of {
     /// What the conditions do to the parameters: dp = P d, n_p x (n + n_p).
     const Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>& parameters() const { return parameters_; }
 
-    /// The largest spectral norm of the Phi(t_i) and of P. Matrices of a norm below `least` are passed over.
+    /// The largest spectral norm of the Phi(t_i) and of P, the conditions being scaled to coefficients of at most 1: their
+    /// units are none of the problem's. Matrices of a norm below `least` are passed over.
     scalar norm(const scalar& least) const {
         scalar most(0);
-        const auto look = [&](const auto& response) {
+        const auto look = [&](auto response) {
+            for (Eigen::Index k = 0; k < response.cols() && response.rows() > 0; ++k)
+                response.col(k) *= largest_coefficient(static_cast<int>(k));
             if (response.size() == 0 ||
                 response.cwiseAbs().maxCoeff() * scalar(static_cast<int>(response.cols())) < least)
                 return;
@@ -182,17 +185,20 @@ class conditioning_of {
         return most;
     }
 
-    /// The largest entry of |Phi(t)| and |P|, every row relative to floor + the size of that component of y or p.
+    /// The largest entry of |Phi(t)| and |P|, every row relative to floor + the size of that component of y or p, and the
+    /// conditions scaled as in norm().
     scalar relative(const scalar& floor) const {
         using std::abs;
         scalar kappa(0);
         for (Eigen::Index j = 0; j < parameters_.rows(); ++j)
             for (Eigen::Index k = 0; k < parameters_.cols(); ++k)
-                kappa = std::max(kappa, scalar(abs(parameters_(j, k)) / (floor + abs(x_.p[j]))));
+                kappa = std::max(kappa, scalar(largest_coefficient(static_cast<int>(k)) *
+                                               abs(parameters_(j, k)) / (floor + abs(x_.p[j]))));
         for (int c = 0; c < equations_.n(); ++c) {
             const scalar size = floor + x_.y.row(c).cwiseAbs().maxCoeff();
-            for (const wide& response : phi_)
-                kappa = std::max(kappa, scalar(response.row(c).cwiseAbs().maxCoeff() / size));
+            for (int k = 0; k < static_cast<int>(phi_.size()); ++k)
+                kappa = std::max(
+                    kappa, scalar(largest_coefficient(k) * phi_[k].row(c).cwiseAbs().maxCoeff() / size));
         }
         return kappa;
     }
@@ -297,6 +303,11 @@ class conditioning_of {
     int solves() const { return solves_; }
 
   private:
+    /// Of condition k; 1 if it has none.
+    scalar largest_coefficient(int k) const {
+        const scalar size = equations_.conditions().row(k).cwiseAbs().maxCoeff();
+        return size > scalar(0) ? size : scalar(1);
+    }
     /// The norm of G(t_i, s) at s = t_{j+1}; where that is t_i, the larger of the limits from both sides, which
     /// differ by the identity.
     template <class Block>
