@@ -260,6 +260,7 @@ class regularity {
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
         const auto& shifts = conditioning_.parameters();
+        floor_ = floor;
         scale_.resize(n);
         for (int c = 0; c < n; ++c) {
             scale_[c] = scalar(0);
@@ -332,22 +333,29 @@ class regularity {
         local.col(i) += u_.col(i) - u_.col(i + 1);
     }
 
-    /// How large e is beside u, their components beside those of y.
+    /// How large e is beside u, their components beside those of y and p.
     scalar share(const wide& e) const {
         scalar most(0), whole(0);
+        compare(e, most, whole);
+        return whole > scalar(0) ? scalar(most / whole) : scalar(0);
+    }
+    scalar share(const wide& e, const parameters& p) const {
+        using std::abs;
+        scalar most(0), whole(0);
+        compare(e, most, whole);
+        for (Eigen::Index j = 0; j < p.size(); ++j) {
+            const scalar size = floor_ + abs(x_.p[j]);
+            most = std::max(most, scalar(abs(p[j]) / size));
+            whole = std::max(whole, scalar(abs(p_[j]) / size));
+        }
+        return whole > scalar(0) ? scalar(most / whole) : scalar(0);
+    }
+    void compare(const wide& e, scalar& most, scalar& whole) const {
         for (Eigen::Index c = 0; c < e.rows(); ++c) {
             const scalar part = e.row(c).cwiseAbs().maxCoeff() / scale_[c];
             if (!(part <= most)) most = part;
             whole = std::max(whole, scalar(size_[c] / scale_[c]));
         }
-        return whole > scalar(0) ? scalar(most / whole) : scalar(0);
-    }
-    scalar share(const wide& e, const parameters& p) const {
-        using std::abs;
-        scalar most = share(e);
-        for (Eigen::Index j = 0; j < p.size(); ++j)
-            if (abs(p_[j]) > scalar(0)) most = std::max(most, scalar(abs(p[j] / p_[j])));
-        return most;
     }
     /// The answer of the linearised problem to one rounding error in every entry, y and p being of these sizes.
     wide answer_to_rounding(const wide& size, const parameters& p, parameters& shift) {
@@ -393,7 +401,7 @@ class regularity {
     Eigen::Matrix<scalar, N, P> J_;
     parameters p_;
     typename Equations::state size_, scale_;
-    scalar answer_{0};
+    scalar answer_{0}, floor_{1};
     std::optional<scalar> doubt_;
     bool resolved_ = false, turns_ = false;
 };
