@@ -38,11 +38,11 @@ namespace detail {
 struct call_of_continuation {
     template <class Method>
     static constexpr bool say() {
-        static_assert(is_tableau<Method> || never<Method>,
+        static_assert(is_one_tableau<Method> || never<Method>,
                       "continuation: the first argument must be a collocation tableau, gauss<3>() with its "
-                      "parentheses, say");
+                      "parentheses, say; gauss_variable() is of solve_bvp alone");
         static_assert(
-            !is_tableau<Method> || never<Method>,
+            !is_one_tableau<Method> || never<Method>,
             "continuation(method, two_point(f, r), a, b, guess, options): options have no other "
             "names than {.from, .to, .rtol, .step, .largest_step, .max_points, .intervals}; the path "
             "begins at p = from");
@@ -100,6 +100,8 @@ auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Condi
     std::vector<point> path;
     if constexpr (guessed && rhs && conditions && writes_through) {
         detail::validate(o, a, b, "continuation");
+        detail::demand_bvp(detail::guess_value(guess, a).size() > 0, "guess must have at least one component",
+                           "continuation");
         detail::path_follower<Scalar, S, Rhs, Conditions, vector, parameters> follower(method, problem, a, b,
                                                                                        o);
         for (auto& s : follower.run(guess, parameters(o.from)))

@@ -35,10 +35,9 @@ struct continuation_options {
 namespace detail {
 
 template <class Scalar>
-void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scalar& b,
-              const std::string& who) {
+void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scalar& b, const char* who) {
     const auto demand = [&](bool good, const char* what) {
-        if (!good) throw std::invalid_argument(who + what);
+        if (!good) throw std::invalid_argument(std::string(who) + what);
     };
     demand(o.from - o.from == Scalar(0), ": from must be finite");
     demand(o.to == o.to, ": to must be a number");
@@ -46,7 +45,7 @@ void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scal
     demand(o.max_points > 0, ": max_points must be positive");
     bvp_options<Scalar> tolerances;
     tolerances.rtol = o.rtol, tolerances.intervals = o.intervals;
-    validate(tolerances, a, b);
+    validate(tolerances, a, b, who);
 }
 
 }  // namespace detail

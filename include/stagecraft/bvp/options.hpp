@@ -25,35 +25,36 @@ struct bvp_options {
 
 namespace detail {
 
-inline void demand_bvp(bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("solve_bvp: ") + what);
+inline void demand_bvp(bool good, const char* what, const char* who = "solve_bvp") {
+    if (!good) throw std::invalid_argument(std::string(who) + ": " + what);
 }
 
 template <class Scalar>
-void validate(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b) {
+void validate(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b, const char* who = "solve_bvp") {
     const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };
-    demand_bvp(finite(a) && finite(b), "a and b must be finite");
-    demand_bvp(a < b, "a must be below b");
-    demand_bvp(finite(o.rtol) && o.rtol >= 4 * std::numeric_limits<Scalar>::epsilon(),
-               "rtol must be finite and at least four times the epsilon of the scalar");
-    demand_bvp(finite(o.atol) && o.atol >= Scalar(0), "atol must be finite and not negative");
-    demand_bvp(o.atol == Scalar(0) || o.atol >= 4 * std::numeric_limits<Scalar>::epsilon() * o.rtol,
-               "atol must be zero (that of rtol) or not negligible beside rtol");
-    demand_bvp(o.intervals >= 0 && o.max_intervals > 0,
-               "intervals must not be negative, max_intervals must be positive");
-    demand_bvp((o.mesh.empty() ? o.intervals : static_cast<int>(o.mesh.size()) - 1) <= o.max_intervals,
-               o.mesh.empty() ? "intervals must not be more than max_intervals"
-                              : "the intervals of mesh must not be more than max_intervals");
-    demand_bvp(o.newton_iterations > 0, "newton_iterations must be positive");
+    const auto demand = [who](bool good, const char* what) { demand_bvp(good, what, who); };
+    demand(finite(a) && finite(b), "a and b must be finite");
+    demand(a < b, "a must be below b");
+    demand(finite(o.rtol) && o.rtol >= 4 * std::numeric_limits<Scalar>::epsilon(),
+           "rtol must be finite and at least four times the epsilon of the scalar");
+    demand(finite(o.atol) && o.atol >= Scalar(0), "atol must be finite and not negative");
+    demand(o.atol == Scalar(0) || o.atol >= 4 * std::numeric_limits<Scalar>::epsilon() * o.rtol,
+           "atol must be zero (that of rtol) or not negligible beside rtol");
+    demand(o.intervals >= 0 && o.max_intervals > 0,
+           "intervals must not be negative, max_intervals must be positive");
+    demand((o.mesh.empty() ? o.intervals : static_cast<int>(o.mesh.size()) - 1) <= o.max_intervals,
+           o.mesh.empty() ? "intervals must not be more than max_intervals"
+                          : "the intervals of mesh must not be more than max_intervals");
+    demand(o.newton_iterations > 0, "newton_iterations must be positive");
     if (!o.mesh.empty()) {
-        demand_bvp(o.mesh.size() > 1 && o.mesh.front() == a && o.mesh.back() == b,
-                   "mesh must begin with a and end with b");
+        demand(o.mesh.size() > 1 && o.mesh.front() == a && o.mesh.back() == b,
+               "mesh must begin with a and end with b");
         for (std::size_t i = 0; i + 1 < o.mesh.size(); ++i)
-            demand_bvp(o.mesh[i] < o.mesh[i + 1], "mesh must increase");
+            demand(o.mesh[i] < o.mesh[i + 1], "mesh must increase");
     }
     for (std::size_t i = 0; i < o.fixed_points.size(); ++i) {
-        demand_bvp(o.fixed_points[i] > a && o.fixed_points[i] < b, "fixed_points must lie inside (a, b)");
-        demand_bvp(i == 0 || o.fixed_points[i - 1] < o.fixed_points[i], "fixed_points must increase");
+        demand(o.fixed_points[i] > a && o.fixed_points[i] < b, "fixed_points must lie inside (a, b)");
+        demand(i == 0 || o.fixed_points[i - 1] < o.fixed_points[i], "fixed_points must increase");
     }
 }
 

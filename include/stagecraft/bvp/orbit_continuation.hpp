@@ -109,11 +109,11 @@ struct orbit_path_conditions {
 struct call_of_orbit_continuation {
     template <class Method>
     static constexpr bool say() {
-        static_assert(is_tableau<Method> || never<Method>,
+        static_assert(is_one_tableau<Method> || never<Method>,
                       "orbit_continuation: the first argument must be a collocation tableau, gauss<3>() with "
-                      "its parentheses, say");
+                      "its parentheses, say; gauss_variable() is of solve_bvp alone");
         static_assert(
-            !is_tableau<Method> || never<Method>,
+            !is_one_tableau<Method> || never<Method>,
             "orbit_continuation(method, f, guess, options): f is called as f(t, y, p, out), guess must be an "
             "orbit_guess at "
             "p = from, as last_return(method, f, y0, t0, t1) of stagecraft/last_return.hpp finds it; "

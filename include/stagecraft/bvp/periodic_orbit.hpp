@@ -105,6 +105,8 @@ orbit_conditions<Vector> phase_of(Rhs& f, const orbit_guess<Vector>& guess, cons
 
 template <class Vector>
 void validate_period(const orbit_guess<Vector>& guess, const std::string& who) {
+    if (guess.y.steps() == 0)
+        throw std::invalid_argument(who + ": guess.y must be a solution; last_return() finds a guess");
     if (!(guess.period > 0) || !(guess.period - guess.period == 0))
         throw std::invalid_argument(who + ": guess.period must be positive and finite");
 }
@@ -197,11 +199,11 @@ constexpr const char* words_of(bvp_status judged) {
 struct call_of_periodic_orbit {
     template <class Method>
     static constexpr bool say() {
-        static_assert(is_tableau<Method> || never<Method>,
+        static_assert(is_one_tableau<Method> || never<Method>,
                       "periodic_orbit: the first argument must be a collocation tableau, gauss<3>() with its "
-                      "parentheses, say");
+                      "parentheses, say; gauss_variable() is of solve_bvp alone");
         static_assert(
-            !is_tableau<Method> || never<Method>,
+            !is_one_tableau<Method> || never<Method>,
             "periodic_orbit(method, f, guess, options): f is called as f(t, y, out), guess must be an "
             "orbit_guess, as "
             "last_return(method, f, y0, t0, t1) of stagecraft/last_return.hpp finds it; options have "
@@ -236,7 +238,7 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
     bvp_options<Scalar> b;
     b.rtol = o.rtol, b.atol = o.atol, b.intervals = o.intervals, b.max_intervals = o.max_intervals;
     b.conditioning = false;
-    detail::validate(b, Scalar(0), Scalar(1));
+    detail::validate(b, Scalar(0), Scalar(1), "periodic_orbit");
     b.mesh = detail::mesh_of_steps(guess, o.intervals, o.max_intervals);
     using solver_type = detail::bvp_solver<Scalar, S, problem, Vector, parameters>;
     std::optional<solver_type> solver;

@@ -47,6 +47,12 @@ concept is_tableau = requires(const Method& m) {
     take_tableau(m);
 };
 
+/// One whose stages are given, unlike gauss_variable().
+template <class Method>
+concept is_one_tableau = is_tableau<Method> && requires(const Method& m) {
+    m.A;
+};
+
 struct call_of_solve_bvp {
     template <class Method>
     static constexpr bool say() {
