@@ -21,9 +21,8 @@ bool may_have_jumped(const Vector& f0, const Vector& f, const Vector& negligible
 
 /// df/dy by forward differences, n evaluations of f. The increment of component j is sqrt(eps) max(|y_j|,
 /// negligible_j), in the direction of f_j: relative where y_j is large, never below what the tolerance calls
-/// zero. Runs begin where f jumps more often than they come there by chance (a block at rest with dry friction): a first
-/// step of length `reach`, which is 0 later, takes columns that may contain a jump from one increment behind it to
-/// two, with another evaluation each.
+/// zero. Runs often begin exactly where f jumps (a block at rest with dry friction): in a first step, of length `reach` (0
+/// in later ones), a column that may contain a jump is taken between one increment and two, by one evaluation more.
 template <class Scalar, int N>
 class finite_difference_jacobian {
   public:

@@ -97,8 +97,8 @@ class row_panel {
     /// pivot() for k and k + 1, to the same bits: only column k + 1 is needed to choose the second, and what both subtract
     /// from the others is read and written once.
     void pivot_twice(Scalar* a, int* from, int k) const {
-        pivot(a, from, k, [](const Scalar* top, int k) {
-            return [=](Scalar* other, const Scalar& by) { other[k + 1] -= by * top[k + 1]; };
+        pivot(a, from, k, [](const Scalar* top, int column) {
+            return [=](Scalar* other, const Scalar& by) { other[column + 1] -= by * top[column + 1]; };
         });
         const Scalar* one = a + k * width();
         pivot(a, from, k + 1, [=, row = width()](Scalar* two, int) {
