@@ -138,7 +138,8 @@ BOOST_AUTO_TEST_CASE(a_hundred_thousand_sparse_unknowns_are_solved_in_memory_of_
     BOOST_TEST(sc::name(r.status) == "success");
     const double rate = 4 * p.square() * half * half;
     BOOST_TEST((r.y - std::exp(-0.1 * rate) * start).lpNorm<Eigen::Infinity>() < 1e-3);
-    BOOST_TEST(r.report.f_jacobian == 3 * r.report.jacobians);  // three colours, not 1e5 columns
+    // Three colours, not 1e5 columns, and once more in the first step, where so stiff an f may have jumped.
+    BOOST_TEST(r.report.f_jacobian == 3 * (r.report.jacobians + 1));
     BOOST_TEST(r.report.steps < 50);
     // A dense Jacobian would take 80 GB; the largest resident size is below a thousandth of that.
     std::ifstream status("/proc/self/status");
