@@ -249,13 +249,15 @@ class bvp_solver {
     /// number is so large that what the errors of x leave of M may be all there is, the mesh is halved until both stay. M of a
     /// linear problem does not depend on x: it is enough that its fundamental solutions are known to some digits.
     bool settled() {
-        const bool singular = singular_end();
-        const Scalar kappa = relative_kappa(), last = last_kappa_, growth(singular ? 4 : 2);
+        const Scalar kappa = relative_kappa(), last = last_kappa_;
+        const auto within = [&](const Scalar& growth) {
+            return kappa < growth * last && last < growth * kappa;
+        };
         const bool unknown = regular_.unknown(floor_, newton_.linear() ? Scalar(0) : error_),
-                   stays = kappa < growth * last && last < growth * kappa;
+                   stays = within(Scalar(2)) || (within(Scalar(4)) && singular_end());
         if (last < Scalar(0)) first_kappa_ = kappa;
         last_kappa_ = kappa;
-        vanishes_ = unknown || (regular_.resolved() && kappa > 10 * first_kappa_ && !singular);
+        vanishes_ = unknown || (regular_.resolved() && kappa > 10 * first_kappa_ && !singular_end());
         return (!unknown && (stays || kappa * o_.rtol < Scalar(1) / 100 ||
                              (newton_.linear() && regular_.doubt() < Scalar(1e-5)))) ||
                !o_.adapt || (!regular_.turns() && ++checks_ > 6) ||
