@@ -171,9 +171,9 @@ class conditioning_of {
     /// units are none of the problem's. Matrices of a norm below `least` are passed over.
     scalar norm(const scalar& least) const {
         scalar most(0);
+        const column sizes = largest_coefficients();
         const auto look = [&](auto response) {
-            for (Eigen::Index k = 0; k < response.cols() && response.rows() > 0; ++k)
-                response.col(k) *= largest_coefficient(static_cast<int>(k));
+            for (Eigen::Index k = 0; k < response.cols(); ++k) response.col(k) *= sizes[k];
             if (response.size() == 0 ||
                 response.cwiseAbs().maxCoeff() * scalar(static_cast<int>(response.cols())) < least)
                 return;
@@ -190,15 +190,14 @@ class conditioning_of {
     scalar relative(const scalar& floor) const {
         using std::abs;
         scalar kappa(0);
+        const column sizes = largest_coefficients();
         for (Eigen::Index j = 0; j < parameters_.rows(); ++j)
             for (Eigen::Index k = 0; k < parameters_.cols(); ++k)
-                kappa = std::max(kappa, scalar(largest_coefficient(static_cast<int>(k)) *
-                                               abs(parameters_(j, k)) / (floor + abs(x_.p[j]))));
+                kappa = std::max(kappa, scalar(sizes[k] * abs(parameters_(j, k)) / (floor + abs(x_.p[j]))));
         for (int c = 0; c < equations_.n(); ++c) {
             const scalar size = floor + x_.y.row(c).cwiseAbs().maxCoeff();
-            for (int k = 0; k < static_cast<int>(phi_.size()); ++k)
-                kappa = std::max(
-                    kappa, scalar(largest_coefficient(k) * phi_[k].row(c).cwiseAbs().maxCoeff() / size));
+            for (Eigen::Index k = 0; k < sizes.size(); ++k)
+                kappa = std::max(kappa, scalar(sizes[k] * phi_[k].row(c).cwiseAbs().maxCoeff() / size));
         }
         return kappa;
     }
@@ -303,10 +302,12 @@ class conditioning_of {
     int solves() const { return solves_; }
 
   private:
-    /// Of condition k; 1 if it has none.
-    scalar largest_coefficient(int k) const {
-        const scalar size = equations_.conditions().row(k).cwiseAbs().maxCoeff();
-        return size > scalar(0) ? size : scalar(1);
+    /// Of every condition; 1 where it has none.
+    column largest_coefficients() const {
+        column sizes = equations_.conditions().cwiseAbs().rowwise().maxCoeff();
+        for (scalar& size : sizes)
+            if (!(size > scalar(0))) size = scalar(1);
+        return sizes;
     }
     /// The norm of G(t_i, s) at s = t_{j+1}; where that is t_i, the larger of the limits from both sides, which
     /// differ by the identity.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
 #include <stagecraft/bvp/options.hpp>
 
 namespace stagecraft {
@@ -36,13 +33,11 @@ namespace detail {
 
 template <class Scalar>
 void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scalar& b, const char* who) {
-    const auto demand = [&](bool good, const char* what) {
-        if (!good) throw std::invalid_argument(std::string(who) + what);
-    };
-    demand(o.from - o.from == Scalar(0), ": from must be finite");
-    demand(o.to == o.to, ": to must be a number");
-    demand(o.step > Scalar(0) && o.largest_step >= o.step, ": step must be positive, largest_step no less");
-    demand(o.max_points > 0, ": max_points must be positive");
+    const auto demand = [who](bool good, const char* what) { demand_bvp(good, what, who); };
+    demand(o.from - o.from == Scalar(0), "from must be finite");
+    demand(o.to == o.to, "to must be a number");
+    demand(o.step > Scalar(0) && o.largest_step >= o.step, "step must be positive, largest_step no less");
+    demand(o.max_points > 0, "max_points must be positive");
     bvp_options<Scalar> tolerances;
     tolerances.rtol = o.rtol, tolerances.intervals = o.intervals;
     validate(tolerances, a, b, who);
