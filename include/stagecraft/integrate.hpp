@@ -18,9 +18,9 @@
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/problem/checked_call.hpp>
 #include <stagecraft/result.hpp>
-#include <stagecraft/step/continued.hpp>
-#include <stagecraft/step/given_arguments.hpp>
-#include <stagecraft/step/integrator.hpp>
+#include <stagecraft/run/continued.hpp>
+#include <stagecraft/run/given_arguments.hpp>
+#include <stagecraft/run/integrator.hpp>
 
 namespace stagecraft {
 
@@ -140,7 +140,7 @@ struct call_of_integrate {
 ///          values.
 /// y0       An Eigen column vector of fixed or dynamic size, of the method's scalar type. (states.hpp: a std::array, a
 ///          std::vector, a number, complex.)
-/// options  Tolerances, step sizes and limits (control/options.hpp). options.fixed_step > 0 takes equal steps
+/// options  Tolerances, step sizes and limits (options.hpp). options.fixed_step > 0 takes equal steps
 ///          without an error estimate.
 /// observer Called after every accepted step as observer(t, y, h, output), (t, y, h) or (t, y), where
 ///          output(time) and output.derivative(time) evaluate the continuous solution anywhere in that step

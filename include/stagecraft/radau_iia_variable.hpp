@@ -9,7 +9,7 @@
 namespace stagecraft {
 
 /// Radau IIA of variable order 2 s - 1, s = 3, 5, 7, 9 (orders 5, 9, 13, 17) or any increasing list of stage
-/// numbers: integrate(radau_iia_variable(), ...) chooses among them step by step (control/order.hpp). More
+/// numbers: integrate(radau_iia_variable(), ...) chooses among them step by step (judge/order.hpp). More
 /// than seven stages are chosen only where rtol <= 1e-10: they gain nothing before.
 template <int... Stages>
 requires(sizeof...(Stages) > 1) auto radau_iia_variable() {

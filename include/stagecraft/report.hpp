@@ -33,7 +33,7 @@ struct found_capabilities {
 
 /// What a run cost, and what it was told: plain counts, filled by every integrator.
 /// `steps` counts accepted steps; an attempt that is repeated counts once in `rejected_error` (error test, or
-/// growth that the step would pass over, stages/growth.hpp) or
+/// growth that the step would pass over, judge/guards/growth_watch.hpp) or
 /// `rejected_newton` (stage equations not solved, singular matrix or non-finite values).
 /// `f` counts evaluations of the right-hand side outside of the Jacobian, `f_jacobian` those that finite
 /// differences or automatic differentiation spent on it. A factorisation is one set of real and complex

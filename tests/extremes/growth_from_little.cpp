@@ -10,8 +10,8 @@
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/judge/guards/growth_bound.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
-#include <stagecraft/stages/growth_bound.hpp>
 
 namespace sc = stagecraft;
 using Eigen::MatrixXd;

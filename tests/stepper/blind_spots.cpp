@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/jumps/blind_spots.hpp>
+#include <stagecraft/tableau/blind_spots.hpp>
 #include <stagecraft/tableau/step_doubling.hpp>
 
 #include "../catalogue.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/control/inverse_root.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/judge/inverse_root.hpp>
 #include <stagecraft/tableau/order_conditions.hpp>
 #include <stagecraft/tableau/step_doubling.hpp>
 #include <stdexcept>

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include <stagecraft/control/options.hpp>
 #include <stagecraft/linear/banded_matrix.hpp>
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
 

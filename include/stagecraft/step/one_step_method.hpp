@@ -156,7 +156,7 @@ class step_defaults {
         return scalar(0);
     }
 
-    // Jumps of f (jumps/jump_guard.hpp).
+    // Jumps of f (judge/guards/jumps.hpp).
 
     /// True if some component of y' is found to be the same at all nodes of the step, and not zero.
     static bool sees_constant_slope(const output&) { return false; }

@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include <stagecraft/dense_output.hpp>
-#include <stagecraft/jumps/blind_spots.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_output.hpp>
+#include <stagecraft/tableau/blind_spots.hpp>
 #include <stagecraft/tableau/embedded_estimate.hpp>
 #include <stagecraft/tableau/remembered.hpp>
 #include <stagecraft/tableau/structure.hpp>
@@ -28,7 +28,7 @@ namespace stagecraft {
 /// in stiff components and extends it to algebraic ones (Hairer-Wanner II.IV.8; embedded_estimate.hpp). A
 /// method has no estimate, and runs with fixed steps only, if it has no embedded weights or these see no
 /// error of a quadrature. Jumps of f between certain nodes that they do not see are seen by other
-/// combinations of the slopes (jumps/blind_spots.hpp).
+/// combinations of the slopes (tableau/blind_spots.hpp).
 ///
 /// A singular M is possible if A is regular, or if the method is stiffly accurate and A is regular without
 /// its first stage, which is the left end.
@@ -302,7 +302,7 @@ class tableau_step : public step_defaults<Space> {
         const Scalar whole = ratio * size(scratch_, false);
         return whole <= plain ? plain : whole;
     }
-    // Jumps of f (jumps/jump_guard.hpp).
+    // Jumps of f (judge/guards/jumps.hpp).
 
     const blind_spots<Scalar>& blind() const { return blind_; }
     /// True if the slopes are known that the combinations at blind spots ask for.

@@ -7,7 +7,7 @@
 namespace stagecraft {
 
 /// Solves the stage equations of a step h that Newton's iteration could not solve from its first guess, by
-/// continuation in the step size: the equations of a part of the step are solved first, and their polynomial
+/// homotopy in the step size: the equations of a part of the step are solved first, and their polynomial
 /// is the first guess for a longer part (with the Jacobian taken two fifths into it), until the part is the
 /// whole step. Only the guess comes from the parts; the equations solved at the end are those of h. For equal
 /// steps, which cannot be repeated with a smaller one.
@@ -16,10 +16,9 @@ namespace stagecraft {
 /// as it was. At most 40 systems are tried, down to h/64. Takes storage for one more polynomial and a few
 /// states where the size is dynamic; nothing where the first iteration converges.
 template <class Scalar, class Step, class System>
-bool solve_by_continuation(Step& method, System& system, const Scalar& t, const typename Step::vector& y,
-                           const Scalar& h, const typename Step::vector& weights,
-                           newton_limits<Scalar> limits, typename Step::output& now, report<Scalar>& counts,
-                           newton_outcome<Scalar>& newton) {
+bool solve_by_homotopy(Step& method, System& system, const Scalar& t, const typename Step::vector& y,
+                       const Scalar& h, const typename Step::vector& weights, newton_limits<Scalar> limits,
+                       typename Step::output& now, report<Scalar>& counts, newton_outcome<Scalar>& newton) {
     if (system.constant_jacobian()) return false;
     limits.iterations *= 8;  // far from the solution the first iterations contract slowly,
     limits.patience = 2;     // and with index 3 the second increment may be as large as the first

@@ -5,16 +5,16 @@
 #include <array>
 #include <cmath>
 
-#include <stagecraft/control/options.hpp>
-#include <stagecraft/control/order.hpp>
-#include <stagecraft/control/step_plan.hpp>
-#include <stagecraft/control/step_size.hpp>
-#include <stagecraft/jumps/jump_guard.hpp>
+#include <stagecraft/judge/guards/jumps.hpp>
+#include <stagecraft/judge/order.hpp>
+#include <stagecraft/judge/step_size.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/norms.hpp>
+#include <stagecraft/options.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/end_slope.hpp>
+#include <stagecraft/run/step_plan.hpp>
 #include <stagecraft/stages/newton.hpp>
-#include <stagecraft/step/end_slope.hpp>
 
 namespace stagecraft {
 

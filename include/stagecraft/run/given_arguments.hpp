@@ -7,10 +7,10 @@
 #include <utility>
 
 #include <stagecraft/checkpoint.hpp>
-#include <stagecraft/control/options.hpp>
 #include <stagecraft/observe/observer.hpp>
+#include <stagecraft/options.hpp>
 #include <stagecraft/problem/checked_call.hpp>
-#include <stagecraft/step/integrator.hpp>
+#include <stagecraft/run/integrator.hpp>
 
 namespace stagecraft::detail {
 

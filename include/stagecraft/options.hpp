@@ -14,7 +14,7 @@
 
 namespace stagecraft {
 
-/// How the next step size follows from the estimates of this one and the one before (control/step_size.hpp).
+/// How the next step size follows from the estimates of this one and the one before (judge/step_size.hpp).
 enum class step_control { predictive, proportional_integral };
 
 /// One number per component: {1e-6, 1e-9} (which Eigen's own matrices take for their sizes), or a vector of Eigen's.
@@ -43,12 +43,12 @@ struct options {
     Scalar min_step{0};      ///< below it the run ends in status::step_underflow
     Scalar max_step{0};      ///< 0: no bound
     step_control control = step_control::predictive;
-    bool continuous = false;   ///< true: the tolerance holds between the ends of the steps as well; for
-                               ///< families of two stages at least but Radau IA, an error with others
-    bool jumps = true;         ///< false: f is smooth, and the run does nothing about jumps that the error
-                               ///< estimate does not show in full (jumps/jump_guard.hpp); it never does where
-                               ///< the method shows all of them
-    long max_steps = 1000000;  ///< attempts, accepted or not
+    bool continuous = false;  ///< true: the tolerance holds between the ends of the steps as well; for
+                              ///< families of two stages at least but Radau IA, an error with others
+    bool jumps = true;        ///< false: f is smooth, and the run does nothing about jumps that the error
+        ///< estimate does not show in full (judge/guards/jumps.hpp); it never does where
+        ///< the method shows all of them
+    long max_steps = 1000000;   ///< attempts, accepted or not
     int newton_iterations = 0;  ///< at most this many per step, per stage where stages are solved one by
                                 ///< one; 0: 7 + (5 s - 15)/2 as the stages grow, 50 with fixed steps
     Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50

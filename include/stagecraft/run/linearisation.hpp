@@ -6,10 +6,10 @@
 #include <limits>
 #include <type_traits>
 
-#include <stagecraft/control/first_step.hpp>
-#include <stagecraft/control/options.hpp>
+#include <stagecraft/judge/guards/growth_watch.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
-#include <stagecraft/stages/growth.hpp>
+#include <stagecraft/options.hpp>
+#include <stagecraft/run/initial_step.hpp>
 #include <stagecraft/stages/newton.hpp>
 
 namespace stagecraft {
@@ -53,7 +53,7 @@ struct search_block<Scalar, System> {
 }  // namespace detail
 
 /// What the linear systems of an attempt are like: factored, singular (or not finite), or such that the step
-/// would pass over a growing mode (stages/growth.hpp).
+/// would pass over a growing mode (judge/guards/growth_watch.hpp).
 enum class linear_state { factored, singular, growing };
 
 /// The linearisation of the stage equations that Newton's iteration uses: the Jacobian, which the system

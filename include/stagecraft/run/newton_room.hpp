@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <stagecraft/control/options.hpp>
+#include <stagecraft/options.hpp>
 #include <stagecraft/stages/newton.hpp>
 
 namespace stagecraft {

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/judge/guards/growth_bound.hpp>
 #include <stagecraft/linear/combinations.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/split_lu.hpp>
-#include <stagecraft/stages/growth_bound.hpp>
 
 namespace stagecraft {
 

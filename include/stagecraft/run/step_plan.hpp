@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <stagecraft/control/equal_steps.hpp>
-#include <stagecraft/control/options.hpp>
+#include <stagecraft/options.hpp>
+#include <stagecraft/run/equal_steps.hpp>
 #include <stagecraft/status.hpp>
 
 namespace stagecraft {

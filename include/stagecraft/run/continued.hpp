@@ -2,7 +2,7 @@
 #pragma once
 
 #include <stagecraft/checkpoint.hpp>
-#include <stagecraft/step/integrator.hpp>
+#include <stagecraft/run/integrator.hpp>
 
 namespace stagecraft {
 

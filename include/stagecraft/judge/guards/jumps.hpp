@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include <stagecraft/control/options.hpp>
-#include <stagecraft/jumps/blind_spots.hpp>
-#include <stagecraft/jumps/jump_spacing.hpp>
-#include <stagecraft/jumps/jump_watch.hpp>
-#include <stagecraft/jumps/smoothness.hpp>
+#include <stagecraft/judge/guards/jump_spacing.hpp>
+#include <stagecraft/judge/guards/jump_watch.hpp>
+#include <stagecraft/judge/guards/smoothness.hpp>
+#include <stagecraft/options.hpp>
+#include <stagecraft/tableau/blind_spots.hpp>
 
 namespace stagecraft {
 

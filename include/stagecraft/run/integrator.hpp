@@ -8,21 +8,21 @@
 #include <stdexcept>
 #include <string>
 
-#include <stagecraft/control/first_step.hpp>
-#include <stagecraft/control/options.hpp>
-#include <stagecraft/control/step_plan.hpp>
 #include <stagecraft/linear/norms.hpp>
+#include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/acceptance.hpp>
+#include <stagecraft/run/constraints_determine.hpp>
+#include <stagecraft/run/end_slope.hpp>
+#include <stagecraft/run/homotopy.hpp>
+#include <stagecraft/run/initial_step.hpp>
+#include <stagecraft/run/linearisation.hpp>
+#include <stagecraft/run/newton_room.hpp>
+#include <stagecraft/run/solve_from_guess.hpp>
+#include <stagecraft/run/step_plan.hpp>
 #include <stagecraft/status.hpp>
-#include <stagecraft/step/acceptance.hpp>
-#include <stagecraft/step/constraints_determine.hpp>
-#include <stagecraft/step/continuation.hpp>
-#include <stagecraft/step/end_slope.hpp>
-#include <stagecraft/step/linearisation.hpp>
 #include <stagecraft/step/method_set.hpp>
-#include <stagecraft/step/newton_room.hpp>
-#include <stagecraft/step/solve_from_guess.hpp>
 
 namespace stagecraft {
 
@@ -257,7 +257,7 @@ class integrator {
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
-    /// step, which cannot be repeated with a smaller one, by continuation where that fails.
+    /// step, which cannot be repeated with a smaller one, by homotopy where that fails.
     template <class Step>
     newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear, output_type& now) {
         newton_outcome<scalar> newton;
@@ -268,7 +268,7 @@ class integrator {
                                       h, weights(), limits, now, report_.solves);
         }
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
-            if (solve_by_continuation(method, system_, t_, y_, h, weights(), limits, now, report_, newton))
+            if (solve_by_homotopy(method, system_, t_, y_, h, weights(), limits, now, report_, newton))
                 linear_.factored_for(h, acceptance_.method());
         if (newton.end == newton_end::converged && method.iterates())
             linear_.solved(newton, factorisation_cost(method, system_), report_.steps == 0);

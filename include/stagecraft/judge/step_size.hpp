@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <stagecraft/control/inverse_root.hpp>
-#include <stagecraft/control/options.hpp>
+#include <stagecraft/judge/inverse_root.hpp>
+#include <stagecraft/options.hpp>
 
 namespace stagecraft {
 
