@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// theory/README.md says where each statement of the lecture is carried: every file, test and test case that it names
+// theory/SOURCES.md says where each statement of the lecture is carried: every file, test and test case that it names
 // exists.
 #define BOOST_TEST_MODULE map
 #include <boost/test/unit_test.hpp>
@@ -58,7 +58,7 @@ counts look_up(const std::string& map) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_file_test_and_case_that_the_lectures_map_names_exists) {
-    const std::string readme = text(root / "theory/README.md");
+    const std::string readme = text(root / "theory/SOURCES.md");
     const auto begin = readme.find("# Where each statement of the lecture is carried");
     BOOST_REQUIRE((begin != std::string::npos));
     const counts n = look_up(readme.substr(begin));
