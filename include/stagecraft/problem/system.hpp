@@ -339,6 +339,19 @@ class system
     /// that linear solvers leave which only iterate.
     bool rough_stages() const { return iterative_blocks<blocks, scalar> || largest_index() > 1; }
 
+    /// The error of an attempt whose stage equations are solved, 1 being the tolerance: `error`, or where that is below
+    /// one and the problem carries more along than y (sensitivities) the error of that, if it is larger.
+    template <class Step, class Trial>
+    scalar further_error(const scalar& error, [[maybe_unused]] Step& method, [[maybe_unused]] Trial& trial) {
+        if constexpr (requires { problem_.further_error(*this, method, trial); }) {
+            if (error < scalar(1)) {
+                const scalar further = problem_.further_error(*this, method, trial);
+                if (!(further <= error)) return further;
+            }
+        }
+        return error;
+    }
+
     bool constant_jacobian() {
         if constexpr (has_constant_jacobian<Problem>)
             return problem_.constant_jacobian();

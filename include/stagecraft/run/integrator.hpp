@@ -226,7 +226,8 @@ class integrator {
         if (plan_.fixed()) return accept(method, plan, now);
 
         trial_step<Vector, output_type> trial{plan, t_, y_, weights(), f_, y1_, now};
-        const scalar error = acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_);
+        const scalar error = system_.further_error(
+            acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_), method, trial);
         if (!(error < scalar(1)) &&
             !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
             return refuse_error(method, plan, error);
