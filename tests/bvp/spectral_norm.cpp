@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
 #include <vector>
 
 namespace {

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/path.hpp>
+#include <stagecraft/bvp/paths/path.hpp>
+#include <stagecraft/bvp/solve.hpp>
 
 namespace stagecraft {
 

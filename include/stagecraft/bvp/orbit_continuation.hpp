@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/path.hpp>
+#include <stagecraft/bvp/paths/path.hpp>
 #include <stagecraft/bvp/periodic_orbit.hpp>
 
 namespace stagecraft {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/multipliers.hpp>
+#include <stagecraft/bvp/paths/multipliers.hpp>
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/observe/solution.hpp>
 
@@ -217,7 +217,7 @@ struct call_of_periodic_orbit {
 
 /// A periodic orbit of the autonomous y' = f(y), its period (unknown, in the border of the linear systems) and
 /// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. One of the
-/// multipliers is 1; for how they and their errors are found see bvp/multipliers.hpp.
+/// multipliers is 1; for how they and their errors are found see bvp/paths/multipliers.hpp.
 template <class Scalar, int S, class Rhs, class Vector>
 requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> periodic_orbit(
     const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,

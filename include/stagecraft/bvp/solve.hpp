@@ -9,7 +9,7 @@
 // Before what includes it, so that what is said from there is said in fewer lines.
 #include <stagecraft/jacobian/dual_number.hpp>
 
-#include <stagecraft/bvp/bvp_solver.hpp>
+#include <stagecraft/bvp/solve/search.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/named_member.hpp>
 
@@ -82,9 +82,9 @@ struct call_of_solve_bvp {
 /// p        A guess for the unknown parameters; n + n_p conditions then.
 ///
 /// The mesh follows the contributions of its intervals to the global error, which is estimated by one more
-/// solve with the factors of Newton's iteration (bvp/error_estimate.hpp). Success means: the estimated error
+/// solve with the factors of Newton's iteration (bvp/measure/error_estimate.hpp). Success means: the estimated error
 /// of y(t) for all t, and of p, is within the tolerance, and the linearised problem is regular beyond the errors of
-/// rounding, of differences and, where its fundamental solutions are resolved, of the mesh (bvp/regularity.hpp).
+/// rounding, of differences and, where its fundamental solutions are resolved, of the mesh (bvp/measure/regularity.hpp).
 /// Where the first m components of f are the next m of y, q' = v, the largest such m is found by one evaluation of f near
 /// the guess, or stated by f's second_order_components: q is then a polynomial of degree s + 1, and m s unknowns less
 /// are eliminated.

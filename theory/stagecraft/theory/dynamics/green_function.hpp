@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
 
 namespace stagecraft::theory {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
 
 namespace stagecraft::detail {
 

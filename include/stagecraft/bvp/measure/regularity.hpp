@@ -9,12 +9,12 @@
 #include <type_traits>
 #include <utility>
 
-#include <stagecraft/bvp/conditioning.hpp>
-#include <stagecraft/bvp/lifting_elimination.hpp>
-#include <stagecraft/bvp/lifting_rule.hpp>
-#include <stagecraft/bvp/missed_phase.hpp>
-#include <stagecraft/bvp/modes.hpp>
-#include <stagecraft/bvp/translation.hpp>
+#include <stagecraft/bvp/equations/lifting_elimination.hpp>
+#include <stagecraft/bvp/equations/lifting_rule.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
+#include <stagecraft/bvp/measure/missed_phase.hpp>
+#include <stagecraft/bvp/measure/modes.hpp>
+#include <stagecraft/bvp/measure/translation.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <stagecraft/bvp/mesh.hpp>
+#include <stagecraft/bvp/equations/mesh.hpp>
 #include <stagecraft/problem/system.hpp>
 
 namespace stagecraft::detail {

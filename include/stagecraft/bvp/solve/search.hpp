@@ -8,17 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/collocation_equations.hpp>
-#include <stagecraft/bvp/conditioning.hpp>
-#include <stagecraft/bvp/contradiction.hpp>
-#include <stagecraft/bvp/damped_newton.hpp>
-#include <stagecraft/bvp/error_estimate.hpp>
-#include <stagecraft/bvp/finer_meshes.hpp>
-#include <stagecraft/bvp/guess.hpp>
-#include <stagecraft/bvp/largest_errors.hpp>
-#include <stagecraft/bvp/mesh.hpp>
-#include <stagecraft/bvp/mesh_choice.hpp>
+#include <stagecraft/bvp/equations/collocation_equations.hpp>
+#include <stagecraft/bvp/equations/guess.hpp>
+#include <stagecraft/bvp/equations/mesh.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
+#include <stagecraft/bvp/measure/contradiction.hpp>
+#include <stagecraft/bvp/measure/error_estimate.hpp>
+#include <stagecraft/bvp/measure/finer_meshes.hpp>
+#include <stagecraft/bvp/measure/largest_errors.hpp>
 #include <stagecraft/bvp/result.hpp>
+#include <stagecraft/bvp/solve/damped_newton.hpp>
+#include <stagecraft/bvp/solve/mesh_choice.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {

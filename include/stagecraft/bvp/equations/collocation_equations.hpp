@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include <stagecraft/bvp/collocation_blocks.hpp>
-#include <stagecraft/bvp/lifting_rule.hpp>
+#include <stagecraft/bvp/equations/collocation_blocks.hpp>
+#include <stagecraft/bvp/equations/lifting_rule.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/linear/two_point_matrix.hpp>
 #include <stagecraft/problem/make_mass.hpp>

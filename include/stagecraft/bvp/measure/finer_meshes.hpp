@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include <stagecraft/bvp/mesh.hpp>
-#include <stagecraft/bvp/regularity.hpp>
+#include <stagecraft/bvp/equations/mesh.hpp>
+#include <stagecraft/bvp/measure/regularity.hpp>
 
 namespace stagecraft::detail {
 

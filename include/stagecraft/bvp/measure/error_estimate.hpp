@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <vector>
 
-#include <stagecraft/bvp/hidden_jumps.hpp>
-#include <stagecraft/bvp/lifting_elimination.hpp>
-#include <stagecraft/bvp/lifting_rule.hpp>
-#include <stagecraft/bvp/on_mesh.hpp>
+#include <stagecraft/bvp/equations/lifting_elimination.hpp>
+#include <stagecraft/bvp/equations/lifting_rule.hpp>
+#include <stagecraft/bvp/equations/on_mesh.hpp>
+#include <stagecraft/bvp/measure/hidden_jumps.hpp>
 #include <stagecraft/linear/almost_block_diagonal.hpp>
 #include <stagecraft/observe/solution.hpp>
 

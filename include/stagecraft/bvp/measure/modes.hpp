@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
 
 namespace stagecraft::detail {
 

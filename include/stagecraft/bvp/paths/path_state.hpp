@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <stagecraft/bvp/continuation_options.hpp>
-#include <stagecraft/bvp/multipliers.hpp>
-#include <stagecraft/bvp/solve.hpp>
-#include <stagecraft/bvp/traces.hpp>
+#include <stagecraft/bvp/paths/multipliers.hpp>
+#include <stagecraft/bvp/paths/traces.hpp>
+#include <stagecraft/bvp/solve/search.hpp>
 
 namespace stagecraft::detail {
 

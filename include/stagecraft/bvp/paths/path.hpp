@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/branch_point.hpp>
 #include <stagecraft/bvp/continuation_options.hpp>
-#include <stagecraft/bvp/hopf_point.hpp>
-#include <stagecraft/bvp/multipliers.hpp>
-#include <stagecraft/bvp/path_state.hpp>
+#include <stagecraft/bvp/paths/branch_point.hpp>
+#include <stagecraft/bvp/paths/hopf_point.hpp>
+#include <stagecraft/bvp/paths/multipliers.hpp>
+#include <stagecraft/bvp/paths/path_state.hpp>
 
 namespace stagecraft::detail {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/multipliers.hpp>
+#include <stagecraft/bvp/paths/multipliers.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/observe/solution.hpp>
 #include <stagecraft/problem/two_point.hpp>

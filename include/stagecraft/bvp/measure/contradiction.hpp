@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
 
 namespace stagecraft::detail {
 

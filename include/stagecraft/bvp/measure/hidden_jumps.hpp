@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <stagecraft/bvp/missed_phase.hpp>
+#include <stagecraft/bvp/measure/missed_phase.hpp>
 
 namespace stagecraft::detail {
 

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <vector>
 
-#include <stagecraft/bvp/error_estimate.hpp>
-#include <stagecraft/bvp/mesh.hpp>
-#include <stagecraft/bvp/missed_phase.hpp>
+#include <stagecraft/bvp/equations/mesh.hpp>
+#include <stagecraft/bvp/measure/error_estimate.hpp>
+#include <stagecraft/bvp/measure/missed_phase.hpp>
 #include <stagecraft/bvp/options.hpp>
 
 namespace stagecraft::detail {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <stagecraft/bvp/conditioning.hpp>
+#include <stagecraft/bvp/measure/conditioning.hpp>
 #include <stagecraft/linear/almost_block_diagonal.hpp>
 
 namespace stagecraft::detail {

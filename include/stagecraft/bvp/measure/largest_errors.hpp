@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <stagecraft/bvp/error_estimate.hpp>
+#include <stagecraft/bvp/measure/error_estimate.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/tableau/legendre_rule.hpp>
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/lifting_rule.hpp>
+#include <stagecraft/bvp/equations/lifting_rule.hpp>
 #include <stagecraft/linear/row_panel.hpp>
 
 namespace stagecraft::detail {
