@@ -12,10 +12,11 @@ install_library() {
         -DSTAGECRAFT_TOOL=OFF -DSTAGECRAFT_TESTS=OFF -DSTAGECRAFT_EXAMPLES=OFF
     cmake --install "$work/library"
 }
+version=$(sed -n 's/^project(stagecraft VERSION \([0-9]*\.[0-9]*\).*/\1/p' "$source/CMakeLists.txt")
 consume() {  # consume FOLDER CMAKE-ARGUMENT...
     local folder=$work/$1
     shift
-    cmake -S "$source/tests/package/consumer" -B "$folder" -G Ninja "$@"
+    cmake -S "$source/tests/package/consumer" -B "$folder" -G Ninja -DWANTED="$version" "$@"
     cmake --build "$folder"
     "$folder/consumer"
 }
