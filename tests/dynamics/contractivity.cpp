@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/logarithmic_norm.hpp>
@@ -131,6 +132,158 @@ BOOST_AUTO_TEST_CASE(interval_functions_enclose_and_are_narrow) {
     BOOST_TEST((1 / interval(-1, 1) == interval::whole()));
     BOOST_TEST(sin(interval(0.0, 2.0)).high() == 1.0);
     BOOST_CHECK_THROW(interval(1, 0), std::invalid_argument);
+}
+
+namespace {
+
+/// Doubles of all sizes and of kinds that rounding finds hard: few bits, subnormal, next to a power of two, next to a
+/// multiple of pi/2.
+class doubles {
+  public:
+    double operator()(int least, int most) {  // 2^least <= |x| < 2^(most + 1)
+        const double size = std::ldexp(1 + std::ldexp(static_cast<double>(engine_() >> 12), -52),
+                                       least + static_cast<int>(below(most - least + 1)));
+        double x = size;
+        switch (below(8)) {
+            case 0:
+                x = std::ldexp(1.0, std::ilogb(size));
+                break;
+            case 1:
+                x = std::nextafter(std::ldexp(1.0, std::ilogb(size)), 0.0);
+                break;
+            case 2:
+                x = std::ldexp(static_cast<double>(1 + below(1000)),
+                               std::max(least, std::min(most - 10, std::ilogb(size))));
+                break;
+            case 3:
+                if (size < 1e6)
+                    x = std::nextafter(std::round(size / 1.5707963267948966) * 1.5707963267948966, size);
+                break;
+            default:
+                break;
+        }
+        return below(2) == 0 ? x : -x;
+    }
+    unsigned below(int n) { return static_cast<unsigned>(engine_() % static_cast<unsigned>(n)); }
+    /// An interval that contains x: x itself, a few neighbours, or wide.
+    interval around(double x) {
+        switch (below(4)) {
+            case 0:
+                return {std::nextafter(x, -HUGE_VAL), x};
+            case 1: {
+                const double w = std::ldexp(std::abs(x), -static_cast<int>(below(60)));
+                return {x - w, x + std::ldexp(w, -static_cast<int>(below(4)))};
+            }
+            default:
+                return x;
+        }
+    }
+
+  private:
+    std::mt19937_64 engine_{20241127};
+};
+
+bool contains(const interval& e, const rational& q) {
+    return (std::isinf(e.low()) || exactly(e.low()) <= q) && (std::isinf(e.high()) || q <= exactly(e.high()));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(interval_arithmetic_contains_the_exact_results_of_1e5_operands_of_all_sizes) {
+    doubles random;
+    int missed = 0, points = 0;
+    std::string first;
+    const auto check = [&](const char* what, double x, double y, const interval& e, bool holds) {
+        points += e.width() == 0 ? 1 : 0;
+        if (holds || missed++ > 0) return;
+        std::ostringstream text;
+        text << std::hexfloat << what << " of " << x << " and " << y << ": " << e.low() << ", " << e.high();
+        first = text.str();
+    };
+    for (int k = 0; k < 17'000; ++k) {
+        const bool small = k % 2 == 0;
+        const double x = small ? random(-40, 40) : random(-1074, 1023),
+                     y = small ? random(-40, 40) : random(-1074, 1023);
+        const interval a = random.around(x), b = random.around(y);
+        const rational p = exactly(x), q = exactly(y);
+        check("sum", x, y, a + b, contains(a + b, p + q));
+        check("difference", x, y, a - b, contains(a - b, p - q));
+        check("product", x, y, a * b, contains(a * b, p * q));
+        check("quotient", x, y, a / b, contains(a / b, p / q));
+        check("square", x, x, square(a), contains(square(a), p * p));
+        const interval r = sqrt(abs(a));
+        check(
+            "root", x, x, r,
+            exactly(r.low()) * exactly(r.low()) <= abs(p) && abs(p) <= exactly(r.high()) * exactly(r.high()));
+    }
+    BOOST_TEST(missed == 0, missed << " missed, first the " << first);
+    BOOST_TEST(points > 4000);  // exact results stay points
+}
+
+BOOST_AUTO_TEST_CASE(interval_functions_contain_the_400_bit_values_at_24_000_arguments_of_all_sizes) {
+    using wide = boost::multiprecision::number<
+        boost::multiprecision::cpp_bin_float<400, boost::multiprecision::digit_base_2>,
+        boost::multiprecision::et_off>;
+    doubles random;
+    int missed = 0;
+    std::string first;
+    const auto check = [&](const char* what, double x, const interval& e, const wide& value) {
+        if ((wide(e.low()) <= value && value <= wide(e.high())) || missed++ > 0) return;
+        std::ostringstream text;
+        text << std::hexfloat << what << " of " << x << ": " << e.low() << ", " << e.high();
+        first = text.str();
+    };
+    for (int k = 0; k < 6000; ++k) {
+        const double x = k % 2 == 0 ? random(-10, 9) : random(-1074, 19);
+        const interval a = random.around(x);
+        check("exp", x, exp(a), exp(wide(x)));
+        check("sin", x, sin(a), sin(wide(x)));
+        check("cos", x, cos(a), cos(wide(x)));
+        const double p = std::abs(k % 3 == 0 ? random(-1074, 1023) : x);
+        check("log", p, log(abs(random.around(p))), log(wide(p)));
+    }
+    BOOST_TEST(missed == 0, missed << " missed, first the " << first);
+}
+
+BOOST_AUTO_TEST_CASE(intervals_of_rationals_are_the_narrowest_whatever_the_lengths_of_both_parts) {
+    std::mt19937_64 random(3);
+    const auto number = [&](int most) {
+        tableaux::integer n = 1;
+        for (int bits = 1 + static_cast<int>(random() % static_cast<unsigned>(most)); bits > 0; bits -= 60)
+            n = (n << std::min(bits, 60)) + (random() >> (64 - std::min(bits, 60)));
+        return n;
+    };
+    for (int k = 0; k < 20'000; ++k) {
+        const rational q(random() % 2 == 0 ? number(1200) : tableaux::integer(-number(1200)), number(1200));
+        const interval e(q);
+        if (!contains(e, q) || (e.width() != 0 && std::nextafter(e.low(), HUGE_VAL) != e.high()))
+            BOOST_ERROR(q << " is in " << to_string(e));
+    }
+    const rational huge = rational(tableaux::integer(1) << 1100), tiny = 1 / huge;
+    BOOST_TEST((interval(huge).low() == 0x1.fffffffffffffp1023 && std::isinf(interval(huge).high())));
+    BOOST_TEST((std::isinf(interval(-huge).low()) && interval(-huge).high() == -0x1.fffffffffffffp1023));
+    BOOST_TEST((interval(tiny) == interval(0.0, 0x1p-1074)));
+    BOOST_TEST((interval(-tiny) == interval(-0x1p-1074, 0.0)));
+    BOOST_TEST((interval(tableaux::scaled(rational(3), -1074)) == interval(3 * 0x1p-1074)));
+}
+
+BOOST_AUTO_TEST_CASE(one_sided_constants_of_long_rational_slopes_are_theirs) {
+    tableaux::integer power = 1;
+    power <<= 962;
+    const rational q(tableaux::integer(3), tableaux::integer(power + 1));  // f = q 2^962 x, f' = 3 - 6e-290
+    const auto steep = [&](const auto&, const auto& x, auto& f) {
+        f[0] = std::decay_t<decltype(f[0])>(interval(q)) * (0x1p962 * x[0]);
+    };
+    const box<1> where(interval(-1, 1));
+    const auto three = one_sided_lipschitz_on<1>(steep, where);
+    BOOST_TEST(three.verdict.is_proved());
+    BOOST_TEST((three.low <= q * rational(power) && q * rational(power) <= three.high));
+    BOOST_TEST(std::abs(three.high.to<double>() - 3) < 1e-12);
+    const rational small = 1 / rational(tableaux::integer(pow(tableaux::integer(10), 290)));
+    const auto flat = [&](const auto&, const auto& x, auto& f) {
+        f[0] = std::decay_t<decltype(f[0])>(interval(small)) * x[0];
+    };
+    BOOST_TEST((one_sided_lipschitz_on<1>(flat, where).high >= small));
 }
 
 BOOST_AUTO_TEST_CASE(definition_1_2_x_squared_ends_at_1_over_x0_with_a_status_and_lives_for_x0_not_positive) {

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <concepts>
 #include <functional>
 #include <iosfwd>
+#include <limits>
 #include <stagecraft/tableaux/integer.hpp>
 #include <stagecraft/tableaux/number_traits.hpp>
 #include <stdexcept>
@@ -92,25 +94,50 @@ class rational {
         return out;
     }
 
-    /// The value as a floating type (double or a Boost.Multiprecision float), by one division there. Numbers
-    /// too long for a built-in type lose what both have beyond 960 bits first: the value does not overflow
-    /// with them.
+    /// The nearest number of a binary floating type (float, double, long double, cpp_bin_float), ties to even: a built-in
+    /// type's subnormal numbers included, infinite from half a unit beyond its largest number. Of a decimal type the
+    /// quotient of the two parts in that type, good to a few units of its last place.
     template <class Real>
     Real to() const {
-        integer n = boost::multiprecision::abs(n_), d = d_;
-        if constexpr (std::floating_point<Real>) {
-            if (n == 0) return Real(0);
-            const auto longest = std::max(msb(n), msb(d));
-            if (longest > 960) {
-                n >>= longest - 960;
-                d >>= longest - 960;
-            }
+        using limits = std::numeric_limits<Real>;
+        const integer n = boost::multiprecision::abs(n_);
+        if (n == 0) return Real(0);
+        const auto longest = static_cast<long>(std::max(msb(n), msb(d_)));
+        Real size;
+        if constexpr (limits::radix != 2) {
+            size = static_cast<Real>(n) / static_cast<Real>(d_);
+        } else if (longest < limits::digits) {  // both are numbers of the type: one rounding
+            size = static_cast<Real>(n) / static_cast<Real>(d_);
+        } else {
+            size = nearest_quotient<Real>(n, d_);
         }
-        const Real size = static_cast<Real>(n) / static_cast<Real>(d);
         return n_ < 0 ? Real(-size) : size;
     }
 
   private:
+    // n/d > 0: as many bits of the quotient as the type has there, rounded by the remainder.
+    template <class Real>
+    static Real nearest_quotient(const integer& n, const integer& d) {
+        using limits = std::numeric_limits<Real>;
+        long top = static_cast<long>(msb(n)) - static_cast<long>(msb(d));  // 2^top <= n/d < 2^(top + 1)
+        if (shifted(n, -top) < shifted(d, top)) --top;
+        if (top >= limits::max_exponent) return limits::infinity();
+        long unit = top - limits::digits + 1;  // of the last place, as a power of two
+        if constexpr (std::floating_point<Real>)
+            unit = std::max(unit, long{limits::min_exponent} - limits::digits);
+        if (top < unit - 1) return Real(0);
+        const integer divisor = shifted(d, unit);
+        integer quotient, rest;
+        divide_qr(shifted(n, -unit), divisor, quotient, rest);
+        rest <<= 1;
+        if (rest > divisor || (rest == divisor && bit_test(quotient, 0))) ++quotient;
+        using std::ldexp;
+        return ldexp(static_cast<Real>(quotient), static_cast<int>(unit));
+    }
+    // x 2^k for k > 0, x else.
+    static integer shifted(const integer& x, long k) {
+        return k > 0 ? integer(x << static_cast<unsigned long>(k)) : x;
+    }
     // Divides both by what they share.
     static void cancel(integer& n, integer& d) {
         if (d == 1 || n == 1) return;

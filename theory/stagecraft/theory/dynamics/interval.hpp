@@ -38,11 +38,15 @@ class interval {
     interval(double low, double high) : low_(low), high_(high) {
         if (!(low <= high)) throw std::invalid_argument("interval: low must not exceed high, nor be NaN");
     }
-    /// The narrowest but for a unit in the last place around q.
-    interval(const tableaux::rational& q) {  // NOLINT
-        const double x = q.to<double>();
-        *this =
-            std::isfinite(x) && exactly(x) == q ? interval(x) : interval(below(below(x)), above(above(x)));
+    /// The narrowest around q: a point where q is a double, else two neighbours.
+    interval(const tableaux::rational& q) : low_(q.to<double>()), high_(low_) {  // NOLINT
+        if (std::isinf(low_)) {
+            (low_ > 0 ? low_ : high_) = std::copysign(std::numeric_limits<double>::max(), low_);
+        } else if (const auto order = exactly(low_) <=> q; order < 0) {
+            high_ = std::nextafter(high_, infinity);
+        } else if (order > 0) {
+            low_ = std::nextafter(low_, -infinity);
+        }
     }
     static interval whole() { return {-infinity, infinity}; }
 
@@ -105,7 +109,8 @@ class interval {
         if (!(a.low_ >= 0)) return whole();
         const auto root = [](double x, int side) {
             const double r = std::sqrt(x);
-            return x == 0 || std::fma(r, r, -x) == 0 ? r : side < 0 ? below(r) : above(r);
+            const bool exact = x == 0 || (x > 1e-290 && std::fma(r, r, -x) == 0);
+            return exact ? r : towards(r, side);
         };
         return ends(root(a.low_, -1), root(a.high_, 1));
     }
@@ -122,6 +127,7 @@ class interval {
 
     static interval ends(double low, double high) { return low <= high ? interval(low, high) : whole(); }
     static double towards(double x, int side) { return side < 0 ? below(x) : above(x); }
+    // fma gives the error of a rounded result as long as that does not underflow: above 1e-290.
     static double sum(double a, double b, int side) {
         const double s = a + b, rest = s - a;
         if (!std::isfinite(s)) return std::isfinite(a) && std::isfinite(b) ? towards(s, side) : s;
