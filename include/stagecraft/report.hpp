@@ -75,6 +75,21 @@ struct report {
         atol = o.atol_components.size() > 0 ? Scalar(0) : o.atol;
         default_atol = atol == Options{}.atol && o.fixed_step == Scalar(0);
     }
+    /// Takes in a run that goes on from this one.
+    void add(const report& more) {
+        const report first = *this;
+        *this = more;
+        if (first.steps == 0) return;
+        steps += first.steps, rejected_error += first.rejected_error,
+            rejected_newton += first.rejected_newton;
+        f += first.f, f_jacobian += first.f_jacobian, jacobians += first.jacobians;
+        factorisations += first.factorisations, solves += first.solves, error_solves += first.error_solves;
+        if (more.steps == 0 || first.smallest_step < smallest_step) smallest_step = first.smallest_step;
+        if (first.largest_step > largest_step) largest_step = first.largest_step;
+        if (more.steps == 0 || first.smallest_stages < smallest_stages)
+            smallest_stages = first.smallest_stages;
+        if (first.largest_stages > largest_stages) largest_stages = first.largest_stages;
+    }
     /// Takes in an accepted step of magnitude h by a method of so many stages.
     void count_step(const Scalar& h, int stages) {
         if (steps == 0 || h < smallest_step) smallest_step = h;

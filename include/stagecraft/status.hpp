@@ -15,7 +15,8 @@ enum class status {
     newton_failed,   ///< the stage equations could not be solved with any admissible step
     singular_matrix,  ///< gamma/h M - J, or what constraints leave of it for small h, was singular for every step
     non_finite,       ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
-    size_changed,   ///< the right-hand side or the Jacobian resized its output
+    size_changed,  ///< the right-hand side or the Jacobian resized its output
+    wrong_derivative,  ///< a Jacobian, a pattern or a parameter_jacobian of the problem's disagrees with differences of f
     function_threw  ///< a callable of the problem threw; result.exception holds what it threw
 };
 
@@ -40,6 +41,8 @@ constexpr const char* name(status s) {
             return "non_finite";
         case status::size_changed:
             return "size_changed";
+        case status::wrong_derivative:
+            return "wrong_derivative";
         case status::function_threw:
             return "function_threw";
     }

@@ -2,179 +2,51 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <exception>
+#include <limits>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/jacobian/automatic.hpp>
-#include <stagecraft/linear/dense_blocks.hpp>
-#include <stagecraft/sensitivity/linear_stages.hpp>
+#include <stagecraft/sensitivity/adjoint_run.hpp>
+#include <stagecraft/sensitivity/functionals.hpp>
 #include <stagecraft/sensitivity/parameters.hpp>
-#include <stagecraft/sensitivity/stage_derivatives.hpp>
-#include <stagecraft/stages/transformed.hpp>
 
 namespace stagecraft {
 
-/// The result of a run with the value of a functional g(y(t1)) of its end and the gradient of that.
+/// The result of a run with the value of a functional and the gradient of that.
 template <class Vector, class Parameters>
 struct gradient_result : result<Vector> {
     typename Vector::Scalar value{0};
-    Vector dy0;     ///< dg/dy0
-    Parameters dp;  ///< dg/dp
+    Vector dy0{};     ///< dg/dy0
+    Parameters dp{};  ///< dg/dp
+    Vector
+        dy0_error{};  ///< about the errors of these, component by component; NaN where they are not estimated
+    Parameters dp_error{};
+    std::string message{};  ///< of status::wrong_derivative: what disagrees, and where
+};
+
+/// The same of K functionals: a column each.
+template <class Vector, class Parameters, int K>
+struct gradients_result : result<Vector> {
+    using scalar = typename Vector::Scalar;
+    Eigen::Matrix<scalar, K, 1> value = Eigen::Matrix<scalar, K, 1>::Zero();
+    Eigen::Matrix<scalar, Vector::RowsAtCompileTime, K> dy0{}, dy0_error{};
+    Eigen::Matrix<scalar, Parameters::RowsAtCompileTime, K> dp{}, dp_error{};
+    std::string message{};
+};
+
+/// What adjoint_gradient() may be told beyond the options of the run.
+struct gradient_options {
+    bool estimate = true;  ///< of the gradient's error; costs twice the rest
 };
 
 namespace detail {
-
-/// A problem's J^T and M^T as the solvers of stage equations take them.
-template <class Matrix, class Mass>
-struct transposed_system {
-    using mass_type = Mass;
-    Matrix J;
-    Mass M;
-    const Matrix& jacobian() const { return J; }
-    const Mass& mass() const { return M; }
-    template <class F>
-    static decltype(auto) measure(work, F&& f) {
-        return f();
-    }
-};
-
-/// The transposed steps of a run, from its end to its beginning: lambda, the derivative of g with respect to
-/// the state, and mu, that with respect to p.
-template <class Method, class Problem, class Vector>
-class adjoint_steps {
-    using scalar = typename Vector::Scalar;
-    using derivatives = stage_derivatives<Problem, Vector>;
-    using blocks = typename unstructured<typename derivatives::system_type::blocks>::type;
-
-    /// The stage equations of one method, transposed.
-    template <class Tableau>
-    struct transposed_method;
-    template <int Stages>
-    struct transposed_method<transformed_tableau<scalar, Stages>> {
-        transposed_method(const transformed_tableau<scalar, Stages>& m, int n)
-            : d(update_weights(m)), stages(transposed(m), n) {}
-        Eigen::Matrix<scalar, Stages, 1> d;
-        transformed_stages<Vector, Stages, blocks> stages;
-    };
-    template <class... Tableaux>
-    static std::tuple<transposed_method<Tableaux>...> make(const std::tuple<Tableaux...>& methods, int n) {
-        return std::apply([n](const auto&... m) { return std::tuple(transposed_method<Tableaux>(m, n)...); },
-                          methods);
-    }
-    using methods_type = decltype(make(as_tuple(std::declval<const Method&>()), 0));
-
-  public:
-    using parameters = typename Problem::parameters;
-
-    adjoint_steps(const Method& method, const Problem& problem, const Vector& lambda,
-                  const options<scalar>& o)
-        : at_(problem, lambda, o),
-          methods_(make(as_tuple(method), static_cast<int>(lambda.size()))),
-          mass_(transposed(at_.mass())),
-          lambda_(lambda),
-          weights_(lambda),
-          mu_(parameters::Zero(problem.p.size())) {}
-
-    const Vector& lambda() const { return lambda_; }
-    const parameters& mu() const { return mu_; }
-
-    /// Takes back a step that method number k has made; false if its linear equations could not be solved.
-    template <class Output>
-    bool back(const Output& output, int k) {
-        return visit_at(methods_, k, [&](auto& method) {
-            auto& stages = method.stages;
-            const int s = stages.stages();
-            const scalar h = output.step();
-            at_.evaluate(stages.method(), output);
-            at_.relative_weights(output.y0(), weights_);
-            weights_ = weights_.cwiseInverse();  // sizes of derivatives are the inverse ones
-            const auto add = [&](int i, const Vector& v, Vector& f) {
-                f = (method.d[i] / h) * lambda_;
-                add_transposed_product(at_.J(i), v, f);
-            };
-            Z_.resize(lambda_.size(), s);
-            const Vector none = Vector::Zero(lambda_.size());
-            // The iteration needs one matrix near the Jacobians of all stages: mostly that of the middle one, else one of
-            // those before and behind it, in turn.
-            bool solved = false;
-            for (int attempt = 0; attempt < s && !solved; ++attempt) {
-                const int near = s / 2 + (attempt % 2 == 1 ? -(attempt + 1) / 2 : attempt / 2);
-                const transposed_system<typename derivatives::matrix, decltype(mass_)> system{
-                    transposed(at_.J(near)), mass_};
-                solved = stages.factor(system, h) &&
-                         solve_linear_stages(stages, mass_, add, none, h, weights_, at_.tolerance(), Z_);
-            }
-            if (!solved) return false;
-            for (int i = 0; i < s; ++i) {
-                const Vector stage = h * Z_.col(i);
-                add_transposed_product(at_.J(i), stage, lambda_);
-                mu_.noalias() += at_.F(i).transpose() * stage;
-            }
-            return true;
-        });
-    }
-
-  private:
-    derivatives at_;
-    methods_type methods_;
-    std::remove_cvref_t<decltype(transposed(std::declval<const derivatives&>().mass()))> mass_;
-    Vector lambda_, weights_;
-    parameters mu_;
-    Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic> Z_;
-};
-
-/// g is generic and returns a number.
-template <class Functional, class Vector,
-          class Number = dual<typename Vector::Scalar, Vector::RowsAtCompileTime>,
-          class Numbers = dual_vector<typename Vector::Scalar, Vector::RowsAtCompileTime>>
-concept differentiable_functional = callable_unconverted<const Functional, const Numbers&> &&
-    std::is_invocable_r_v<Number, const Functional&, Numbers&>;
-
-/// g(y) and, in `slope`, its derivative.
-template <class Functional, class Vector>
-typename Vector::Scalar differentiate_functional(const Functional& g, const Vector& y, Vector& slope) {
-    using scalar = typename Vector::Scalar;
-    constexpr int N = Vector::RowsAtCompileTime, width = dual_width<N>;
-    using number = dual<scalar, N>;
-    auto at = promoted<number>(y);
-    scalar value(0);
-    for (Eigen::Index first = 0; first < y.size(); first += width) {
-        for (Eigen::Index i = first; i < y.size() && i < first + width; ++i)
-            at[i].derivatives()[i - first] = scalar(1);
-        const number here = g(at);
-        value = here.value();
-        for (Eigen::Index i = first; i < y.size() && i < first + width; ++i) {
-            slope[i] = here.derivatives()[i - first];
-            at[i].derivatives().setZero();
-        }
-    }
-    return value;
-}
-
-/// Checkpoints along a run of unknown length, at most twice as many as there are steps between two.
-template <class Vector>
-class thinned_checkpoints {
-  public:
-    template <class Take>
-    void save(const Take& take) {
-        if (steps_++ % spacing_ != 0) return;
-        points_.push_back(take());
-        if (points_.size() < 2 * static_cast<std::size_t>(spacing_)) return;
-        spacing_ *= 2;
-        for (std::size_t k = 1; 2 * k < points_.size(); ++k) points_[k] = std::move(points_[2 * k]);
-        points_.resize((points_.size() + 1) / 2);
-    }
-    std::vector<checkpoint<Vector>>& points() { return points_; }
-    long spacing() const { return spacing_; }
-
-  private:
-    std::vector<checkpoint<Vector>> points_;
-    long steps_ = 0, spacing_ = 8;
-};
 
 struct call_of_adjoint_gradient {
     template <class Method>
@@ -192,81 +64,37 @@ struct call_of_adjoint_gradient {
     }
 };
 
-}  // namespace detail
-
-/// Integrates M y' = f(t, y, p) and differentiates a functional g(y(t1)) of the end with respect to y0 and p, at a
-/// cost that does not grow with the number of parameters: by the discrete adjoint, every accepted step transposed and
-/// taken back from the end. The step sizes are held fixed, so that this is, to rounding, the gradient of g of the numerical
-/// solution, the one that sensitivities() would give; as there, f must have derivatives along the solution.
-///
-/// A Runge-Kutta method of order p has a discrete adjoint of order p (Sandu 2006): where no b_i is zero it is the method
-/// b_i, b_j - b_j a_ji / b_i for the adjoint equation, together with which the method is symplectic (Hager 2000,
-/// Sanz-Serna 2016). On stiff equations its stages are those of another method, of another stage order: for Radau IIA of
-/// Radau IA, s - 1, so that the gradient may fall behind the solution between those of p in stiff components.
-///
-/// problem, p, method as in sensitivities(); g is called as g(y) with a vector of dual numbers and must be generic
-/// (`const auto& y`). mass() must show its entries.
-///
-/// Memory: the square root of the number of steps, twice, in checkpoints and in steps, which are made again from them, bit by
-/// bit. Costs the run twice, and for every step s Jacobians, a factorisation and some ten solves. Where the run
-/// does not end with success there is no gradient (zeros); status::newton_failed if a step's linear equations are not
-/// solved. std::invalid_argument as integrate().
-template <class Method, class Problem, class DerivedY, class DerivedP, class Functional>
-requires detail::run_with_parameters<Method, Problem, typename DerivedY::PlainObject,
-                                     typename DerivedP::PlainObject>
-auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen::MatrixBase<DerivedY>& y0,
-                      const Eigen::MatrixBase<DerivedP>& p,
-                      std::type_identity_t<typename DerivedY::Scalar> t0,
-                      std::type_identity_t<typename DerivedY::Scalar> t1, const Functional& g,
-                      const options<typename DerivedY::Scalar>& o = {}) {
-    using vector = typename DerivedY::PlainObject;
-    using parameters = typename DerivedP::PlainObject;
-    constexpr bool differentiable = detail::parameter_derivatives<Problem, vector, parameters>::exist,
-                   functional = detail::differentiable_functional<Functional, vector>;
-    static_assert(
-        differentiable,
-        "adjoint_gradient: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
-        "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
-    static_assert(
-        functional,
-        "adjoint_gradient: g is called with a vector of dual numbers and must accept any scalar and return "
-        "a number: [](const auto& y) { return y[0]; }");
-    using bound = at_parameters<Problem, parameters>;
-    using run_type = integrator<Method, const bound, vector>;
+/// The gradients of a tuple of functionals, one of end_value, data_sum or time_integral each.
+template <class Method, class Problem, class Vector, class Parameters, class... Functionals>
+auto adjoint_gradients(const Method& method, const Problem& problem, const Vector& y0, const Parameters& p,
+                       const typename Vector::Scalar& t0, const typename Vector::Scalar& t1,
+                       const std::tuple<Functionals...>& functionals,
+                       const options<typename Vector::Scalar>& o, const gradient_options& g) {
+    using scalar = typename Vector::Scalar;
+    constexpr int K = sizeof...(Functionals);
+    using bound = at_parameters<Problem, Parameters>;
     const bound at_p(problem, p);
-    detail::thinned_checkpoints<vector> kept;
-    vector start = y0;
-    gradient_result<vector, parameters> r{
-        {t0, start, status::success, {}, nullptr}, {}, vector::Zero(y0.size()), parameters::Zero(p.size())};
-    run_type run(method, at_p, start, t0, t1, o);
+    gradients_result<Vector, Parameters, K> r{{t0, y0, status::success, {}, nullptr}};
+    r.dy0.setZero(y0.size(), K);
+    r.dp.setZero(p.size(), K);
+    r.dy0_error.setConstant(y0.size(), K, std::numeric_limits<scalar>::quiet_NaN());
+    r.dp_error.setConstant(p.size(), K, std::numeric_limits<scalar>::quiet_NaN());
+    adjoint_run<Method, bound, Vector, std::tuple<Functionals...>> run(method, at_p, y0, t0, t1, functionals,
+                                                                       o, g.estimate);
     try {
-        do kept.save([&] { return checkpoint_of(run); });
-        while (run.step());
-        r.t = run.t();
-        r.y = run.y();
-        r.status = run.status();
-        r.report = run.counts();
-        if (!r.ok()) return r;
-        vector slope = start;
-        if constexpr (functional) r.value = detail::differentiate_functional(g, r.y, slope);
-        detail::adjoint_steps<Method, bound, vector> adjoint(method, at_p, slope, o);
-        std::vector<std::pair<typename run_type::output_type, int>> steps;
-        for (auto& points = kept.points(); !points.empty(); points.pop_back()) {
-            run_type again(method, at_p, points.back().y, points.back().t, t1, o);
-            restore(again, points.back());
-            steps.clear();
-            while (static_cast<long>(steps.size()) < kept.spacing() && again.t() != r.t && again.step())
-                steps.emplace_back(again.output(), again.last_method());
-            r.t = points.back().t;
-            for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-                if (!adjoint.back(step->first, step->second)) {
-                    r.status = status::newton_failed;
-                    return r;
-                }
+        run.forward(r);
+        if (!r.ok() || !run.backward(r)) return r;
+        const auto& coarse = run.states();
+        const auto& fine = run.finer_states();
+        for (int k = 0; k < K; ++k) {
+            const auto& one = coarse[static_cast<std::size_t>(k)];
+            r.value[k] = one.value;
+            r.dy0.col(k) = one.lambda;
+            r.dp.col(k) = one.mu;
+            if (!run.estimates()) continue;
+            r.dy0_error.col(k) = (one.lambda - fine[static_cast<std::size_t>(k)].lambda).cwiseAbs();
+            r.dp_error.col(k) = (one.mu - fine[static_cast<std::size_t>(k)].mu).cwiseAbs();
         }
-        r.t = run.t();
-        r.dy0 = adjoint.lambda();
-        r.dp = adjoint.mu();
     } catch (const std::invalid_argument&) {
         throw;
     } catch (...) {
@@ -274,6 +102,88 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
         r.exception = std::current_exception();
     }
     return r;
+}
+
+}  // namespace detail
+
+/// Integrates M y' = f(t, y, p) and differentiates functionals of the solution with respect to y0 and p, at a
+/// cost that does not grow with the number of parameters: by the discrete adjoint, every accepted step transposed and
+/// taken back from the end. The step sizes are held fixed, so that this is, to rounding, the gradient of g of the numerical
+/// solution, the one that sensitivities() would give with the same steps; as there, f must have derivatives along the
+/// solution.
+///
+/// A Runge-Kutta method of order p has a discrete adjoint of order p (Sandu 2006): where no b_i is zero it is the method
+/// b_i, b_j - b_j a_ji / b_i for the adjoint equation, together with which the method is symplectic (Hager 2000,
+/// Sanz-Serna 2016). On stiff equations its stages are those of another method, of another stage order: for Radau IIA of
+/// Radau IA, s - 1, so that the gradient may fall behind the solution between those of p in stiff components.
+///
+/// The steps are those of y, whatever the gradient needs. What its error is about is told in dy0_error and dp_error: what the
+/// gradient changes by where all steps are halved, from the beginning to the end. It is an estimate and no bound; where it is
+/// not small beside the gradient, a smaller tolerance or options.max_step helps. gradient_options{.estimate = false} leaves
+/// it out.
+///
+/// problem, p, method as in sensitivities(). (df/dp)^T v and (df/dy)^T v come from a tape of one call of f in
+/// reverse_numbers for every stage, 24 bytes an operation; or, where f is not generic, from jacobian(), which is compared with
+/// differences of f, and parameter_adjoint(t, y, p, v, q), which writes (df/dp)^T v into q, or parameter_jacobian(t, y, p, F).
+/// g        One functional: a g(y) or g(y, p) of the end, at_end(g), sum_over(times, g), integral_of(g)
+///          (functionals.hpp); or a std::tuple of such, of which the result is a gradients_result with a column each.
+///
+/// dy0 is the derivative by y0 as a whole; with a method that does not forget the algebraic components of the start (Gauss) and
+/// index 1 these follow from the others, as in sensitivities(). mass() must show its entries.
+///
+/// Memory: the square root of the number of steps, twice, in checkpoints and in steps, which are made again from them, bit by
+/// bit; the tapes of one step; never an n x m matrix. Costs the run twice, and for every step s calls of f on tape, a Jacobian,
+/// a factorisation and some ten solves a functional; thrice that with the estimate. Where the run
+/// does not end with success there is no gradient (zeros); status::newton_failed if a step's linear equations are not
+/// solved, status::wrong_derivative as in sensitivities(). std::invalid_argument as integrate().
+template <class Method, class Problem, class DerivedY, class DerivedP, class Functional>
+requires detail::run_with_parameters<Method, Problem, typename DerivedY::PlainObject,
+                                     typename DerivedP::PlainObject>
+auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen::MatrixBase<DerivedY>& y0,
+                      const Eigen::MatrixBase<DerivedP>& p,
+                      std::type_identity_t<typename DerivedY::Scalar> t0,
+                      std::type_identity_t<typename DerivedY::Scalar> t1, const Functional& g,
+                      const options<typename DerivedY::Scalar>& o = {}, const gradient_options& more = {}) {
+    using vector = typename DerivedY::PlainObject;
+    using parameters = typename DerivedP::PlainObject;
+    using derivatives = detail::parameter_derivatives<Problem, vector, parameters>;
+    constexpr bool differentiable = derivatives::exist || derivatives::adjoint_given;
+    static_assert(
+        differentiable,
+        "adjoint_gradient: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
+        "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F) or "
+        "parameter_adjoint(t, y, p, v, q)");
+    const auto list = [&] {
+        if constexpr (detail::is_tuple<Functional>)
+            return std::apply([](const auto&... one) { return std::tuple(detail::as_functional(one)...); },
+                              g);
+        else
+            return std::tuple(detail::as_functional(g));
+    }();
+    constexpr bool functional = []<class... G>(const std::tuple<G...>*) {
+        return (detail::differentiable_functional<G, vector, parameters>() && ...);
+    }(static_cast<const std::remove_const_t<decltype(list)>*>(nullptr));
+    static_assert(functional,
+                  "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
+                  "and return "
+                  "a number: [](const auto& y) { return y[0]; }");
+    if constexpr (!differentiable || !functional) {
+        return gradient_result<vector, parameters>{};
+    } else {
+        auto all =
+            detail::adjoint_gradients(method, problem, vector(y0), parameters(p), t0, t1, list, o, more);
+        if constexpr (detail::is_tuple<Functional>) {
+            return all;
+        } else {
+            return gradient_result<vector, parameters>{{all.t, all.y, all.status, all.report, all.exception},
+                                                       all.value[0],
+                                                       all.dy0,
+                                                       all.dp,
+                                                       all.dy0_error,
+                                                       all.dp_error,
+                                                       all.message};
+        }
+    }
 }
 
 /// Other arguments.

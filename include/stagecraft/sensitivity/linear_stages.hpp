@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -112,5 +113,20 @@ transformed_tableau<Scalar, Stages> transposed(const transformed_tableau<Scalar,
     }
     return result;
 }
+
+namespace detail {
+
+/// True if a method damps what a start leaves in algebraic components: |R(infinity)| < 1.
+template <class Scalar, int Stages>
+bool forgets(const transformed_tableau<Scalar, Stages>& method) {
+    using std::abs;
+    return abs(Scalar(1) - update_weights(method).sum()) < Scalar(99) / 100;
+}
+template <class... Methods>
+bool forgets(const std::tuple<Methods...>& methods) {
+    return std::apply([](const auto&... m) { return (forgets(m) && ...); }, methods);
+}
+
+}  // namespace detail
 
 }  // namespace stagecraft

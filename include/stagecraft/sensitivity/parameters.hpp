@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <tuple>
 #include <type_traits>
 
@@ -35,7 +36,7 @@ template <class Method, class Problem, class Vector, class Parameters>
 concept run_with_parameters = transformed_method<Method> &&
     writes_last<const Problem, Vector, typename Vector::Scalar, Vector, Parameters>;
 
-/// How df/dp is found: by problem.parameter_jacobian(t, y, p, F), or in dual numbers.
+/// How df/dp is found: by problem.parameter_jacobian(t, y, p, F), or by automatic differentiation.
 template <class Problem, class Vector, class Parameters>
 struct parameter_derivatives {
     using scalar = typename Vector::Scalar;
@@ -43,10 +44,21 @@ struct parameter_derivatives {
     using number = dual<scalar, M>;
     using state = Eigen::Matrix<number, N, 1>;
     using values = Eigen::Matrix<number, M, 1>;
-    static constexpr bool given = requires(const Problem& problem, const scalar& t, const Vector& y,
-                                           const Parameters& p, Eigen::Matrix<scalar, N, M>& F) {
+    template <class Matrix>
+    static constexpr bool writes = requires(const Problem& problem, const scalar& t, const Vector& y,
+                                            const Parameters& p, Matrix& F) {
         problem.parameter_jacobian(t, y, p, F);
     };
+    using dense_matrix = Eigen::Matrix<scalar, N, M>;
+    using sparse_matrix = Eigen::SparseMatrix<scalar>;
+    static constexpr bool sparse = writes<sparse_matrix> && !writes<dense_matrix>;
+    static constexpr bool given = writes<dense_matrix> || sparse;
+    /// parameter_adjoint(t, y, p, v, q) writes (df/dp)^T v into q.
+    static constexpr bool adjoint_given = requires(const Problem& problem, const scalar& t, const Vector& v,
+                                                   const Parameters& p, Parameters& q) {
+        problem.parameter_adjoint(t, v, p, v, q);
+    };
+    using matrix = std::conditional_t<sparse, sparse_matrix, dense_matrix>;
     static constexpr bool dual_time = callable_with_parameters<Problem, number, state, values, state>;
     static constexpr bool automatic = [] {
         if constexpr (dual_time)
@@ -84,15 +96,34 @@ struct parameters_of<Problem, Parameters> : Problem {
     void jacobian(const T& t, const Y& y, J& out) const { Problem::jacobian(t, y, p, out); }
 };
 
+/// The mass matrix depends on p.
+template <class Problem, class Parameters>
+concept mass_of_parameters = requires(const Problem& problem, const Parameters& p) {
+    problem.mass(p).rows();
+};
+/// The same with mass() where there is mass(p).
+template <class Problem, class Parameters>
+struct mass_at_parameters : parameters_of<Problem, Parameters> {
+    using parameters_of<Problem, Parameters>::parameters_of;
+};
+template <class Problem, class Parameters>
+requires mass_of_parameters<Problem, Parameters>
+struct mass_at_parameters<Problem, Parameters> : parameters_of<Problem, Parameters> {
+    using parameters_of<Problem, Parameters>::parameters_of;
+    auto mass() const { return Problem::mass(this->p); }
+};
+
 }  // namespace detail
 
-/// A problem(t, y, p, f) at one p: a problem(t, y, f) with all optional members that do not depend on p, and
-/// with jacobian(t, y, J) where there is jacobian(t, y, p, J).
+/// A problem(t, y, p, f) at one p: a problem(t, y, f) with all optional members that do not depend on p, with
+/// jacobian(t, y, J) where there is jacobian(t, y, p, J), and with mass() where there is mass(p).
 template <class Problem, class Parameters>
-struct at_parameters : detail::parameters_of<Problem, Parameters> {
+struct at_parameters : detail::mass_at_parameters<Problem, Parameters> {
+    using original = Problem;
     using parameters = Parameters;
-    using detail::parameters_of<Problem, Parameters>::parameters_of;
+    using detail::mass_at_parameters<Problem, Parameters>::mass_at_parameters;
     using detail::parameters_of<Problem, Parameters>::p;
+    static constexpr bool mass_depends = detail::mass_of_parameters<Problem, Parameters>;
 
     template <class T, class Y, class F>
     requires detail::callable_with_parameters<
@@ -107,42 +138,19 @@ struct at_parameters : detail::parameters_of<Problem, Parameters> {
         }
     }
 
-    /// F := df/dp, n x m: by problem.parameter_jacobian(t, y, p, F) where that exists (F is zero at the first
-    /// call), else by automatic differentiation.
-    template <class Scalar, class Vector, class Matrix>
-    void differentiate(const Scalar& t, const Vector& y, Matrix& F) const {
-        using by = detail::parameter_derivatives<Problem, Vector, Parameters>;
-        if constexpr (by::given) {
-            static_cast<const Problem&>(*this).parameter_jacobian(t, y, p, F);
-        } else {
-            static_assert(by::automatic || !by::exist,
-                          "sensitivities: problem(t, y, p, f) must be generic in its scalar, t included");
-            if constexpr (by::automatic) differentiate_automatically<by>(t, y, F);
-        }
-    }
-
-  private:
-    template <class by, class Scalar, class Vector, class Matrix>
-    void differentiate_automatically(const Scalar& t, const Vector& y, Matrix& F) const {
+    /// f := f(t, y, q) - M(q) slope in the numbers of y and q, which carry derivatives; the second part only where M
+    /// depends on q. That is what the stages of a derivative of the solution see.
+    template <class By, class Scalar, class Y, class Q, class Vector, class F>
+    void residual(const Scalar& t, const Y& y, const Q& q, [[maybe_unused]] const Vector& slope, F& f) const {
+        using number = typename F::Scalar;
         const auto& problem = static_cast<const Problem&>(*this);
-        using number = typename by::number;
-        constexpr int width = dual_width<by::M>;
-        [[maybe_unused]] const number time(t);
-        const typename by::state at = detail::promoted<number>(y);
-        typename by::values q = detail::promoted<number>(p);
-        typename by::state f(y.size());
-        for (Eigen::Index first = 0; first < p.size(); first += width) {
-            for (Eigen::Index k = first; k < p.size() && k < first + width; ++k)
-                q[k].derivatives()[k - first] = Scalar(1);
-            if constexpr (by::dual_time)
-                problem(time, at, q, f);
-            else
-                problem(t, at, q, f);
-            for (Eigen::Index k = first; k < p.size() && k < first + width; ++k) {
-                for (Eigen::Index i = 0; i < y.size(); ++i) F(i, k) = f[i].derivatives()[k - first];
-                q[k].derivatives().setZero();
-            }
-        }
+        if constexpr (By::dual_time)
+            problem(number(t), y, q, f);
+        else
+            problem(t, y, q, f);
+        if constexpr (mass_depends)
+            f -= Eigen::Matrix<number, Y::RowsAtCompileTime, 1>(problem.mass(q) *
+                                                                detail::promoted<number>(slope));
     }
 };
 
