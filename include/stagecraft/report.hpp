@@ -31,14 +31,25 @@ struct found_capabilities {
     unsigned members_ = 0;
 };
 
+/// Why a linear solver that iterates has failed.
+enum class unsolved_because : unsigned char {
+    nothing,             ///< it has not
+    slow,                ///< the iterations that are allowed were not enough
+    zero_diagonal,       ///< the same, and its incomplete factorisation met zeros on the diagonal
+    bad_preconditioner,  ///< the preconditioner gave NaN, infinity or zeros
+};
+
 /// What a run cost, and what it was told: plain counts, filled by every integrator.
 /// `steps` counts accepted steps; an attempt that is repeated counts once in `rejected_error` (error test, or
 /// growth that the step would pass over, judge/guards/growth_watch.hpp) or
 /// `rejected_newton` (stage equations not solved, singular matrix or non-finite values).
 /// `f` counts evaluations of the right-hand side outside of the Jacobian, `f_jacobian` those that finite
-/// differences or automatic differentiation spent on it. A factorisation is one set of real and complex
+/// differences or automatic differentiation spent on it, or on its products with vectors (problem/matrix_free.hpp):
+/// together these are all calls of f. A factorisation is one set of real and complex
 /// blocks; `solves` counts such sets as well (one per Newton iteration), `error_solves` those of the error
 /// estimate. Diagonally implicit methods iterate stage by stage, so a set of theirs is one system of size n.
+/// `linear_iterations` counts those of linear solvers that iterate, `linear_failures` the systems which these could not
+/// solve, and `linear_trouble` says why, of the last one.
 template <class Scalar>
 struct report {
     long steps = 0;
@@ -50,6 +61,9 @@ struct report {
     long factorisations = 0;
     long solves = 0;
     long error_solves = 0;
+    long linear_iterations = 0;
+    long linear_failures = 0;
+    unsolved_because linear_trouble = unsolved_because::nothing;
     Scalar smallest_step = Scalar(0);  ///< in absolute value, over accepted steps
     Scalar largest_step = Scalar(0);
     int largest_stages = 0;  ///< largest and smallest number of stages used by an accepted step
@@ -62,7 +76,7 @@ struct report {
     template <class Bag>
     void carry(Bag& bag) {
         bag(steps, rejected_error, rejected_newton, f, f_jacobian, jacobians, factorisations, solves,
-            error_solves);
+            error_solves, linear_iterations, linear_failures, linear_trouble);
         bag(smallest_step, largest_step, largest_stages, smallest_stages);
     }
 

@@ -28,6 +28,9 @@ constexpr const char* reason(status s) {
         case status::singular_matrix:
             return "the matrix gamma/h M - J, or what constraints leave of it for small h, was singular "
                    "for every admissible step";
+        case status::linear_solver_failed:
+            return "a linear solver that iterates did not reach the residual it was asked for, with any "
+                   "admissible step";
         case status::non_finite:
             return "the right-hand side or the Jacobian gave NaN or infinity for every admissible step";
         case status::size_changed:
@@ -111,6 +114,9 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
     line("Jacobians") << r.jacobians << '\n';
     line("factorisations") << r.factorisations << '\n';
     line("solves") << r.solves << "  and " << r.error_solves << " error estimates\n";
+    if (r.linear_iterations > 0)
+        line("iterations") << r.linear_iterations << "  of linear solvers, " << r.linear_failures
+                           << " of whose systems were not solved\n";
     return out;
 }
 
@@ -119,7 +125,7 @@ template <class Scalar>
 constexpr const char* advice(status s, const report<Scalar>& r) {
     if (!r.found.has(capability::mass) || s == status::success || s == status::stopped ||
         s == status::event || s == status::too_many_steps || s == status::size_changed ||
-        s == status::function_threw)
+        s == status::linear_solver_failed || s == status::function_threw)
         return "";
     if (s == status::singular_matrix && !r.found.has(capability::index))
         return "there is no problem.index(): where the constraints determine components of index 2 and 3, it "
@@ -136,6 +142,29 @@ constexpr const char* advice(status s, const report<Scalar>& r) {
     if (r.steps == 0)
         return "look at y0, which has to satisfy the constraints and, with index 3, their derivative "
                "(dae/consistent.hpp), and at problem.index()";
+    return "";
+}
+
+/// Why linear systems were not solved by iteration and what to do, in a sentence; empty where few were not.
+template <class Scalar>
+constexpr const char* linear_advice(status s, const report<Scalar>& r) {
+    const long attempts = r.steps + r.rejected();
+    if (s != status::linear_solver_failed && 10 * r.linear_failures <= attempts) return "";
+    switch (r.linear_trouble) {
+        case unsolved_because::nothing:
+            return "";
+        case unsolved_because::slow:
+            return "iterations of the linear solver did not converge: the preconditioner is too weak for "
+                   "steps of useful length; give problem.precondition() more of J, or take a direct solver "
+                   "(linear/klu.hpp, linear/sparse_lu.hpp)";
+        case unsolved_because::zero_diagonal:
+            return "iterations of the linear solver did not converge, and its incomplete factorisation met "
+                   "zeros on the diagonal, as constraints have them: take a direct solver (linear/klu.hpp, "
+                   "linear/sparse_lu.hpp), or matrix() with a preconditioner of your own";
+        case unsolved_because::bad_preconditioner:
+            return "the preconditioner gave NaN, infinity or zeros for a vector that is finite and not zero: "
+                   "look at problem.precondition()";
+    }
     return "";
 }
 
@@ -161,7 +190,8 @@ constexpr const char* doubt(status s, const report<Scalar>& r) {
 template <class Vector>
 std::ostream& print(std::ostream& out, const result<Vector>& r) {
     out << name(r.status) << " at t = " << r.t << ": " << reason(r.status) << '\n';
-    for (const char* what : {advice(r.status, r.report), doubt(r.status, r.report)})
+    for (const char* what :
+         {advice(r.status, r.report), linear_advice(r.status, r.report), doubt(r.status, r.report)})
         if (*what) out << what << '\n';
     return print(out, r.report);
 }

@@ -14,7 +14,8 @@ enum class status {
     step_underflow,  ///< the error test wants a step below the resolution of t or below options.min_step
     newton_failed,   ///< the stage equations could not be solved with any admissible step
     singular_matrix,  ///< gamma/h M - J, or what constraints leave of it for small h, was singular for every step
-    non_finite,       ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
+    linear_solver_failed,  ///< a linear solver that iterates did not converge, for every admissible step
+    non_finite,    ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
     size_changed,  ///< the right-hand side or the Jacobian resized its output
     wrong_derivative,  ///< a Jacobian, a pattern or a parameter_jacobian of the problem's disagrees with differences of f
     function_threw  ///< a callable of the problem threw; result.exception holds what it threw
@@ -37,6 +38,8 @@ constexpr const char* name(status s) {
             return "newton_failed";
         case status::singular_matrix:
             return "singular_matrix";
+        case status::linear_solver_failed:
+            return "linear_solver_failed";
         case status::non_finite:
             return "non_finite";
         case status::size_changed:

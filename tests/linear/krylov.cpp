@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <problems/sparse_once.hpp>
+#include <random>
+#include <sstream>
 #include <stagecraft/families.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
@@ -11,6 +13,7 @@
 #include <stagecraft/linear/sparse_blocks.hpp>
 #include <stagecraft/problem/matrix_free.hpp>
 #include <stagecraft/problem/with.hpp>
+#include <stagecraft/report_text.hpp>
 #include <type_traits>
 
 namespace sc = stagecraft;
@@ -380,4 +383,186 @@ BOOST_AUTO_TEST_CASE(a_preconditioner_serves_until_it_has_cost_as_much_as_a_new_
     life.made(100, 5);
     life.used(40);
     BOOST_TEST(life.serves(100));
+}
+
+namespace {
+
+enum class weak { nothing, diagonal, zeros, nan };
+
+// u' = u_xx - c u_x with zeros at both ends, on n points, and a preconditioner that is none. Starts from an eigenvector.
+struct transport {
+    int n;
+    double c;
+    weak kind;
+    VectorXd factors;
+    inline static long calls;
+    double up() const { return (n + 1.0) * (n + 1.0) + c * (n + 1) / 2; }
+    double down() const { return (n + 1.0) * (n + 1.0) - c * (n + 1) / 2; }
+    template <class Vector>
+    void operator()(double, const Vector& u, Vector& f) const {
+        ++calls;
+        for (int i = 0; i < n; ++i) {
+            f[i] = -(up() + down()) * u[i];
+            if (i > 0) f[i] += up() * u[i - 1];
+            if (i + 1 < n) f[i] += down() * u[i + 1];
+        }
+    }
+    void precondition(double, double* x) const {
+        for (int i = 0; i < n; ++i) {
+            if (kind == weak::diagonal) x[i] *= factors[i];
+            if (kind == weak::zeros) x[i] = 0;
+            if (kind == weak::nan) x[i] = NAN;
+        }
+    }
+    VectorXd start() const {
+        VectorXd u(n);
+        for (int i = 0; i < n; ++i)
+            u[i] = std::pow(up() / down(), (i + 1 - n) / 2.0) * std::sin(M_PI * (i + 1) / (n + 1));
+        return u;
+    }
+    VectorXd at(double t) const {
+        const double rate = -up() - down() + 2 * std::sqrt(up() * down()) * std::cos(M_PI / (n + 1));
+        return std::exp(rate * t) * start();
+    }
+};
+
+// Heat on 2 k points whose neighbours 2 i and 2 i + 1 are held together by a multiplier, which stands before them: index 2.
+struct saddle {
+    int k;
+    double rate = 1000;
+    void operator()(double, const VectorXd& y, VectorXd& f) const {
+        for (int i = 0; i < 2 * k; ++i) {
+            const double left = i > 0 ? y[k + i - 1] : 0, right = i + 1 < 2 * k ? y[k + i + 1] : 0;
+            f[k + i] = rate * (left - 2 * y[k + i] + right) + (i % 2 == 0 ? y[i / 2] : -y[i / 2]);
+        }
+        for (int i = 0; i < k; ++i) f[i] = y[k + 2 * i] - y[k + 2 * i + 1];
+    }
+    sparse sparsity() const {
+        std::vector<Eigen::Triplet<double>> places;
+        for (int i = 0; i < 2 * k; ++i) {
+            for (int j = std::max(i - 1, 0); j < std::min(i + 2, 2 * k); ++j)
+                places.emplace_back(k + i, k + j, 1.0);
+            places.emplace_back(k + i, i / 2, 1.0);
+            places.emplace_back(i / 2, k + i, 1.0);
+        }
+        sparse J(3 * k, 3 * k);
+        J.setFromTriplets(places.begin(), places.end());
+        return J;
+    }
+    Eigen::DiagonalMatrix<double, Eigen::Dynamic> mass() const {
+        VectorXd d = VectorXd::Ones(3 * k);
+        d.head(k).setZero();
+        return Eigen::DiagonalMatrix<double, Eigen::Dynamic>(d);
+    }
+    std::vector<int> index() const {
+        std::vector<int> flags(3 * k, 1);
+        std::fill(flags.begin(), flags.begin() + k, 2);
+        return flags;
+    }
+    // Pairs that are equal, and the multipliers that keep them so.
+    VectorXd start() const {
+        VectorXd y = VectorXd::Zero(3 * k), f(3 * k);
+        for (int i = 0; i < 2 * k; ++i) y[k + i] = 0.3 * (i / 2 % 7) - i / 2 % 3;
+        (*this)(0, y, f);
+        for (int i = 0; i < k; ++i) y[i] = (f[k + 2 * i + 1] - f[k + 2 * i]) / 2;
+        return y;
+    }
+};
+
+template <class Result>
+std::string text(const Result& r) {
+    std::ostringstream out;
+    print(out, r);
+    return out.str();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_preconditioner_however_bad_gives_a_wrong_solution_with_success) {
+    std::mt19937 random(40);
+    std::uniform_real_distribution<double> exponent(-1, 1);
+    int succeeded = 0, failures = 0;
+    for (const int n : {20, 50})
+        for (const double c : {0.0, 20.0})
+            for (const weak kind : {weak::nothing, weak::diagonal})
+                for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+                    VectorXd factors(n);
+                    for (double& x : factors) x = std::pow(10, exponent(random));
+                    const transport problem{n, c, kind, factors};
+                    transport::calls = 0;
+                    const auto r =
+                        sc::integrate(sc::radau_iia(3), sc::matrix_free(problem, n), problem.start(), 0.0,
+                                      0.05, {.rtol = tolerance, .atol = tolerance, .max_steps = 400});
+                    BOOST_TEST(r.report.f + r.report.f_jacobian == transport::calls);
+                    BOOST_TEST(r.report.linear_iterations > 0);
+                    const VectorXd right = problem.at(r.t);
+                    const double error =
+                        ((r.y - right).array() / (tolerance + tolerance * right.array().abs()))
+                            .abs()
+                            .maxCoeff();
+                    BOOST_TEST(error <= 10, n << " " << c << " " << int(kind) << " " << tolerance);
+                    succeeded += r.ok();
+                    failures += r.report.linear_failures > 0;
+                    if (10 * r.report.linear_failures > r.report.steps + r.report.rejected())
+                        BOOST_TEST(text(r).find("the preconditioner is too weak") != std::string::npos);
+                }
+    BOOST_TEST(succeeded >= 8);
+    BOOST_TEST(failures >= 8);
+}
+
+BOOST_AUTO_TEST_CASE(a_preconditioner_that_gives_zeros_or_nan_is_named) {
+    for (const weak kind : {weak::zeros, weak::nan}) {
+        const transport problem{20, 0, kind, {}};
+        for (const double step : {0.0, 0.01}) {
+            const auto r = sc::integrate(sc::radau_iia(3), sc::matrix_free(problem, 20), problem.start(), 0.0,
+                                         0.05, {.fixed_step = step});
+            BOOST_TEST(sc::name(r.status) == "linear_solver_failed");
+            BOOST_TEST(r.t == 0);
+            BOOST_TEST(text(r).find("the preconditioner gave NaN, infinity or zeros") != std::string::npos);
+        }
+    }
+}
+
+// The incomplete factorisation is useless where constraints leave zeros on the diagonal; direct solvers are not.
+BOOST_AUTO_TEST_CASE(zeros_on_the_diagonal_are_named_and_what_to_take) {
+    const saddle problem{60};
+    const auto direct = sc::integrate(sc::radau_iia(3), problem, problem.start(), 0.0, 1.0);
+    BOOST_TEST(direct.ok());
+    const auto r = sc::integrate(sc::radau_iia(3), sc::with_linear_solver<sc::krylov_blocks>(problem),
+                                 problem.start(), 0.0, 1.0);
+    BOOST_TEST(sc::name(r.status) == "linear_solver_failed");
+    BOOST_TEST(text(r).find("zeros on the diagonal") != std::string::npos);
+    BOOST_TEST(text(r).find("direct solver") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_iteration_that_does_not_converge_leaves_nan_and_says_why) {
+    const int n = 200;
+    sc::detail::restarted_gmres<double> gmres;
+    const auto nothing = [](const auto& in, auto&& out) { out = in; };
+    const auto shift = [](const auto& in, auto&& out) {  // GMRES gets nowhere before n iterations
+        out.head(in.size() - 1) = in.tail(in.size() - 1);
+        out[in.size() - 1] = in[0];
+    };
+    VectorXd x = VectorXd::Unit(n, 0);
+    const auto slow = gmres.solve(shift, nothing, x, 1e-2, 100);
+    BOOST_TEST((slow.end == sc::linear_end::unconverged && slow.failed() && slow.iterations == 100));
+    BOOST_TEST(x.array().isNaN().all());
+    for (const double bad : {0.0, double(NAN), double(INFINITY)}) {
+        x = VectorXd::Unit(n, 0);
+        const auto r = gmres.solve(
+            nothing, [&](const auto& in, auto&& out) { out = in * 0 + VectorXd::Constant(n, bad); }, x, 1e-2,
+            100);
+        BOOST_TEST((r.end == sc::linear_end::bad_preconditioner));
+        BOOST_TEST(x.array().isNaN().all());
+    }
+    // Not the solver's fault: the matrix, or the right-hand side.
+    x = VectorXd::Unit(n, 0);
+    const auto matrix =
+        gmres.solve([](const auto& in, auto&& out) { out = in * NAN; }, nothing, x, 1e-2, 100);
+    BOOST_TEST((matrix.end == sc::linear_end::not_finite && !matrix.failed()));
+    x = VectorXd::Constant(n, NAN);
+    BOOST_TEST((gmres.solve(nothing, nothing, x, 1e-2, 100).end == sc::linear_end::not_finite));
+    x = VectorXd::Unit(n, 3);
+    BOOST_TEST((gmres.solve(nothing, nothing, x, 1e-2, 100).end == sc::linear_end::solved));
+    BOOST_TEST(x == VectorXd::Unit(n, 3));
 }

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include <stagecraft/linear/block_work.hpp>
+#include <stagecraft/linear/linear_solve.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/preconditioner_life.hpp>
 #include <stagecraft/linear/restarted_gmres.hpp>
@@ -48,6 +50,7 @@ class shifted_operator {
                 r = x;
                 J.precondition(shift, r.data());
             };
+            fresh_ = true;
             return true;
         } else {
             return factor(mass, J, shift);
@@ -57,8 +60,23 @@ class shifted_operator {
     void precondition(const in& x, out r) const { precondition_(x, r); }
     /// r := r + factor M x.
     void add_mass(double factor, const in& x, out r) const { add_mass_(factor, x, r); }
-    /// A solve has applied the preconditioner so often.
-    void used(int applications) { life_.used(applications); }
+    /// Solves by iterate(), `applications` of the preconditioner an iteration; once more with a new factorisation where one
+    /// of another matrix has failed.
+    template <class Iterate>
+    linear_solve solve(int applications, Iterate&& iterate) {
+        linear_solve done = iterate();
+        if (done.failed() && !fresh_ && factor()) {
+            const int wasted = done.iterations;
+            done = iterate();
+            done.iterations += wasted;
+        }
+        if (done.failed())
+            life_.failed();
+        else
+            life_.used(applications * done.iterations);
+        if (done.end == linear_end::unconverged && zero_diagonal_) done.end = linear_end::zero_diagonal;
+        return done;
+    }
     /// Factorisations that have been made.
     long setups() const { return setups_; }
 
@@ -72,12 +90,18 @@ class shifted_operator {
         if (!matrix_.finite()) return false;
         multiply_ = [this](const in& x, out r) { r.noalias() = matrix_.matrix() * x; };
         precondition_ = [this](const in& x, out r) { r = factors_.solve(x); };
-        if (life_.serves(shift)) return true;
+        shift_ = shift;
+        fresh_ = !life_.serves(shift);
+        return !fresh_ || factor();
+    }
+    bool factor() {
         factors_.setDroptol(1e-2);
         factors_.setFillfactor(3);
         factors_.compute(matrix_.matrix());
         ++setups_;
-        life_.made(shift, setup_cost());
+        fresh_ = true;
+        zero_diagonal_ = (matrix_.matrix().diagonal().array() == 0).any();
+        life_.made(shift_, setup_cost());
         return factors_.info() == Eigen::Success;
     }
     /// Of a factorisation, in iterations of a real system: nanoseconds as measured for ILUT with 1 to 10 entries a row.
@@ -91,6 +115,8 @@ class shifted_operator {
     shifted_sparse<double> matrix_;
     counted_ilut factors_;
     preconditioner_life life_;
+    double shift_ = 0;
+    bool fresh_ = true, zero_diagonal_ = false;  // the preconditioner is that of this matrix
     long setups_ = 0;
     std::function<void(double, const in&, out)> add_mass_;
     std::function<void(const in&, out)> multiply_, precondition_;
@@ -109,7 +135,11 @@ class shifted_operator {
 ///     using linear_solver = stagecraft::krylov_blocks;
 ///
 /// Inexact solves are Newton's business: what they leave shows in its contraction, and its last solves are told which
-/// part of their right-hand sides they may leave (inexact_newton_monitor).
+/// part of their right-hand sides they may leave (inexact_newton_monitor). A solve that has not come so far after 100
+/// iterations, and with a new factorisation, has failed: its solution is NaN, the step is refused, and where no shorter
+/// one helps the run ends with status::linear_solver_failed. Zeros on the diagonal of shift M - J, as constraints have
+/// them (saddle points), make the incomplete factorisation useless: take a direct solver (linear/klu.hpp,
+/// linear/sparse_lu.hpp), or a matrix() with a preconditioner of your own.
 struct krylov_blocks {
     class real {
       public:
@@ -121,11 +151,18 @@ struct krylov_blocks {
         void solve(double* x) { solve_leaving(0, x); }
         static constexpr double usual_part() { return bound; }
         void solve_leaving(double part, double* x) {
+            last_ = {};
             if (n_ == 0) return;
-            system_->used(gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
-                                       [&](const auto& in, auto&& out) { system_->precondition(in, out); },
-                                       Eigen::Map<Eigen::VectorXd>(x, n_), std::max(bound, part), most));
+            Eigen::Map<Eigen::VectorXd> map(x, n_);
+            bool again = false;
+            last_ = system_->solve(1, [&] {
+                if (std::exchange(again, true)) map = gmres_.right_hand_side();
+                return gmres_.solve([&](const auto& in, auto&& out) { system_->multiply(in, out); },
+                                    [&](const auto& in, auto&& out) { system_->precondition(in, out); }, map,
+                                    std::max(bound, part), most);
+            });
         }
+        const linear_solve& last_solve() const { return last_; }
         /// Incomplete factorisations that have been made.
         long setups() const { return system_->setups(); }
 
@@ -133,6 +170,7 @@ struct krylov_blocks {
         int n_;
         std::unique_ptr<detail::shifted_operator> system_;  // its functions refer to it
         detail::restarted_gmres<double> gmres_;
+        linear_solve last_;
     };
 
     class complex {
@@ -148,15 +186,19 @@ struct krylov_blocks {
         void solve(double* x, double* y) { solve_leaving(0, x, y); }
         static constexpr double usual_part() { return bound; }
         void solve_leaving(double part, double* x, double* y) {
+            last_ = {};
             if (n_ == 0) return;
             Eigen::Map<Eigen::VectorXd> u(x, n_), v(y, n_);
-            both_ << u, sign_ * v;
-            system_->used(2 * gmres_.solve([&](const auto& in, auto&& out) { multiply(in, out); },
-                                           [&](const auto& in, auto&& out) { precondition(in, out); }, both_,
-                                           std::max(bound, part), most));
+            last_ = system_->solve(2, [&] {
+                both_ << u, sign_ * v;
+                return gmres_.solve([&](const auto& in, auto&& out) { multiply(in, out); },
+                                    [&](const auto& in, auto&& out) { precondition(in, out); }, both_,
+                                    std::max(bound, part), most);
+            });
             u = both_.head(n_);
             v = sign_ * both_.tail(n_);
         }
+        const linear_solve& last_solve() const { return last_; }
         long setups() const { return system_->setups(); }
 
       private:
@@ -186,6 +228,7 @@ struct krylov_blocks {
         double beta_ = 0, sign_ = 1;
         std::unique_ptr<detail::shifted_operator> system_;
         detail::restarted_gmres<double> gmres_;
+        linear_solve last_;
         Eigen::VectorXd h_, w_, both_;
     };
 

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include <stagecraft/linear/block_work.hpp>
+#include <stagecraft/linear/linear_solve.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/preconditioner_life.hpp>
 #include <stagecraft/linear/restarted_gmres.hpp>
@@ -37,7 +39,11 @@ class kept_factors {
         }
         if (!matrix_.finite()) return false;
         sigma_ = sigma;
-        if (!exact_) return true;
+        return !exact_ || factor();
+    }
+    /// Makes factors of the matrix; false if it is singular.
+    bool factor() {
+        exact_ = true;
         ++setups_;
         solver_.factorize(matrix_.matrix());
         return solver_.info() == Eigen::Success;
@@ -100,17 +106,24 @@ class one_factor_blocks {
         /// Where the factors are older than the matrix up to `part` of the right-hand side.
         void solve_leaving(double part, double* x) {
             if (n_ == 0) return;
+            last_ = {};
             Eigen::Map<Eigen::VectorXd> map(x, n_);
             if (factors_->exact()) {
                 map = factors_->solve(map).eval();
                 life_.used(1);
                 return;
             }
-            life_.used(
-                gmres_.solve([&](const auto& in, auto&& out) { out.noalias() = factors_->matrix() * in; },
-                             [&](const auto& in, auto&& out) { out = factors_->solve(in); }, map,
-                             std::max(bound, part), most));
+            last_ = gmres_.solve([&](const auto& in, auto&& out) { out.noalias() = factors_->matrix() * in; },
+                                 [&](const auto& in, auto&& out) { out = factors_->solve(in); }, map,
+                                 std::max(bound, part), most);
+            life_.used(last_.iterations);
+            if (!last_.failed()) return;
+            life_.failed();  // the matrix is known: it is factored now, and again with the next one, which all systems share
+            if (!factors_->factor()) return;
+            map = factors_->solve(gmres_.right_hand_side());
+            last_.end = linear_end::solved;
         }
+        const linear_solve& last_solve() const { return last_; }
         /// As in sparse_blocks.
         step_work<double> work() const { return {{}, factors_->work()}; }
         /// Factorisations that have been made.
@@ -121,6 +134,7 @@ class one_factor_blocks {
         int n_;
         std::shared_ptr<factors> factors_ = std::make_shared<factors>();
         preconditioner_life life_;
+        linear_solve last_;
         detail::restarted_gmres<double> gmres_;
     };
 
@@ -141,12 +155,13 @@ class one_factor_blocks {
         bool iterates() const { return factors_ != nullptr; }
         /// By iteration up to `part` of the right-hand side.
         void solve_leaving(double part, double* x, double* y) {
+            last_ = {};
             if (!iterates()) {
                 direct_.solve(x, y);
                 return;
             }
             for (int i = 0; i < n_; ++i) z_[i] = number(x[i], y[i]);
-            const int k = gmres_.solve(
+            last_ = gmres_.solve(
                 [&](const auto& in, auto&& out) {
                     out.noalias() = factors_->matrix() * in;
                     out += (shift_ - factors_->sigma()) * in;
@@ -159,10 +174,15 @@ class one_factor_blocks {
                     out.imag() = left_.col(1);
                 },
                 z_, std::max(bound, part), most);
-            life_.used(k);
-            solves_ += 2 * k;
+            life_.used(last_.iterations);
+            solves_ += 2 * last_.iterations;
+            if (last_.failed()) {
+                solve_directly(x, y);
+                return;
+            }
             for (int i = 0; i < n_; ++i) x[i] = z_[i].real(), y[i] = z_[i].imag();
         }
+        const linear_solve& last_solve() const { return last_; }
         /// As in sparse_blocks; where one factorisation serves all systems, half of one a step, and for each stage of an
         /// iteration one and a half solves, as measured.
         step_work<double> work() const {
@@ -182,6 +202,19 @@ class one_factor_blocks {
             solves_ = matrices_ = 0;
             life_.made(real->sigma(), cost);
         }
+        /// The iteration has failed for the right-hand side x + i y: factors of its own from now on.
+        void solve_directly(double* x, double* y) {
+            Eigen::SparseMatrix<double> J = -factors_->matrix();
+            for (int i = 0; i < n_; ++i) J.coeffRef(i, i) += factors_->sigma();
+            slow_ = true;
+            factors_.reset();
+            if (!direct_.factor_shifted(identity_mass(), J, shift_.real(), shift_.imag())) {
+                std::fill_n(x, n_, std::numeric_limits<double>::quiet_NaN());
+                return;
+            }
+            direct_.solve(x, y);
+            last_.end = linear_end::solved;
+        }
         template <class Mass>
         bool take(const Mass& mass, const Eigen::SparseMatrix<double>& J, const number& shift) {
             if (!iterates()) return direct_.factor_shifted(mass, J, shift.real(), shift.imag());
@@ -197,6 +230,7 @@ class one_factor_blocks {
         long solves_ = 0, matrices_ = 0;  // real ones, and matrices, since they were made
         bool slow_ = false;
         preconditioner_life life_;
+        linear_solve last_;
         Eigen::VectorXcd z_;
         Eigen::Matrix<double, Eigen::Dynamic, 2> right_, left_;
         detail::restarted_gmres<number> gmres_;

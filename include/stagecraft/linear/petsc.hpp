@@ -51,16 +51,19 @@ class petsc_shifted {
         PetscReal size = 0;
         petsc_check(MatNorm(matrix_.get(), NORM_FROBENIUS, &size));
         if (!std::isfinite(size)) return false;
-        const bool kept = life_.serves(shift);
-        petsc_check(PCSetReusePreconditioner(pc_.get(), kept ? PETSC_TRUE : PETSC_FALSE));
+        shift_ = shift;
+        kept_ = life_.serves(shift);
+        petsc_check(PCSetReusePreconditioner(pc_.get(), kept_ ? PETSC_TRUE : PETSC_FALSE));
         petsc_check(PCSetOperators(pc_.get(), matrix_.get(), matrix_.get()));
-        if (kept) return true;
-        ++counts_->setups;
-        life_.made(shift, setup_cost);
-        petsc_check(PCSetUp(pc_.get()));
-        PCFailedReason failed = PC_NOERROR;
-        petsc_check(PCGetFailedReason(pc_.get(), &failed));
-        return failed == PC_NOERROR;
+        return kept_ || set_up();
+    }
+    /// Makes a hierarchy of the matrix, on all processes, where there is one of another; false if it cannot be made or there
+    /// is none.
+    bool renew() {
+        if (!kept_) return false;
+        petsc_check(PCSetReusePreconditioner(pc_.get(), PETSC_FALSE));
+        petsc_check(PCSetOperators(pc_.get(), matrix_.get(), matrix_.get()));
+        return set_up();
     }
     Mat matrix() const { return matrix_.get(); }
     PC pc() const { return pc_.get(); }
@@ -68,8 +71,13 @@ class petsc_shifted {
     petsc_owned<Vec> vector() const {
         return petsc_made<Vec>([&](Vec* v) { return MatCreateVecs(matrix(), v, nullptr); });
     }
-    /// A solve has taken so many cycles.
-    void used(long cycles) { life_.used(static_cast<double>(cycles)); }
+    /// A solve has taken so many cycles, or has failed.
+    void used(long cycles, bool failed) {
+        if (failed)
+            life_.failed();
+        else
+            life_.used(static_cast<double>(cycles));
+    }
     /// out := one cycle on in.
     void cycle(Vec in, Vec out) const {
         ++counts_->cycles;
@@ -77,6 +85,15 @@ class petsc_shifted {
     }
 
   private:
+    bool set_up() {
+        kept_ = false;
+        ++counts_->setups;
+        life_.made(shift_, setup_cost);
+        petsc_check(PCSetUp(pc_.get()));
+        PCFailedReason failed = PC_NOERROR;
+        petsc_check(PCGetFailedReason(pc_.get(), &failed));
+        return failed == PC_NOERROR;
+    }
     void make(Mat mass, const petsc_matrix& J) {
         counts_ = &J.counts();
         matrix_ = petsc_made<Mat>([&](Mat* A) { return MatDuplicate(J.get(), MAT_COPY_VALUES, A); });
@@ -94,6 +111,8 @@ class petsc_shifted {
     petsc_owned<PC> pc_;
     petsc_counts* counts_ = nullptr;
     preconditioner_life life_;
+    double shift_ = 0;
+    bool kept_ = false;  // the hierarchy is that of another matrix
 };
 
 /// (re - i |im|) M - J as real matrix of twice the size, preconditioned by cycles of real hierarchies.
@@ -119,7 +138,7 @@ class petsc_pair {
         return true;
     }
     double usual_part() const { return iteration_.usual_part(); }
-    void solve(double* x, double* y, double part) {
+    linear_solve solve(double* x, double* y, double part) {
         const auto n = static_cast<std::size_t>(n_);
         double* both = x;
         if (y != x + n) {  // the steppers hand them over side by side
@@ -130,18 +149,30 @@ class petsc_pair {
         }
         const double sign = flip_ ? -1 : 1;  // the conjugate system
         for (std::size_t i = n; i < 2 * n; ++i) both[i] *= sign;
-        const long iterations = iteration_.solve(both, part);
+        linear_solve done = iteration_.solve(both, part);
+        const auto renew = [&] {
+            const bool first = first_.renew(), second = !presb_ && second_.renew();
+            return first || second;
+        };
+        if (done.failed() && renew()) {
+            const int wasted = done.iterations;
+            iteration_.give_back(both);
+            done = iteration_.solve(both, part);
+            done.iterations += wasted;
+        }
         for (std::size_t i = n; i < 2 * n; ++i) both[i] *= sign;
         if (both != x) {
             std::memcpy(x, both, sizeof(double) * n);
             std::memcpy(y, both + n, sizeof(double) * n);
         }
-        first_.used((presb_ ? 2 : 1) * iterations);
-        if (!presb_) second_.used(iterations);
+        const long iterations = done.iterations;
+        first_.used((presb_ ? 2 : 1) * iterations, done.failed());
+        if (!presb_) second_.used(iterations, done.failed());
         petsc_counts& counts = first_.counts();
         ++counts.pair_solves;
         counts.pair_iterations += iterations;
         if (iterations > counts.most_pair) counts.most_pair = iterations;
+        return done;
     }
 
     /// With P = shift M - J and B = beta M: the product with [A -B; B A], A = re M - J = P - (shift - re) M.
@@ -248,13 +279,21 @@ class petsc_single {
         return true;
     }
     double usual_part() const { return iteration_.usual_part(); }
-    void solve(double* x, double part) {
-        const long iterations = iteration_.solve(x, part);
-        shifted_.used(iterations);
+    linear_solve solve(double* x, double part) {
+        linear_solve done = iteration_.solve(x, part);
+        if (done.failed() && shifted_.renew()) {
+            const int wasted = done.iterations;
+            iteration_.give_back(x);
+            done = iteration_.solve(x, part);
+            done.iterations += wasted;
+        }
+        const long iterations = done.iterations;
+        shifted_.used(iterations, done.failed());
         petsc_counts& counts = shifted_.counts();
         ++counts.real_solves;
         counts.real_iterations += iterations;
         if (iterations > counts.most_real) counts.most_real = iterations;
+        return done;
     }
     void precondition(Vec in, Vec out) { shifted_.cycle(in, out); }
 
@@ -278,7 +317,9 @@ class petsc_single {
 /// (preconditioner_life.hpp).
 ///
 /// Inexact solves are Newton's business: what they leave shows in its contraction, and its last solves are told which
-/// part of their right-hand sides they may leave (inexact_newton_monitor). An error that PETSc reports is a
+/// part of their right-hand sides they may leave (inexact_newton_monitor). A solve that has not come so far after the
+/// iterations that the options allow, 60 as a rule, and with a new hierarchy, has failed: the step is refused, and where no
+/// shorter one helps the run ends with status::linear_solver_failed. An error that PETSc reports is a
 /// std::runtime_error on the process where it does.
 struct petsc_blocks {
     class real {
@@ -288,11 +329,13 @@ struct petsc_blocks {
         bool factor_shifted(const Mass& mass, const petsc_matrix& J, double shift) {
             return system_->set(detail::petsc_mass(mass), J, shift);
         }
-        void solve(double* x) { system_->solve(x, 0); }
+        void solve(double* x) { last_ = system_->solve(x, 0); }
         double usual_part() const { return system_->usual_part(); }
-        void solve_leaving(double part, double* x) { system_->solve(x, part); }
+        void solve_leaving(double part, double* x) { last_ = system_->solve(x, part); }
+        const linear_solve& last_solve() const { return last_; }
 
       private:
+        linear_solve last_;
         std::unique_ptr<detail::petsc_single> system_;  // PETSc's shells refer to it
     };
     class complex {
@@ -302,11 +345,13 @@ struct petsc_blocks {
         bool factor_shifted(const Mass& mass, const petsc_matrix& J, double re, double im) {
             return system_->set(detail::petsc_mass(mass), J, re, im);
         }
-        void solve(double* x, double* y) { system_->solve(x, y, 0); }
+        void solve(double* x, double* y) { last_ = system_->solve(x, y, 0); }
         double usual_part() const { return system_->usual_part(); }
-        void solve_leaving(double part, double* x, double* y) { system_->solve(x, y, part); }
+        void solve_leaving(double part, double* x, double* y) { last_ = system_->solve(x, y, part); }
+        const linear_solve& last_solve() const { return last_; }
 
       private:
+        linear_solve last_;
         std::unique_ptr<detail::petsc_pair> system_;
     };
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include <stagecraft/linear/linear_solve.hpp>
 #include <stagecraft/linear/petsc_matrix.hpp>
 
 namespace stagecraft::detail {
@@ -44,10 +45,9 @@ class petsc_iteration {
     double usual_part() const { return bound_; }
     void set_matrix(Mat A) { petsc_check(KSPSetOperators(ksp_.get(), A, A)); }
 
-    /// Solves in the memory of x, the local part of the right-hand side, of whose size `part` may be left; returns the
-    /// iterations. NaN where the iteration breaks down: whoever asks refuses the step. An iteration that is merely slow
-    /// is left as it is, as Newton's sees how good it was.
-    long solve(double* x, double part) {
+    /// Solves in the memory of x, the local part of the right-hand side, of whose size `part` may be left. NaN on all
+    /// processes where the iteration breaks down or does not come so far: whoever asks refuses the step.
+    linear_solve solve(double* x, double part) {
         petsc_check(KSPSetTolerances(ksp_.get(), std::max(bound_, part), least_, divergence_, most_));
         PetscInt n = 0;
         petsc_check(VecGetLocalSize(rhs_.get(), &n));
@@ -59,14 +59,34 @@ class petsc_iteration {
         petsc_check(KSPSolve(ksp_.get(), rhs_.get(), solution_.get()));
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         petsc_check(KSPGetConvergedReason(ksp_.get(), &reason));
-        if (reason < 0 && reason != KSP_DIVERGED_ITS)
-            petsc_check(VecSet(solution_.get(), std::numeric_limits<double>::quiet_NaN()));
         PetscInt iterations = 0;
         petsc_check(KSPGetIterationNumber(ksp_.get(), &iterations));
-        return static_cast<long>(iterations);
+        linear_solve done{static_cast<int>(iterations), linear_end::solved};
+        if (reason < 0) {
+            done.end = why(reason);
+            petsc_check(VecSet(solution_.get(), std::numeric_limits<double>::quiet_NaN()));
+        }
+        return done;
+    }
+    /// x := the right-hand side of the last solve.
+    void give_back(double* x) const {
+        const double* r = nullptr;
+        PetscInt n = 0;
+        petsc_check(VecGetLocalSize(rhs_.get(), &n));
+        petsc_check(VecGetArrayRead(rhs_.get(), &r));
+        std::memcpy(x, r, sizeof(double) * static_cast<std::size_t>(n));
+        petsc_check(VecRestoreArrayRead(rhs_.get(), &r));
     }
 
   private:
+    linear_end why(KSPConvergedReason reason) const {
+        if (reason == KSP_DIVERGED_PC_FAILED) return linear_end::bad_preconditioner;
+        if (reason != KSP_DIVERGED_NANORINF) return linear_end::unconverged;
+        PetscReal size = 0;
+        petsc_check(VecNorm(rhs_.get(), NORM_2, &size));
+        return std::isfinite(size) ? linear_end::bad_preconditioner : linear_end::not_finite;
+    }
+
     petsc_owned<KSP> ksp_;
     petsc_owned<Vec> rhs_, solution_;
     PetscReal bound_ = 0, least_ = 0, divergence_ = 0;

@@ -18,6 +18,8 @@ class preconditioner_life {
         if (usual_ == 0) usual_ = iterations;
         if (iterations > usual_) excess_ += iterations - usual_;
     }
+    /// A solve with it has failed.
+    void failed() { usual_ = 0; }
     /// False before the first solve as well: no preconditioner has been made, or not successfully.
     bool serves(double shift) const {
         return usual_ > 0 && excess_ < cost_ && shift < 2 * shift_ && shift_ < 2 * shift;

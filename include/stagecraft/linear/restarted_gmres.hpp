@@ -7,31 +7,35 @@
 #include <cmath>
 #include <limits>
 
+#include <stagecraft/linear/linear_solve.hpp>
+
 namespace stagecraft::detail {
 
 /// Flexible GMRES with restarts, preconditioned from the right: x, the right-hand side, becomes the solution to a
-/// relative residual of `bound`, or what `most` iterations have made of it; NaN if it is not finite. Keeps
+/// relative residual of `bound`; NaN where `most` iterations do not reach it, or something is not finite. Keeps
 /// 2 (restart + 1) vectors, taken at the first call. Number is double or std::complex<double>.
 template <class Number>
 class restarted_gmres {
   public:
     using vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
-    /// multiply(in, out) and precondition(in, out); returns the iterations.
+    /// multiply(in, out) and precondition(in, out).
     template <class Multiply, class Precondition>
-    int solve(Multiply&& multiply, Precondition&& precondition, Eigen::Ref<vector> x, double bound,
-              int most) {
+    linear_solve solve(Multiply&& multiply, Precondition&& precondition, Eigen::Ref<vector> x, double bound,
+                       int most) {
         take(x.size());
         b_ = x;
         const double whole = b_.norm();
-        if (whole == 0) return 0;
+        if (whole == 0) return {};
         x.setZero();
         w_ = b_;
         double rest = whole;
-        int iterations = 0;
-        while (rest > bound * whole && iterations < most) {
-            const int k = cycle(multiply, precondition, rest, bound * whole, most - iterations);
-            iterations += k;
+        linear_solve done;
+        done.end = std::isfinite(whole) ? linear_end::unconverged : linear_end::not_finite;
+        while (done.end == linear_end::unconverged && rest > bound * whole && done.iterations < most) {
+            const int k =
+                cycle(multiply, precondition, rest, bound * whole, most - done.iterations, done.end);
+            done.iterations += k;
             const auto y =
                 H_.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g_.head(k)).eval();
             x.noalias() += Z_.leftCols(k) * y;
@@ -39,9 +43,14 @@ class restarted_gmres {
             w_ = b_ - w_;
             rest = w_.norm();
         }
-        if (!std::isfinite(rest)) x.setConstant(std::numeric_limits<double>::quiet_NaN());
-        return iterations;
+        if (rest <= bound * whole)
+            done.end = linear_end::solved;
+        else
+            x.setConstant(std::numeric_limits<double>::quiet_NaN());
+        return done;
     }
+    /// Of the last solve.
+    const vector& right_hand_side() const { return b_; }
 
   private:
     static constexpr int restart = 10;
@@ -53,9 +62,11 @@ class restarted_gmres {
         w_.resize(n);
         b_.resize(n);
     }
-    /// From the residual in w_; leaves the triangular factor in H_ and the right-hand side in g_. Returns its size.
+    /// From the residual in w_; leaves the triangular factor in H_ and the right-hand side in g_. Returns its size. Says in
+    /// `end` what makes further cycles useless.
     template <class Multiply, class Precondition>
-    int cycle(Multiply& multiply, Precondition& precondition, double rest, double goal, int most) {
+    int cycle(Multiply& multiply, Precondition& precondition, double rest, double goal, int most,
+              linear_end& end) {
         H_.setZero();
         g_.setZero();
         g_[0] = rest;
@@ -73,12 +84,23 @@ class restarted_gmres {
             for (int i = 0; i < k; ++i) H_.col(k).applyOnTheLeft(i, i + 1, turn_[std::size_t(i)].adjoint());
             turn_[std::size_t(k)].makeGivens(H_(k, k), H_(k + 1, k));
             H_.col(k).applyOnTheLeft(k, k + 1, turn_[std::size_t(k)].adjoint());
+            if (!std::isfinite(next) || H_(k, k) == Number(0)) {
+                end = breakdown(Z_.col(k), next);
+                return k;
+            }
             g_.applyOnTheLeft(k, k + 1, turn_[std::size_t(k)].adjoint());
             ++k;
             if (!(std::abs(g_[k]) > goal) || next == 0) break;
             V_.col(k) = w_ / next;
         }
         return k;
+    }
+
+    /// Why the product of size `next` with z, which the preconditioner gave, leads no further.
+    template <class Column>
+    static linear_end breakdown(const Column& z, double next) {
+        if (!z.allFinite() || z.isZero(0)) return linear_end::bad_preconditioner;
+        return std::isfinite(next) ? linear_end::unconverged : linear_end::not_finite;
     }
 
     Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> V_, Z_;

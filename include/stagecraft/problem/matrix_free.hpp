@@ -42,13 +42,17 @@ class directional_derivative {
     void set(double t, const Eigen::VectorXd& y) {
         t_ = t;
         y_ = y;
-        if constexpr (!dual) (*problem_)(t_, y_, f_);
+        if constexpr (!dual) {
+            (*problem_)(t_, y_, f_);
+            ++calls_;
+        }
     }
     /// r := r + factor J x.
     void add_times(double factor, const double* x, double* r) const {
         const Eigen::Map<const Eigen::VectorXd> v(x, rows());
         Eigen::Map<Eigen::VectorXd> result(r, rows());
         if constexpr (dual) {
+            ++calls_;
             for (Eigen::Index i = 0; i < rows(); ++i) {
                 dual_y_[i].value() = y_[i];
                 dual_y_[i].derivatives()[0] = v[i];
@@ -64,15 +68,19 @@ class directional_derivative {
             const double step = std::sqrt(std::numeric_limits<double>::epsilon()) * (1 + y_.norm()) / length;
             moved_ = y_ + step * v;
             (*problem_)(t_, moved_, f_moved_);
+            ++calls_;
             result += factor / step * (f_moved_ - f_);
         }
     }
     void precondition(double shift, double* x) const { problem_->precondition(shift, x); }
+    /// Calls of f since this was asked last.
+    long take_calls() const { return std::exchange(calls_, 0); }
 
   private:
     static constexpr bool dual = dual_in_time_and_state<Problem> || dual_in_state<Problem>;
     const Problem* problem_;
     double t_ = 0;
+    mutable long calls_ = 0;
     Eigen::VectorXd y_, f_;
     mutable Eigen::VectorXd moved_, f_moved_;
     mutable dual_state dual_y_, dual_f_;
@@ -103,8 +111,9 @@ class matrix_free_problem : public Problem {
 /// and J v is a derivative in the direction of v: in dual numbers, exact to rounding, where f takes states of any scalar
 /// type, else the difference quotient with sqrt(epsilon) (1 + |y|)/|v|, norms being Euclidean: scale y such that this
 /// moves no component by more than it may. Each product costs one call of f (about two in dual numbers), which
-/// result.report does not count: an iteration takes one for a real system and two for a pair. f and precondition must be
-/// const. Memory: 5 n numbers beside those of krylov_blocks. std::invalid_argument for a negative n.
+/// result.report counts in f_jacobian: an iteration takes one for a real system and two for a pair. A preconditioner too
+/// weak for steps of useful length makes steps short, or ends the run with status::linear_solver_failed, as one that
+/// gives NaN or zeros does. f and precondition must be const. Memory: 5 n numbers beside those of krylov_blocks. std::invalid_argument for a negative n.
 ///
 /// A problem with precondition is not solved in this way unasked, as it could be: a program that uses no preconditioner would
 /// include those solvers, and every entrance (integrate, steps, checkpoints) would make copies of the problem. Given without

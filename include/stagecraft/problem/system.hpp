@@ -10,6 +10,7 @@
 #include <stagecraft/jacobian/coloured.hpp>
 #include <stagecraft/jacobian/finite_difference.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/linear_solve.hpp>
 #include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
@@ -246,6 +247,19 @@ class system
         }
     }
 
+    /// Takes in what a linear solver tells of its last solve, and the calls of f that products with J have taken.
+    void took(const linear_solve& solve) const {
+        report_.linear_iterations += solve.iterations;
+        if (solve.failed()) {
+            ++report_.linear_failures;
+            report_.linear_trouble =
+                solve.end == linear_end::bad_preconditioner ? unsolved_because::bad_preconditioner
+                : solve.end == linear_end::zero_diagonal    ? unsolved_because::zero_diagonal
+                                                            : unsolved_because::slow;
+        }
+        count_products();
+    }
+
     /// f(t, y), counted. NaN where a call has thrown and the other processes have not heard of it yet.
     [[gnu::always_inline]] void operator()(const scalar& t, const Vector& y, Vector& f) {
         ++report_.f;
@@ -274,6 +288,7 @@ class system
                 if constexpr (size_at_compile_time == Eigen::Dynamic)
                     if (J_.rows() != n_ || J_.cols() != n_) throw size_change{};
             });
+            count_products();
         } else if constexpr (automatic) {
             report_.f_jacobian += measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, J_); });
         } else {
@@ -379,6 +394,9 @@ class system
         return all;
     }
 
+    void count_products() const {
+        if constexpr (requires { J_.take_calls(); }) report_.f_jacobian += J_.take_calls();
+    }
     void check_size(const Vector& f) const {
         if constexpr (size_at_compile_time == Eigen::Dynamic)
             if (f.size() != n_) throw size_change{};

@@ -214,6 +214,7 @@ class integrator {
     template <class Step>
     progress attempt(Step& method) {
         const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps, refused_.all);
+        unsolved_before_ = report_.linear_failures;
         if (plan.obstacle != status::success)
             return give_up(plan.obstacle == status::step_underflow ? obstacle_ : plan.obstacle);
         output_type& now = outputs_[1 - current_];
@@ -296,7 +297,7 @@ class integrator {
     progress refuse_unsolved(Step& method, const planned_step<scalar>& plan, linear_state linear,
                              newton_end how) {
         obstacle_ = status::newton_failed;
-        if (how == newton_end::non_finite) obstacle_ = status::non_finite;
+        if (how == newton_end::non_finite) obstacle_ = why_not_finite();
         if (linear == linear_state::singular)
             obstacle_ = all_finite(f_.value(), n_, system_.sums()) && system_.finite_jacobian()
                             ? status::singular_matrix
@@ -320,7 +321,7 @@ class integrator {
     template <class Step>
     progress refuse_error(Step& method, const planned_step<scalar>& plan, const scalar& error) {
         const bool finite = error - error == scalar(0);
-        obstacle_ = finite ? status::step_underflow : status::non_finite;
+        obstacle_ = finite ? status::step_underflow : why_not_finite();
         ++(finite ? report_.rejected_error : report_.rejected_newton);
         ++refused_.all;
         if (finite) ++refused_.for_error;
@@ -329,6 +330,13 @@ class integrator {
                                                     report_.steps == 0, refused_);
         linear_.rejected(system_);
         return shorten(plan, h);
+    }
+
+    /// A linear solver that has failed leaves NaN.
+    stagecraft::status why_not_finite() const {
+        scalar unsolved(report_.linear_failures > unsolved_before_ ? 1 : 0);
+        system_.sums()(&unsolved, 1);
+        return unsolved > scalar(0) ? status::linear_solver_failed : status::non_finite;
     }
 
     /// Moves to the end of the step.
@@ -393,6 +401,7 @@ class integrator {
     end_slope<Vector> f_;
     std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
     int current_ = 0;
+    long unsolved_before_ = 0;  // report_.linear_failures before this attempt
     refusals refused_;
     bool keeps_output_, started_ = false, has_output_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;

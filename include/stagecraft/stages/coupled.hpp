@@ -64,7 +64,11 @@ class coupled_stages {
                 if (v.by_value) fi_ -= v.carry[i] * v.left;
                 for (int r = 0; r < n_; ++r) x_[(i - first_) * n_ + r] = fi_[r];
             }
+            Scalar residual(0);
+            if constexpr (inexact_blocks<Blocks, Scalar>) residual = largest(weights, system.sums());
             system.measure(work::solve, [&] { systems_.solve(system, x_, v.mass); });
+            if constexpr (inexact_blocks<Blocks, Scalar>)
+                systems_.left().tell(monitor, Scalar(0), residual, Scalar(Scalar(1) / h));
             ++solves;
             for (int i = first_; i < s; ++i)
                 for (int r = 0; r < n_; ++r) v.k(r, i) += x_[(i - first_) * n_ + r];
@@ -96,6 +100,17 @@ class coupled_stages {
     }
 
   private:
+    /// The size of the largest right-hand side in x_.
+    template <class Sums>
+    Scalar largest(const vector& weights, const Sums& sums) {
+        Scalar most(0);
+        for (int i = 0; i < count_; ++i) {
+            for (int r = 0; r < n_; ++r) fi_[r] = x_[i * n_ + r];
+            const Scalar one = weighted_norm(fi_, weights, n_, sums);
+            if (!(one <= most)) most = one;
+        }
+        return most;
+    }
     std::vector<Scalar> coupled_part(const tableau<Scalar, Stages>& m) const {
         std::vector<Scalar> a;
         for (int j = 0; j < count_; ++j)

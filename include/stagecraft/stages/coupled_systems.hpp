@@ -96,6 +96,13 @@ class coupled_systems {
         return true;
     }
 
+    /// What their last solves have left.
+    left_by_solvers<Scalar> left() const {
+        left_by_solvers<Scalar> all;
+        for (const auto& block : real_blocks_) all.add(block);
+        for (const auto& block : pair_blocks_) all.add(block);
+        return all;
+    }
     /// Solves in place, stage by stage n numbers; `mass` solves with M.
     template <class System, class Mass>
     void solve(const System& system, std::vector<Scalar>& x, Mass& mass) {
@@ -111,7 +118,7 @@ class coupled_systems {
                 continue;
             }
             for (int i = 0; i < n_; ++i) w[i] *= real_shift_[k];
-            solve_together(system, [&] { real_blocks_[k].solve(w); });
+            solve_together(system, real_blocks_[k], [&] { real_blocks_[k].solve(w); });
         }
         for (std::size_t k = 0; k < pairs_.size(); ++k, w += 2 * n_) {
             const auto& [re, im] = pair_shift_[k];
@@ -120,7 +127,7 @@ class coupled_systems {
                 w[i] = a * re - b * im;
                 w[i + n_] = a * im + b * re;
             }
-            solve_together(system, [&] { pair_blocks_[k].solve(w, w + n_); });
+            solve_together(system, pair_blocks_[k], [&] { pair_blocks_[k].solve(w, w + n_); });
         }
         mix(T_, work_, x);
     }

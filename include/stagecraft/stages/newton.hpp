@@ -73,12 +73,19 @@ class newton_monitor {
     /// True while the limits allow another iteration.
     bool may_go_on() const { return outcome_.iterations < limits_.iterations; }
 
+    /// Linear solvers that iterate may have left `part` of the residual, and with it an error of `smooth` in components in
+    /// which J is small.
+    void leave(const Scalar& part, const Scalar& smooth) {
+        part_left_ = part;
+        smooth_left_ = smooth;
+    }
     /// Takes the size of the increment just made; true if the iteration ends with it (outcome().end).
     bool over(const Scalar& size) {
         using std::sqrt;
         const int k = outcome_.iterations++;
         if (!(size - size == Scalar(0))) return end(newton_end::non_finite);
-        if (size <= limits_.floor || limits_.affine) return end(newton_end::converged);
+        if (size <= limits_.floor && !(smooth_left_ > limits_.factor)) return end(newton_end::converged);
+        if (limits_.affine && part_left_ == Scalar(0)) return end(newton_end::converged);
         if (k == 0 && limits_.far > Scalar(0) && size > limits_.far) return end(newton_end::diverged);
         if (k > 0) {
             const Scalar rate = size / last_;
@@ -90,8 +97,9 @@ class newton_monitor {
                 // The first contraction from a guess that was far off tells of the way back, not of where it has led:
                 // it is not enough where the last increment is larger than so many tolerances.
                 const Scalar once = limits_.factor / Scalar(limits_.most_at_once);
-                const Scalar believed = !contracted_ && theta < once ? once : theta;
-                const Scalar left = size * believed / (Scalar(1) - believed);
+                Scalar believed = !contracted_ && theta < once ? once : theta;
+                if (believed < part_left_) believed = part_left_;
+                const Scalar left = size * believed / (Scalar(1) - believed) + smooth_left_;
                 if (left <= limits_.factor) return end(newton_end::converged);
                 // Give up if the iterations that remain cannot reach the goal at the observed rate.
                 if (k >= limits_.patience && left * power(theta, limits_.iterations - 1 - k) > limits_.factor)
@@ -108,7 +116,7 @@ class newton_monitor {
   protected:
     newton_limits<Scalar> limits_;
     newton_outcome<Scalar> outcome_;
-    Scalar last_{0};
+    Scalar last_{0}, part_left_{0}, smooth_left_{0};
     bool contracted_ = false;  // by a half at least, in some iteration
 
   private:
@@ -148,7 +156,8 @@ class inexact_newton_monitor : public newton_monitor<Scalar> {
     /// As newton_monitor::over.
     bool over(const Scalar& size) {
         const bool ended = base::over(size);
-        const bool left = size * part_ > this->limits_.factor * (Scalar(1) - part_);
+        const Scalar part = part_ < this->part_left_ ? this->part_left_ : part_;
+        const bool left = size * part > this->limits_.factor * (Scalar(1) - part);
         if (!left || this->outcome_.end != newton_end::converged) return ended;
         this->outcome_.end = newton_end::diverged;  // unless another iteration mends it
         this->last_ = size;

@@ -50,6 +50,13 @@ class separate_blocks {
         else
             return inexact;
     }
+    /// What their last solves have left.
+    left_by_solvers<Scalar> left() const {
+        left_by_solvers<Scalar> all;
+        for (const auto& block : real_) all.add(block);
+        for (const auto& block : complex_) all.add(block);
+        return all;
+    }
     /// Solves in place; the right-hand sides follow each other as the shifts do, n numbers each.
     template <class System>
     void solve(const System& system, Scalar* x) {
@@ -83,12 +90,10 @@ class separate_blocks {
     void solve_first(const System& system, Vector& x, Vector& y) {
         if constexpr (may_be_sparse)
             if (pairs_.factored()) return pairs_.solve_first(x.data(), y.data());
-        solve_together(system, [&] {
-            if (!real_.empty())
-                real_.front().solve(x.data());
-            else
-                complex_.front().solve(x.data(), y.data());
-        });
+        if (!real_.empty())
+            solve_together(system, real_.front(), [&] { real_.front().solve(x.data()); });
+        else
+            solve_together(system, complex_.front(), [&] { complex_.front().solve(x.data(), y.data()); });
     }
 
     /// x := (gamma_1/h M - J)^-1 x, or with the first complex block its modulus, component by component.
@@ -129,11 +134,11 @@ class separate_blocks {
     template <class System, class Solve>
     void each(const System& system, Scalar* x, Solve&& solve) {
         for (auto& block : real_) {
-            solve_together(system, [&] { solve(block, x); });
+            solve_together(system, block, [&] { solve(block, x); });
             x += n_;
         }
         for (auto& block : complex_) {
-            solve_together(system, [&] { solve(block, x, x + n_); });
+            solve_together(system, block, [&] { solve(block, x, x + n_); });
             x += 2 * n_;
         }
     }

@@ -144,7 +144,8 @@ class sequential_stages {
     /// x := (M/(h a) - J)^-1 x, a the first non-zero diagonal entry.
     template <class System>
     void solve_first(const System& system, vector& x) {
-        system.measure(work::solve, [&] { solve_together(system, [&] { blocks_[0].solve(x.data()); }); });
+        system.measure(work::solve,
+                       [&] { solve_together(system, blocks_[0], [&] { blocks_[0].solve(x.data()); }); });
     }
     /// x := (M - h a J)^-1 (M x + factor value): the filter of an embedded estimate. It leaves the estimate
     /// unchanged where h J is small and keeps it bounded where h J is large.
@@ -246,8 +247,17 @@ class sequential_stages {
             d_ = r_ - z_;
             add_mass_times(system.mass(), shift_[b], d_.data(), fi_.data(), n_);
             if (v.by_value) fi_ -= v.carry[i] * v.left;
-            system.measure(work::solve,
-                           [&] { solve_together(system, [&] { blocks_[b].solve(fi_.data()); }); });
+            Scalar residual(0);
+            if constexpr (inexact_blocks<Blocks, Scalar>)
+                residual = weighted_norm(fi_, weights, n_, system.sums());
+            system.measure(work::solve, [&] {
+                solve_together(system, blocks_[b], [&] { blocks_[b].solve(fi_.data()); });
+            });
+            if constexpr (inexact_blocks<Blocks, Scalar>) {
+                left_by_solvers<Scalar> left;
+                left.add(blocks_[b]);
+                left.tell(monitor, Scalar(0), residual, shift_[b]);
+            }
             ++solves;
             z_ += fi_;
             if (monitor.over(weighted_norm(fi_, weights, n_, system.sums()))) break;

@@ -218,9 +218,11 @@ class transformed_stages {
     void solve_blocks(const System& system, const vector& weights, Monitor& monitor) {
         if constexpr (blocks_type::inexact) {
             if (blocks_.iterates()) {
-                const Scalar part = monitor.may_leave(size_of_blocks(weights, system.sums()));
+                const Scalar residual = size_of_blocks(weights, system.sums());
+                const Scalar part = monitor.may_leave(residual);
                 system.measure(work::solve,
                                [&] { blocks_.solve_leaving(system, F_.data(), part, sizes_.of_block); });
+                blocks_.left().tell(monitor, part, residual, shift_[0]);
                 return;
             }
         }
