@@ -251,6 +251,9 @@ BOOST_AUTO_TEST_CASE(bad_input_of_dissipativity_and_of_absorbing_balls_is_named)
     BOOST_TEST(message([&] { absorbing_ball(exact(family::gauss, 1), cubic, negative, 1); }) ==
                "beta: must be positive, is 0");
     const auto pole = [](const auto&, const auto& x, auto& f) { f[0] = 1 / x[0]; };
+    // (1/x - x) x = 1 - x^2 has no pole, f has one
+    const auto cancels = [](const auto&, const auto& x, auto& f) { f[0] = 1 / x[0] - x[0]; };
+    BOOST_TEST(message([&] { dissipativity<1>(cancels, 1); }).starts_with("f: divides through zero"));
     BOOST_TEST(message([&] { dissipativity_within<1>(pole, 1, 1.0); }).starts_with("f: cannot be bounded"));
     BOOST_TEST(message([&] { dissipativity_within<1>(cubic, 1, HUGE_VAL); }).starts_with("radius: "));
     BOOST_TEST(message([&] { absorbing_ball_of_implicit_euler<1>(d, 0); }).starts_with("epsilon: "));

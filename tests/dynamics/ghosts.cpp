@@ -6,6 +6,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <problems/dense_once.hpp>
+#include <random>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/theory/dynamics/ghosts.hpp>
 #include <stagecraft/theory/dynamics/ghosts_in_box.hpp>
@@ -129,6 +130,101 @@ BOOST_AUTO_TEST_CASE(a_run_of_the_example_ends_at_its_ghost_and_at_h_lambda_3_in
         BOOST_TEST(std::abs((*twice)[0] - expected) < 1e-12);
     }
     BOOST_TEST(two_cycles(method("classical_rk4"), cubic, 1).verdict.is_consistent());  // degree 81^2
+}
+
+BOOST_AUTO_TEST_CASE(no_point_is_fixed_or_periodic_at_which_a_stage_meets_a_pole) {
+    const auto inverse = [](const auto&, const auto& x, auto& f) { f[0] = 1 / x[0]; };
+    // k_1 = f(0) has no value; the map x + x/(x^2 + 1/2) has one
+    const auto none = ghosts(method("explicit_midpoint"), inverse, 1);
+    BOOST_TEST(none.verdict.is_proved());
+    BOOST_TEST(none.points.empty());
+    BOOST_TEST(none.verdict.reason().ends_with("excluded: 0, where a stage divides by zero"),
+               none.verdict.text());
+    // x/(x^2 - 1): X_2 = +-1/sqrt 2 + k_1/2 = 0
+    const auto poles = [](const auto&, const auto& x, auto& f) { f[0] = x[0] / (x[0] * x[0] - 1); };
+    const auto two = ghosts(method("explicit_midpoint"), poles, 1);
+    BOOST_REQUIRE(two.points.size() == 3u);
+    BOOST_TEST(two.ghosts() == 2);
+    BOOST_TEST(two.points[1].value() == 0);
+    for (const int k : {0, 2})
+        BOOST_TEST(std::abs(std::abs(two.points[static_cast<std::size_t>(k)].value()) - std::sqrt(0.5)) <
+                   1e-14);
+    // u = x - 1: u_1 = u^-3, so u_2 = u^9 = u for u = +-1 only, which are fixed
+    const auto cube = [](const auto&, const auto& x, auto& f) {
+        f[0] = -x[0] + 1 + 1 / ((x[0] - 1) * (x[0] - 1) * (x[0] - 1));
+    };
+    const auto cycles = two_cycles(method("explicit_euler"), cube, 1);
+    BOOST_TEST(cycles.verdict.is_proved());
+    BOOST_TEST(cycles.points.empty(), cycles.verdict.text());
+    BOOST_TEST(ghosts(method("explicit_euler"), cube, 1).points.size() == 2u);
+    // Also where the first step ends in a pole: x_1 = -1/x + x sends +-1 to 0, and the second step does not exist
+    const auto minus = [](const auto&, const auto& x, auto& f) { f[0] = -1 / x[0]; };
+    for (const auto& p : two_cycles(method("explicit_euler"), minus, 1).points)
+        BOOST_TEST(std::abs(std::abs(p.value()) - std::sqrt(0.5)) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(what_f_divides_by_must_not_vanish_although_it_cancels_nor_in_a_stage_without_weight) {
+    const auto cancelled = [](const auto&, const auto& x, auto& f) { f[0] = x[0] * (1 - x[0]) / x[0]; };
+    const auto one = ghosts(method("explicit_euler"), cancelled, 1);
+    BOOST_REQUIRE(one.points.size() == 1u);
+    BOOST_TEST((one.points[0].value() == 1 && one.points[0].equilibrium));
+    BOOST_TEST(message([&] { one_sided_lipschitz<1>(cancelled); }).starts_with("f: divides through zero"));
+    BOOST_TEST(message([&] { refuting_pair(cancelled, 0); }).starts_with("f: divides through zero"));
+    BOOST_CHECK_THROW(as_rational_function(cancelled)(rational(0)), std::domain_error);
+    BOOST_TEST((as_rational_function(cancelled)(rational(3)) == -2));
+    // The midpoint rule's ghost -1 of 2 (x - 1)/x: k_1 = 4, X_2 = 1; a third stage that nothing uses lies at the pole.
+    const auto f = [](const auto&, const auto& x, auto& out) { out[0] = 2 * (x[0] - 1) / x[0]; };
+    BOOST_TEST(ghosts(method("explicit_midpoint"), f, 1).ghosts() == 1);
+    tableau<rational> three;
+    three.A = tableaux::dense<rational>::Constant(3, 3, rational(0));
+    three.b = three.c = tableaux::column<rational>::Constant(3, rational(0));
+    three.A(1, 0) = three.c[1] = rational(1, 2);
+    three.A(2, 0) = three.c[2] = rational(1, 4);
+    three.b[1] = 1;
+    BOOST_TEST(ghosts(three, f, 1).ghosts() == 0);
+    auto idle = example_method();
+    idle.A(1, 0) = idle.c[1] = 0;
+    idle.b << rational(1), rational(0);
+    const auto hidden = [](const auto&, const auto& x, auto& out) { out[0] = (1 - x[0]) * x[0] / x[0]; };
+    BOOST_TEST(ghosts_in<1>(idle, hidden, 1, box<1>(interval(0.5, 2))).zeros.size() == 1u);
+    BOOST_TEST(
+        ghosts_in<1>(idle, hidden, 1, box<1>(interval(-0.5, 2)), {.boxes = 500}).verdict.is_consistent());
+}
+
+BOOST_AUTO_TEST_CASE(fixed_points_of_random_rational_fields_are_those_of_the_stages_in_exact_arithmetic) {
+    // f = p/q with linear and quadratic q whose zeros are rational: every reported point has stages away from them.
+    std::mt19937 random(5);
+    std::uniform_int_distribution<int> pick(-3, 3);
+    int points = 0, excluded = 0;
+    for (int k = 0; k < 60; ++k) {
+        const int a = pick(random), b = pick(random), c = pick(random), d = pick(random);
+        const auto f = [&](const auto&, const auto& x, auto& out) {
+            out[0] = (x[0] + a) * (x[0] + b) / ((x[0] + c) * (x[0] + d));
+        };
+        for (const char* name : {"explicit_euler", "explicit_midpoint", "heun_2"}) {
+            if (a == c && b == d) continue;
+            const auto t = method(name);
+            const auto found = ghosts(t, f, 1);
+            excluded += found.verdict.reason().find("excluded") != std::string::npos ? 1 : 0;
+            for (const auto& p : found.points) {
+                ++points;
+                BOOST_TEST(p.multiplier.bounded());
+                std::vector<double> slopes;
+                double sum = 0;
+                for (Eigen::Index i = 0; i < t.b.size(); ++i) {
+                    double x = p.value();
+                    for (Eigen::Index j = 0; j < i; ++j)
+                        x += t.A(i, j).to<double>() * slopes[static_cast<std::size_t>(j)];
+                    BOOST_TEST(std::abs((x + c) * (x + d)) > 1e-9, name);
+                    slopes.push_back((x + a) * (x + b) / ((x + c) * (x + d)));
+                    sum += t.b[i].to<double>() * slopes.back();
+                }
+                BOOST_TEST(std::abs(sum) < 1e-6 * (1 + std::abs(slopes[0])), name);
+            }
+        }
+    }
+    BOOST_TEST(points > 100);
+    BOOST_TEST(excluded >= 3);
 }
 
 BOOST_AUTO_TEST_CASE(satz_1_24_equilibria_stay_under_the_whole_catalogue_exactly_on_four_fields) {
@@ -311,6 +407,25 @@ BOOST_AUTO_TEST_CASE(satz_1_6_3_with_gamma_0_there_is_a_line_of_equilibria_or_no
     box<1> wide(interval(-1e6, 1e6));
     const auto none = equilibria<1>(constant, wide);
     BOOST_TEST((none.verdict.is_proved() && none.zeros.empty()));
+}
+
+BOOST_AUTO_TEST_CASE(rational_constants_of_f_serve_on_the_line_and_in_boxes) {
+    const rational third(1, 3);
+    const auto f = [&](const auto&, const auto& x, auto& out) {
+        out[0] = (third - x[0]) * (x[0] + third) * third / (rational(2) + x[0] * x[0]) + x[0] * third -
+                 third * x[0];
+    };
+    const box<1> where(interval(-1, 1));
+    BOOST_TEST(ghosts(method("explicit_euler"), f, 1).points.size() == 2u);
+    BOOST_TEST(ghosts_in<1>(method("explicit_euler"), f, 1, where).zeros.size() == 2u);
+    const auto found = equilibria<1>(f, where);
+    BOOST_TEST(found.verdict.is_proved());
+    BOOST_REQUIRE(found.zeros.size() == 2u);
+    for (const auto& z : found.zeros)
+        BOOST_TEST((interval(third).contains(abs(z[0])) || abs(z[0]).contains(interval(third))));
+    const auto exact = one_sided_lipschitz<1>(f), boxed = one_sided_lipschitz_on<1>(f, where);
+    BOOST_TEST((exact.verdict.is_proved() && boxed.verdict.is_proved()));
+    BOOST_TEST(std::abs(exact.high.to<double>() - boxed.high.to<double>()) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_of_ghosts_is_named) {

@@ -19,9 +19,12 @@ inline constexpr bool is_dual = false;
 template <class S, int Width>
 inline constexpr bool is_dual<dual_number<S, Width>> = true;
 
-/// What may stand beside a dual number over S in arithmetic: S itself and the built-in numbers.
+/// What may stand beside a dual number over S in arithmetic: S itself, the built-in numbers, and the exact ones that an
+/// enclosure S is made for (S::exact_number).
 template <class T, class S>
-concept plain_operand = std::is_same_v<T, S> || std::is_arithmetic_v<T>;
+concept plain_operand = std::is_same_v<T, S> || std::is_arithmetic_v<T> || requires {
+    requires std::is_same_v<T, typename S::exact_number>;
+};
 
 }  // namespace detail
 

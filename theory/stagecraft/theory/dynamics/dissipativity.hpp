@@ -99,7 +99,7 @@ std::optional<rational> supremum_of_quadratic(const multinomial& q) {
 
 /// The least alpha for a given beta, on all of R^N. Decided for a rational f in one unknown (Sturm) and where
 /// <f(x), x - centre> has degree 2 at most (L D L^T); consistent else: give a radius. Throws
-/// std::invalid_argument for beta <= 0.
+/// std::invalid_argument for beta <= 0, and where a rational f divides through zero.
 template <int N, class F>
 dissipativity_constants<N> dissipativity(F&& f, const rational& beta,
                                          const state<rational, N>& centre = origin<N>()) {

@@ -59,15 +59,14 @@ T explicit_step(const tableau<rational>& m, F&& f, const T& x, const rational& h
             if (m.A(i, j) != 0) xi[0] = xi[0] + lifted<T>(h * m.A(i, j)) * k[static_cast<std::size_t>(j)];
         f(no_time{}, xi, fi);
         k.push_back(fi[0]);
-        if (m.b[i] != 0) y = y + lifted<T>(h * m.b[i]) * k.back();
+        y = y + lifted<T>(h * m.b[i]) * k.back();  // also for b_i = 0: the step needs the stage defined
     }
     return y;
 }
 
-/// r(m(x)), cleared of denominators.
-inline rational_function composed(const rational_function& r, const rational_function& m) {
-    const int degree = std::max(r.numerator().degree(), r.denominator().degree());
-    const auto substituted = [&](const polynomial<rational>& p) {
+/// m(m(x)), cleared of denominators.
+inline rational_function squared(const rational_function& m) {
+    const auto substituted = [&](const polynomial<rational>& p, int degree) {
         polynomial<rational> sum, top(rational(1));
         for (int k = 0; k <= p.degree(); ++k) {
             sum += polynomial<rational>(p[k]) * top * power(m.denominator(), degree - k);
@@ -75,7 +74,10 @@ inline rational_function composed(const rational_function& r, const rational_fun
         }
         return sum;
     };
-    return rational_function(substituted(r.numerator()), substituted(r.denominator()));
+    const int degree = std::max(m.numerator().degree(), m.denominator().degree());
+    auto divisors = m.divisors();
+    for (const auto& d : m.divisors()) divisors.push_back(substituted(d, d.degree()));
+    return {substituted(m.numerator(), degree), substituted(m.denominator(), degree), divisors};
 }
 
 template <class F>
@@ -87,18 +89,40 @@ rational_function explicit_map(const tableau<rational>& m, F&& f, const rational
     return explicit_step(m, f, rational_function::x(), h);
 }
 
-/// The real zeros of p with the multipliers of the `period`-th power of the map there.
+/// The part of p whose zeros are none of a divisor of the map, and the rest: there some stage has no value.
+struct split_zeros {
+    polynomial<rational> defined, excluded{rational(1)};
+    split_zeros(polynomial<rational> p, const rational_function& map) : defined(squarefree(std::move(p))) {
+        for (const auto& d : map.divisors()) {
+            const auto common = gcd(defined, d);
+            excluded *= common;
+            defined = defined / common;
+        }
+    }
+    theory::verdict verdict() const {
+        std::string where;
+        for (const auto& root : tableaux::isolate_real_roots(excluded)) {
+            const auto r = refine(excluded, root, rational(1, 1LL << 50));
+            where +=
+                (where.empty() ? "" : ", ") + (r.exact() ? r.low.str() : std::to_string(r.low.to<double>()));
+        }
+        const std::string all =
+            "all real zeros of a polynomial of degree " + std::to_string(defined.degree());
+        return verdict::proved(
+            where.empty() ? all : all + "; excluded: " + where + ", where a stage divides by zero");
+    }
+};
+
+/// The real zeros of a squarefree p with the multipliers of the `period`-th power of the map there.
 template <class F>
 std::vector<periodic_point> points_of(const polynomial<rational>& p, const tableau<rational>& m, F&& f,
                                       const rational& h, int period) {
     using number = dual<interval, 1>;
     std::vector<periodic_point> points;
     if (p.degree() < 1) return points;
-    const auto simple = squarefree(p);
-    const auto right_side = as_rational_function(f).numerator();
-    const auto still = gcd(simple, right_side);
-    for (auto root : tableaux::isolate_real_roots(simple)) {
-        root = refine(simple, root, rational(1, 1LL << 50));
+    const auto still = gcd(p, as_rational_function(f).numerator());
+    for (auto root : tableaux::isolate_real_roots(p)) {
+        root = refine(p, root, rational(1, 1LL << 50));
         const bool equilibrium =
             still.degree() > 0 &&
             (root.exact() ? still(root.low) == 0
@@ -119,17 +143,15 @@ inline verdict too_high(int degree) {
 
 /// All real fixed points of x -> x + h sum b_j f(X_j) for an explicit method and a scalar rational f: the
 /// zeros of sum b_j f(X_j), isolated by Sturm's theorem. Those at which f does not vanish are ghosts
-/// (lecture, section 1.3). Throws std::invalid_argument for h <= 0 and for methods that are not explicit.
+/// (lecture, section 1.3). A zero at which some stage divides by zero is none: the verdict names it. Throws std::invalid_argument for h <= 0 and for methods that are not explicit.
 template <class F>
 periodic_points ghosts(const tableau<rational>& method, F&& f, const rational& h) {
     const auto map = detail::explicit_map(method, f, h);
     const auto p = (map - rational_function::x()).numerator();
     if (p.is_zero()) throw std::invalid_argument("f: every point is fixed");
     if (p.degree() > largest_ghost_degree) return {detail::too_high(p.degree()), {}};
-    periodic_points found{
-        verdict::proved("all real zeros of a polynomial of degree " + std::to_string(p.degree())),
-        detail::points_of(p, method, f, h, 1)};
-    return found;
+    const detail::split_zeros zeros(p, map);
+    return {zeros.verdict(), detail::points_of(zeros.defined, method, f, h, 1)};
 }
 
 /// All real points of period two (not of period one), likewise.
@@ -138,12 +160,13 @@ periodic_points two_cycles(const tableau<rational>& method, F&& f, const rationa
     const auto map = detail::explicit_map(method, f, h);
     const int degree = std::max(map.numerator().degree(), map.denominator().degree() + 1);
     if (degree * degree > largest_ghost_degree) return {detail::too_high(degree * degree), {}};
-    auto p = (detail::composed(map, map) - rational_function::x()).numerator();
+    const auto twice = detail::squared(map);
+    auto p = (twice - rational_function::x()).numerator();
     const auto fixed = (map - rational_function::x()).numerator();
     if (p.is_zero()) throw std::invalid_argument("f: every point has period two");
     for (auto common = gcd(p, fixed); common.degree() > 0; common = gcd(p, fixed)) p = p / common;
-    return {verdict::proved("all real zeros of a polynomial of degree " + std::to_string(p.degree())),
-            detail::points_of(p, method, f, h, 2)};
+    const detail::split_zeros zeros(std::move(p), twice);
+    return {zeros.verdict(), detail::points_of(zeros.defined, method, f, h, 2)};
 }
 
 /// Zeros of P - Q and of P + Q: for x' = lambda x a method with stability function R = P/Q has fixed points

@@ -50,6 +50,8 @@ class returning_points {
             for (Eigen::Index j = 0; j < s_; ++j) {
                 const box<N> fj = enclosed<N>(f_, box<N>(x.segment<N>(stage(n, j))));
                 for (int k = 0; k < N; ++k) {
+                    // a stage without a weight has a value all the same
+                    if (!fj[k].bounded()) r[stage(n, j) + k] = interval::whole();
                     r[start(n) + k] += hb_[j] * fj[k];
                     for (Eigen::Index i = 0; i < s_; ++i) r[stage(n, i) + k] -= ha_(i, j) * fj[k];
                 }
@@ -74,6 +76,7 @@ class returning_points {
                 const auto J = enclosed_jacobian<N>(f_, box<N>(x.segment<N>(stage(n, j))));
                 for (int k = 0; k < N; ++k) {
                     for (int m = 0; m < N; ++m) {
+                        if (!J(k, m).bounded()) D(stage(n, j) + k, stage(n, j) + m) = interval::whole();
                         D(start(n) + k, stage(n, j) + m) += hb_[j] * J(k, m);
                         for (Eigen::Index i = 0; i < s_; ++i)
                             D(stage(n, i) + k, stage(n, j) + m) -= ha_(i, j) * J(k, m);

@@ -29,6 +29,8 @@ inline tableaux::rational exactly(double x) {
 /// shape of a wide box, tableaux::range carries rational ends.
 class interval {
   public:
+    using exact_number = tableaux::rational;  ///< may stand beside intervals, and dual numbers of them
+
     interval() = default;
     template <std::integral I>
     interval(I n) : interval(tableaux::rational(n)) {}  // NOLINT: integers are numbers

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <optional>
 #include <stdexcept>
@@ -19,7 +20,8 @@ using tableaux::polynomial;
 using tableaux::rational;
 
 /// A quotient of polynomials in one unknown over the rationals, in lowest terms with a monic denominator:
-/// what a scalar right-hand side becomes when it is evaluated at the unknown itself.
+/// what a scalar right-hand side becomes when it is evaluated at the unknown itself. It remembers what was divided by:
+/// where a divisor vanishes the expression has no value, though the quotient in lowest terms may have one.
 class rational_function {
   public:
     rational_function() : bottom_(rational(1)) {}
@@ -29,7 +31,11 @@ class rational_function {
     template <std::floating_point F>
     rational_function(F) = delete;
     /// top/bottom. Throws std::invalid_argument for bottom = 0.
-    explicit rational_function(polynomial<rational> top, polynomial<rational> bottom = rational(1))
+    explicit rational_function(polynomial<rational> top, const polynomial<rational>& bottom = rational(1))
+        : rational_function(std::move(top), bottom, {bottom}) {}
+    /// Likewise, where the divisors on the way were these; the zeros of bottom are among theirs.
+    rational_function(polynomial<rational> top, polynomial<rational> bottom,
+                      const std::vector<polynomial<rational>>& divisors)
         : top_(std::move(top)), bottom_(std::move(bottom)) {
         if (bottom_.is_zero()) throw std::invalid_argument("rational_function: f divides by zero");
         if (bottom_.degree() > 0) {
@@ -42,41 +48,72 @@ class rational_function {
         const polynomial<rational> scale(1 / bottom_.leading());
         top_ *= scale;
         bottom_ *= scale;
+        for (const auto& d : divisors)
+            if (d.degree() > 0) remember(monic(d));
     }
     static rational_function x() { return rational_function(polynomial<rational>::x()); }
 
     const polynomial<rational>& numerator() const { return top_; }
     const polynomial<rational>& denominator() const { return bottom_; }
-    /// Value at x. Throws std::domain_error at a pole.
-    rational operator()(const rational& x) const { return top_(x) / bottom_(x); }
+    /// What was divided by, monic, each once and not constant.
+    const std::vector<polynomial<rational>>& divisors() const { return divisors_; }
+    /// Value at x. Throws std::domain_error where a divisor vanishes.
+    rational operator()(const rational& x) const {
+        for (const auto& d : divisors_)
+            if (d(x) == 0) throw std::domain_error("rational_function: f divides by zero at " + x.str());
+        return top_(x) / bottom_(x);
+    }
 
-    rational_function operator-() const { return rational_function(-top_, bottom_); }
+    rational_function operator-() const { return {-top_, bottom_, divisors_}; }
     friend rational_function operator+(const rational_function& a, const rational_function& b) {
-        if (a.bottom_ == b.bottom_) return rational_function(a.top_ + b.top_, a.bottom_);
-        return rational_function(a.top_ * b.bottom_ + b.top_ * a.bottom_, a.bottom_ * b.bottom_);
+        if (a.bottom_ == b.bottom_) return {a.top_ + b.top_, a.bottom_, both(a, b)};
+        return {a.top_ * b.bottom_ + b.top_ * a.bottom_, a.bottom_ * b.bottom_, both(a, b)};
     }
     friend rational_function operator-(const rational_function& a, const rational_function& b) {
         return a + -b;
     }
     friend rational_function operator*(const rational_function& a, const rational_function& b) {
-        return rational_function(a.top_ * b.top_, a.bottom_ * b.bottom_);
+        return {a.top_ * b.top_, a.bottom_ * b.bottom_, both(a, b)};
     }
     friend rational_function operator/(const rational_function& a, const rational_function& b) {
-        return rational_function(a.top_ * b.bottom_, a.bottom_ * b.top_);
+        auto divisors = both(a, b);
+        divisors.push_back(b.top_);
+        return {a.top_ * b.bottom_, a.bottom_ * b.top_, divisors};
     }
     rational_function& operator+=(const rational_function& o) { return *this = *this + o; }
     rational_function& operator-=(const rational_function& o) { return *this = *this - o; }
     rational_function& operator*=(const rational_function& o) { return *this = *this * o; }
     rational_function& operator/=(const rational_function& o) { return *this = *this / o; }
-    friend bool operator==(const rational_function&, const rational_function&) = default;
+    /// The same quotient in lowest terms.
+    friend bool operator==(const rational_function& a, const rational_function& b) {
+        return a.top_ == b.top_ && a.bottom_ == b.bottom_;
+    }
 
   private:
+    void remember(polynomial<rational> divisor) {
+        if (std::find(divisors_.begin(), divisors_.end(), divisor) == divisors_.end())
+            divisors_.push_back(std::move(divisor));
+    }
+    static std::vector<polynomial<rational>> both(const rational_function& a, const rational_function& b) {
+        auto all = a.divisors_;
+        all.insert(all.end(), b.divisors_.begin(), b.divisors_.end());
+        return all;
+    }
+
     polynomial<rational> top_, bottom_;
+    std::vector<polynomial<rational>> divisors_;
 };
+
+/// Throws std::invalid_argument where r divides by something that has a real zero, also one that cancels.
+inline void require_defined_on_line(const rational_function& r) {
+    for (const auto& d : r.divisors())
+        if (tableaux::sturm_chain<rational>(d).count() > 0)
+            throw std::invalid_argument("f: divides through zero on the real line");
+}
 
 inline rational_function derivative(const rational_function& r) {
     const auto &p = r.numerator(), &q = r.denominator();
-    return rational_function(derivative(p) * q - p * derivative(q), q * q);
+    return {derivative(p) * q - p * derivative(q), q * q, r.divisors()};
 }
 
 /// The supremum of a real function: it lies in [low, high], low = high where it is known exactly. It is
@@ -95,12 +132,11 @@ inline std::optional<rational> point_above(const rational_function& r, const rat
 
 /// sup of r over the real line, exact where it is attained at a rational point or at infinity and else to
 /// `width`; nothing where r is unbounded above. One Sturm chain of the numerator of r' and one for the proof.
-/// Throws std::invalid_argument where r has a real pole.
+/// Throws std::invalid_argument where r divides through zero.
 inline std::optional<supremum> supremum_on_line(const rational_function& r,
                                                 const rational& width = rational(1, 1LL << 40)) {
+    require_defined_on_line(r);
     const auto &p = r.numerator(), &q = r.denominator();
-    if (q.degree() > 0 && tableaux::sturm_chain<rational>(q).count() > 0)
-        throw std::invalid_argument("f: divides through zero on the real line");
     if (p.degree() <= 0 && q.degree() == 0) return supremum{p[0], p[0], rational(0)};
     if (p.degree() > q.degree() && (p.leading() > 0 || (p.degree() - q.degree()) % 2 != 0)) return {};
     std::optional<supremum> best;
