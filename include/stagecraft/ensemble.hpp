@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/owned_value.hpp>
+
 namespace stagecraft {
 
 namespace detail {
@@ -35,6 +37,10 @@ struct joined_threads {
 /// no others are begun then. std::invalid_argument for a negative count or number of threads.
 template <class Run>
 auto ensemble(int count, Run&& run, int threads = 0) -> std::vector<decltype(run(0))> {
+    static_assert(
+        detail::owns_numbers<decltype(run(0))>,
+        "ensemble: run(k) returns an expression of Eigen's, whose operands may be gone: write its type, "
+        "`-> Eigen::Vector2d`, say, or `return (A * y).eval();`");
     if (count < 0) throw std::invalid_argument("ensemble: count must not be negative");
     if (threads < 0) throw std::invalid_argument("ensemble: threads must not be negative");
     if (threads == 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -83,7 +83,7 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
                                         const Eigen::MatrixBase<Derived>& y0,
                                         const typename Given::scalar& t0, const typename Given::scalar& t1,
                                         const options<typename Given::scalar>& o, Observer& observer) {
-    if constexpr (Given::returns && Given::same_size) {
+    if constexpr (Given::returns && Given::same_size && Given::object) {
         return integrate(method, Given::writing(problem), y0, t0, t1, o, observer);
     } else if constexpr (Given::good && Given::observed) {
         using vector = typename Given::vector;
@@ -203,6 +203,10 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     static_assert(given::band_known,
                   "integrate: the problem has bandwidth(): include stagecraft/linear/banded_blocks.hpp");
     static_assert(given::same_size, "integrate: the problem returns a vector of another size than y0");
+    static_assert(
+        given::object,
+        "integrate: the problem returns an expression of Eigen's, whose operands may be gone before it "
+        "is evaluated: write `-> Eigen::Vector2d`, the type of y0, or `return (A * y).eval();`");
     static_assert(given::pattern_usable,
                   "integrate: problem.sparsity must be a member function `auto sparsity() const` that "
                   "returns an Eigen::SparseMatrix with the pattern of df/dy");
@@ -210,14 +214,16 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
                   "integrate: the problem has sparsity(): include stagecraft/linear/sparse_blocks.hpp");
     static_assert(given::mass_usable,
                   "integrate: problem.mass must be a member function `auto mass() const` that returns the "
-                  "n x n matrix M; give a member that means something else another name");
+                  "n x n matrix M (an object, not an expression: write its type or .eval()); give a member "
+                  "that means something else another name");
     static_assert(given::jacobian_usable,
                   "integrate: problem.jacobian must be a member function `void jacobian(double t, const "
                   "Vector& y, Matrix& J) const`, Vector the type of y0, Matrix n x n of the same sizes "
                   "(at compile time); a banded_matrix with bandwidth(), the type of sparsity() with that");
     static_assert(given::index_usable,
                   "integrate: problem.index must be a member function `auto index() const` that returns the "
-                  "index of every component, as a std::array<int, n> or a std::vector<int>");
+                  "index of every component, as a std::array<int, n> or a std::vector<int> (or a vector of "
+                  "Eigen's, not an expression: write its type or .eval())");
     static_assert(given::band_usable,
                   "integrate: problem.bandwidth must be a member function `stagecraft::bandwidth bandwidth() "
                   "const`, which returns {lower, upper}");
@@ -248,6 +254,9 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
                          const options<typename Vector::Scalar>& o = {}, Observer&& observer = {}) {
     using problem_type = std::remove_reference_t<Problem>;
     if constexpr (detail::returning_right_hand_side<problem_type, Vector>) {
+        static_assert(detail::returns_object<problem_type, Vector>,
+                      "integrate: the problem returns an expression of Eigen's, whose operands may be gone: "
+                      "write `-> Eigen::Vector2d`, the type of the state, or `return (A * y).eval();`");
         return integrate(method, detail::writes_returned<std::decay_t<Problem>>{problem}, from, t1, o,
                          std::forward<Observer>(observer));
     } else {

@@ -316,6 +316,10 @@ template <detail::runnable_method Method, class Rhs, class Conditions, class Gue
 auto shooting(const Method& method, two_point_problem<Rhs, Conditions> problem,
               std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
               const shooting_options<std::type_identity_t<Scalar>>& o = {}) {
+    static_assert(
+        detail::usable_guess<Guess, Scalar>,
+        "shooting: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t that "
+        "returns one (no expression: write `-> Eigen::Vector2d` or .eval()), or a solution");
     using vector = decltype(detail::guess_value(guess, a));
     const auto demand = [](bool good, const char* what) {
         if (!good) throw std::invalid_argument(std::string("shooting: ") + what);

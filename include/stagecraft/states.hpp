@@ -144,6 +144,14 @@ template <class Problem, class T, class Y>
 concept returns_state = requires(const Problem& p, const T& t, const Y& y) {
     { p(t, y) } -> std::convertible_to<Y>;
 };
+/// Where the value is returned, it is an object, not an expression of Eigen's.
+template <class Problem, class T, class Y>
+constexpr bool returns_owned_state() {
+    if constexpr (!writes_state<Problem, T, Y> && returns_state<Problem, T, Y>)
+        return owns_numbers<std::invoke_result_t<const Problem&, const T&, const Y&>>;
+    else
+        return true;
+}
 template <class Problem, class T, class Y>
 concept gives_state = writes_state<Problem, T, Y> || returns_state<Problem, T, Y>;
 
@@ -324,7 +332,15 @@ result<State> integrate(const Method& method, Problem&& problem, const State& y0
         gives_state,
         "integrate: the problem must be callable as problem(t, y, f), y and f of the type of y0, or as "
         "problem(t, y) and return that type, and be const: not a std::array for a std::vector, say");
-    if constexpr (!gives_state) {
+    constexpr bool object =
+        !gives_state ||
+        detail::returns_owned_state<std::remove_reference_t<Problem>, detail::scalar_of<State>, State>();
+    static_assert(
+        object,
+        "integrate: the problem returns an expression of Eigen's, whose operands may be gone before it "
+        "is evaluated: write `-> Eigen::Vector2cd`, the type of y0, or `return (A * y).eval();` (a "
+        "number: .value())");
+    if constexpr (!gives_state || !object) {
         return {t0, y0, status::function_threw, {}, {}};
     } else {
         using form = detail::state_parts<State>;

@@ -8,6 +8,7 @@
 #include <stagecraft/observe/output_times.hpp>
 #include <stagecraft/observe/progress.hpp>
 #include <stagecraft/observe/table.hpp>
+#include <stagecraft/problem/with.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +40,18 @@ BOOST_AUTO_TEST_CASE(a_right_hand_side_may_return_its_value) {
     BOOST_TEST((by_object.report.found.jacobian == sc::jacobian_source::member));
     BOOST_TEST(std::abs(by_function.y[0] - std::sin(1.0)) < 1e-8);
     BOOST_TEST(std::abs(by_object.y[0] - std::sin(1.0)) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_mass_matrix_given_as_an_expression_is_kept) {
+    // y0' = -y0, 0 = y0 - y1; what the diagonal refers to is gone when the run begins
+    const auto f = [](double, const Vector2d& y) { return Vector2d(-y[0], y[0] - y[1]); };
+    const auto problem = sc::with_index(sc::with_mass(f, Vector2d(1, 0).asDiagonal()),
+                                        Eigen::Vector2i(0, 1) + Eigen::Vector2i(1, 0));
+    const auto r =
+        sc::integrate(sc::radau_iia<3>(), problem, Vector2d(1, 1), 0, 1, {.rtol = 1e-9, .atol = 1e-9});
+    BOOST_TEST(r.ok());
+    BOOST_TEST(std::abs(r.y[0] - std::exp(-1.0)) < 1e-8);
+    BOOST_TEST(std::abs(r.y[1] - std::exp(-1.0)) < 1e-8);
 }
 
 BOOST_AUTO_TEST_CASE(tolerances_of_components_are_a_list_or_a_vector) {

@@ -80,7 +80,7 @@ auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Condi
     static_assert(
         guessed,
         "continuation: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
-        "that returns one, or a solution");
+        "that returns one (no expression: write `-> Eigen::Vector2d` or .eval()), or a solution");
     using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
     using point = continuation_point<vector>;
     using parameters = typename point::parameters;

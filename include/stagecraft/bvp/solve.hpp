@@ -99,7 +99,7 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
     static_assert(
         guessed,
         "solve_bvp: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
-        "that returns one, or a solution");
+        "that returns one (no expression: write `-> Eigen::Vector2d` or .eval()), or a solution");
     using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
     using parameters = typename Parameters::PlainObject;
     if constexpr (guessed && parameters::RowsAtCompileTime == 0)

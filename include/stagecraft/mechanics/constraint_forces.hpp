@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <stagecraft/mechanics/model.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 
@@ -50,6 +51,9 @@ void write_constraint_forces(std::ostream& out, const Problem& problem, const So
                              const std::vector<Scalar>& times) {
     bool first = true;
     for (const Scalar& t : times) {
+        static_assert(detail::owns_numbers<decltype(y(t))>,
+                      "write_constraint_forces: y(t) returns an expression of Eigen's, whose operands may be "
+                      "gone: write its type or .eval()");
         const auto state = y(t);
         const auto lambda = problem.multiplier(state, t);
         const auto forces = constraint_forces(problem, state, t);

@@ -9,6 +9,7 @@
 #include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/mechanics/model.hpp>
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/taken_arguments.hpp>
 
 namespace stagecraft {
@@ -82,6 +83,12 @@ concept returns_forces = std::is_same_v<Q, no_forces> ||
     { forces(q, q, t) } -> std::convertible_to<Vector>;
 };
 
+/// The energies return numbers. A product of Eigen's that converts to one refers to M, which may be gone.
+template <class Energy, class... Vectors>
+concept returns_energy = requires(const Energy& energy, const Vectors&... x) {
+    { energy(x...) } -> owned_number;
+};
+
 /// What is to be known of the energies in a call of `lagrangian`, and of what stands beside them. The potential energy is
 /// looked at where the kinetic one is good, so that the first complaint is the only one.
 template <int Coordinates, class Kinetic, class Potential, class Forces, class... Others>
@@ -93,12 +100,24 @@ struct given_energies {
                                     !takes_one_scalar<Forces> && !(takes_one_scalar<Others> || ...),
                           kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
                           potential = !kinetic || std::is_invocable_v<const Potential&, const vector&>,
+                          energy_numbers =
+                              [] {
+                                  if constexpr (!generic || !kinetic || !potential ||
+                                                !std::is_invocable_v<const Potential&, const vector&>)
+                                      return true;  // these come first
+                                  else
+                                      return returns_energy<Kinetic, vector, vector> &&
+                                             returns_energy<Potential, vector>;
+                              }(),
+                          objects = owned_or_none<const Forces&, const vector&, const vector&, double> &&
+                                    (owned_or_none<const Others&, const vector&> && ...) &&
+                                    (owned_or_none<const Others&, const vector&, double> && ...),
                           forces = returns_forces<Forces, Coordinates>,
                           constraint_time = !(constraint_in_plain_time<Others, Coordinates> || ...),
                           forces_time = !forces_in_plain_time<Forces, Coordinates>,
                           on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
-                          usable = generic && kinetic && potential && forces && constraint_time &&
-                                   forces_time && on_the_stack;
+                          usable = generic && kinetic && potential && energy_numbers && objects && forces &&
+                                   constraint_time && forces_time && on_the_stack;
 };
 
 }  // namespace detail

@@ -62,7 +62,12 @@ struct kept_constraints {
 
     template <class... Arguments>
     requires std::is_invocable_v<const Constraint&, const Arguments&...>
-    auto operator()(const Arguments&... q) const { return kept_rows<Rank>(all(q...).eval(), rows); }
+    auto operator()(const Arguments&... q) const {
+        static_assert(owns_numbers<std::invoke_result_t<const Constraint&, const Arguments&...>>,
+                      "independent_constraints<rank>(constraint, q): the constraint returns an expression of "
+                      "Eigen's, whose operands may be gone: write its type or .eval()");
+        return kept_rows<Rank>(all(q...), rows);
+    }
 };
 
 }  // namespace detail

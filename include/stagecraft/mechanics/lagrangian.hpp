@@ -231,6 +231,12 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
         "lagrangian: the kinetic energy must be callable as T(q, v), and comes before the potential "
         "energy V(q)");
     static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
+    static_assert(given::energy_numbers,
+                  "lagrangian: T and V must return a number, not a matrix or product of Eigen's: write "
+                  "0.5 * v.dot(M * v), or (0.5 * v.transpose() * M * v).value()");
+    static_assert(given::objects,
+                  "lagrangian: Q returns an expression of Eigen's, whose operands may be gone before it is "
+                  "evaluated: write `return (-C * v).eval();`");
     static_assert(given::forces,
                   "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
                   "do not depend on it, and return a vector of n numbers");
@@ -249,7 +255,8 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
 
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
 /// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm();
-/// }`) and in t (`const auto& t`). The constraint returns either a number or column of m position constraints,
+/// }`) and in t (`const auto& t`). What they return is a number, or a matrix (`.eval()`), not an expression of Eigen's, which
+/// refers to what may be gone. The constraint returns either a number or column of m position constraints,
 /// 0 = g, whose gradient is taken automatically (the model is then holonomic), or the m x n matrix G of velocity
 /// constraints 0 = G v, or the m x (n + 1) matrix (G, b) of affine ones, 0 = G v + b.
 /// M must be positive definite: where it is not, but is on the velocities that the constraints admit (Euler parameters
@@ -274,6 +281,13 @@ auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
         "lagrangian: the kinetic energy must be callable as T(q, v), and comes before the potential "
         "energy V(q)");
     static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
+    static_assert(given::energy_numbers,
+                  "lagrangian: T and V must return a number, not a matrix or product of Eigen's: write "
+                  "0.5 * v.dot(M * v), or (0.5 * v.transpose() * M * v).value()");
+    static_assert(
+        given::objects,
+        "lagrangian: the constraint or Q returns an expression of Eigen's, whose operands may be gone "
+        "before it is evaluated: write `return (-C * v).eval();`");
     static_assert(given::forces,
                   "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
                   "do not depend on it, and return a vector of n numbers");

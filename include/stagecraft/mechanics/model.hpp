@@ -11,6 +11,7 @@
 #include <stagecraft/linear/small_ldlt.hpp>
 #include <stagecraft/linear/small_loops.hpp>
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 
@@ -24,7 +25,8 @@ namespace stagecraft {
 ///     template <class S> Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, n, 1>& q) const;
 ///
 /// F may take the time as a third argument, G as a second one. All three are templates on the scalar:
-/// derivatives are taken by automatic differentiation and the same model runs at any precision. M is
+/// derivatives are taken by automatic differentiation and the same model runs at any precision. They return matrices, not
+/// expressions of Eigen's (as `auto` would), which refer to what may be gone. M is
 /// symmetric positive definite and G has full rank wherever the motion goes. Optional members:
 ///
 ///     b(q, t) or b(q)     // affine and moving constraints 0 = G(q, t) v + b(q, t): a turntable, a driven wheel
@@ -79,15 +81,15 @@ using multiplier_matrix = Eigen::Matrix<S, Model::constraints, Model::constraint
 
 template <class Model>
 concept has_mass_solver = requires(const Model& m, const coordinate_vector<double, Model>& q) {
-    m.solve_mass(q, q);
+    { m.solve_mass(q, q) } -> detail::owns_numbers;
 };
 template <class Model>
 concept has_constraint_rate = requires(const Model& m, const coordinate_vector<double, Model>& q) {
-    m.G_rate(q, q);
+    { m.G_rate(q, q) } -> detail::owns_numbers;
 };
 template <class Model>
 concept has_balance = requires(const Model& m, const coordinate_vector<double, Model>& q, double t) {
-    m.balance(q, q, q, t);
+    { m.balance(q, q, q, t) } -> detail::owns_numbers;
 };
 /// True if the velocity constraint is affine, 0 = G v + b.
 template <class Model>
@@ -97,11 +99,11 @@ concept has_prescribed_velocity = requires(const Model& m, const coordinate_vect
 || requires(const Model& m, const coordinate_vector<double, Model>& q, double t) { m.b(q, t); };
 template <class Model>
 concept has_potential = requires(const Model& m, const coordinate_vector<double, Model>& q) {
-    m.potential(q);
+    { m.potential(q) } -> detail::owned_number;
 };
 template <class Model>
 concept names_singular_positions = requires(const Model& m, const coordinate_vector<double, Model>& q) {
-    m.singularity(q);
+    { m.singularity(q) } -> detail::owned_number;
     { Model::singular_position } -> std::convertible_to<std::string>;
 };
 
@@ -155,6 +157,20 @@ struct singular_position_member {
     };
 };
 
+inline constexpr auto M_of = [](const auto& m, const auto&... x) -> decltype(m.M(x...)) { return m.M(x...); };
+inline constexpr auto F_of = [](const auto& m, const auto&... x) -> decltype(m.F(x...)) { return m.F(x...); };
+inline constexpr auto G_of = [](const auto& m, const auto&... x) -> decltype(m.G(x...)) { return m.G(x...); };
+inline constexpr auto b_of = [](const auto& m, const auto&... x) -> decltype(m.b(x...)) { return m.b(x...); };
+inline constexpr auto g_of = [](const auto& m, const auto&... x) -> decltype(m.g(x...)) { return m.g(x...); };
+
+/// M, F, G, b and g of a model with positions of the type V return objects, in whichever form there is.
+template <class Model, class V, class M = const Model&, class X = const V&>
+concept model_of_objects = owned_or_none<decltype(M_of), M> && owned_or_none<decltype(M_of), M, X> &&
+    owned_or_none<decltype(F_of), M, X, X> && owned_or_none<decltype(F_of), M, X, X, double> &&
+    owned_or_none<decltype(G_of), M, X> && owned_or_none<decltype(G_of), M, X, double> &&
+    owned_or_none<decltype(b_of), M, X> && owned_or_none<decltype(b_of), M, X, double> &&
+    owned_or_none<decltype(g_of), M, X> && owned_or_none<decltype(g_of), M, X, double>;
+
 }  // namespace detail
 
 /// Refuses a Model whose functions take one scalar only (the address of a template cannot be taken), or with an
@@ -169,17 +185,27 @@ struct checked_model {
         "automatically: template <class S> Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, "
         "const Eigen::Matrix<S, n, 1>& v) const");
 
+    static_assert(
+        detail::model_of_objects<Model, coordinate_vector<double, Model>>,
+        "M, F, G, g and b of a mechanical model must return matrices, not expressions of Eigen's, whose "
+        "operands may be gone: write their types, Eigen::Matrix<S, n, 1> say, in place of auto, or "
+        ".eval()");
+
     template <class Name>
     static constexpr bool absent = !detail::has_member_named<Model, Name>;
 
     static_assert(absent<detail::solve_mass_member> || has_mass_solver<Model>,
-                  "model.solve_mass must be callable as solve_mass(q, r) on a const model, in any scalar");
+                  "model.solve_mass must be callable as solve_mass(q, r) on a const model, in any scalar, "
+                  "and return a vector (no expression)");
     static_assert(absent<detail::constraint_rate_member> || has_constraint_rate<Model>,
-                  "model.G_rate must be callable as G_rate(q, v) on a const model, in any scalar");
+                  "model.G_rate must be callable as G_rate(q, v) on a const model, in any scalar, and "
+                  "return a matrix (no expression)");
     static_assert(absent<detail::balance_member> || has_balance<Model>,
-                  "model.balance must be callable as balance(q, v, a, t) on a const model, in any scalar");
+                  "model.balance must be callable as balance(q, v, a, t) on a const model, in any scalar, "
+                  "and return a vector (no expression)");
     static_assert(absent<detail::potential_member> || has_potential<Model>,
-                  "model.potential must be callable as potential(q) on a const model, in any scalar");
+                  "model.potential must be callable as potential(q) on a const model, in any scalar, and "
+                  "return a number (no product of Eigen's: .value())");
     static_assert((absent<detail::singularity_member> && absent<detail::singular_position_member>) ||
                       names_singular_positions<Model>,
                   "model.singularity must be callable as singularity(q) on a const model, and "

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <stagecraft/mechanics/formulations.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 
@@ -44,6 +45,11 @@ class perturbed_problem {
     void operator()(const T&, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
         const Eigen::Matrix<S, n, 1> slow = y.template head<n>();
         const Eigen::Matrix<S, m, 1> fast = y.template tail<m>();
+        static_assert(
+            detail::owns_numbers<decltype(problem_.f(slow, fast))> &&
+                detail::owns_numbers<decltype(problem_.g(slow, fast))>,
+            "perturbed: f or g of the problem returns an expression of Eigen's, whose operands may be "
+            "gone: write its type, Eigen::Matrix<S, n, 1>, say, or .eval()");
         f.template head<n>() = problem_.f(slow, fast);
         f.template tail<m>() = problem_.g(slow, fast);
     }

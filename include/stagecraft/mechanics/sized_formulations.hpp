@@ -75,7 +75,8 @@ Eigen::VectorXd smallest_change(const Matrix& G, const Eigen::VectorXd& r) {
 /// Made by index_2, index_3, stabilised_index_2 and regularised_position.
 template <sized_mechanical_model Model, constraint_level Level>
 class sized_formulation
-    : public std::conditional_t<sized::sparse<Model>, sized::kept_pattern, sized::no_pattern> {
+    : sized::checked_returns<Model>,
+      public std::conditional_t<sized::sparse<Model>, sized::kept_pattern, sized::no_pattern> {
   public:
     using vector = Eigen::VectorXd;
 

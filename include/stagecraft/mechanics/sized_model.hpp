@@ -14,6 +14,7 @@
 
 #include <stagecraft/mechanics/constraint_rank.hpp>
 #include <stagecraft/mechanics/start.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 
@@ -25,8 +26,8 @@ namespace stagecraft {
 ///     Eigen::VectorXd F(q, v) const  or  F(q, v, double t) const;   // n forces
 ///     matrix G(q) const  or  G(q, t) const;                         // m x n, of full rank
 ///
-/// where a matrix is dense, diagonal or sparse, Eigen's. A sparse G makes the linear algebra of the whole system
-/// sparse. Optional members: b(q, t) or b(q), what an affine or moving constraint prescribes; g(q) or g(q, t),
+/// where a matrix is dense, diagonal or sparse, Eigen's, and no expression, which refers to what may be gone. A sparse G
+/// makes the linear algebra of the whole system sparse. Optional members: b(q, t) or b(q), what an affine or moving constraint prescribes; g(q) or g(q, t),
 /// constraints of position with the gradient G. Everything lives on the heap, no size is a template parameter.
 /// For a few coordinates known at compile time a mechanical_model is faster and is differentiated exactly.
 template <class Model>
@@ -55,6 +56,15 @@ inline constexpr bool has_position = requires(const Model& m, const Eigen::Vecto
     m.g(q);
 }
 || requires(const Model& m, const Eigen::VectorXd& q, double t) { m.g(q, t); };
+
+template <class Model>
+struct checked_returns {
+    static_assert(
+        detail::model_of_objects<Model, Eigen::VectorXd>,
+        "M, F, G, b and g of a sized_mechanical_model must return matrices, not expressions of Eigen's, "
+        "whose operands may be gone: write their types, Eigen::MatrixXd, say, in place of auto, or "
+        ".eval()");
+};
 
 /// M, F, G, b and g of a model, whichever arguments they take.
 template <class Model>
@@ -196,6 +206,7 @@ struct sized_assembly {
 /// size. Throws std::invalid_argument if q or v has not coordinates() entries.
 template <sized_mechanical_model Model>
 sized_assembly assemble(const Model& model, Eigen::VectorXd q, Eigen::VectorXd v, double t = 0) {
+    [[maybe_unused]] constexpr sized::checked_returns<Model> checked;
     const Eigen::Index n = model.coordinates();
     if (q.size() != n || v.size() != n)
         throw std::invalid_argument("assemble: q and v must have coordinates() entries");
@@ -220,7 +231,7 @@ sized_assembly assemble(const Model& model, Eigen::VectorXd q, Eigen::VectorXd v
 /// A model with redundant constraints without those that depend on others at the position where it was made: the
 /// motion is the same, and the multipliers that remain are unique. Made by `independent_constraints`.
 template <sized_mechanical_model Model>
-class independent_model {
+class independent_model : sized::checked_returns<Model> {
   public:
     independent_model(Model model, constraint_rank rows) : model_(std::move(model)), rows_(std::move(rows)) {}
 

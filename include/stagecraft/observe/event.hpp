@@ -15,6 +15,7 @@
 #include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/bracketing.hpp>
 #include <stagecraft/observe/occurrence.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/status.hpp>
 #include <stagecraft/taken_arguments.hpp>
 
@@ -374,7 +375,18 @@ event_watch<Vector> events(event_function<Functions>... list) {
         numbers,
         "events: g in event(g) returns a bool, whose change of sign is none: return the number that "
         "passes zero, y[0] - 1 for y[0] > 1");
-    if constexpr (callable && numbers)
+    constexpr bool objects = [] {
+        if constexpr (callable && numbers)
+            return (detail::owns_numbers<std::invoke_result_t<Functions&, const scalar&, const Vector&>> &&
+                    ...);
+        else
+            return true;
+    }();
+    static_assert(
+        objects,
+        "events: g in event(g) returns a product of Eigen's, whose operands may be gone before it is "
+        "evaluated: write n.dot(y), or (n.transpose() * y).value()");
+    if constexpr (callable && numbers && objects)
         return event_watch<Vector>({event_function<function>{function(std::move(list.g)), list.options}...});
     else
         return event_watch<Vector>({});

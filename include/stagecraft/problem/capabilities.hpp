@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <stagecraft/linear/banded_matrix.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/work.hpp>
 
 namespace stagecraft {
@@ -112,6 +113,11 @@ template <class Problem>
 concept has_index = requires(Problem& p) {
     requires std::integral<std::remove_cvref_t<decltype(p.index()[0])>>;
     p.index().size();
+};
+/// As it must be: an object, not an expression of Eigen's.
+template <class Problem>
+concept has_owned_index = has_index<Problem> && requires(Problem& p) {
+    { p.index() } -> detail::owns_numbers;
 };
 
 /// Optional: `problem.constant_jacobian()` returns true if df/dy depends neither on t nor on y. Then J is

@@ -8,6 +8,7 @@
 
 #include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 
@@ -106,6 +107,12 @@ constexpr bool returns_its_size() {
     return its == wanted || its == Eigen::Dynamic || wanted == Eigen::Dynamic;
 }
 
+/// What a returning Problem returns is a vector, not an expression of one.
+template <class Problem, class Vector>
+concept returns_object = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y) {
+    { p(t, y) } -> owns_numbers;
+};
+
 /// mass() has as many rows and columns as Vector, as far as that is known at compile time.
 template <class Problem, class Vector>
 constexpr bool mass_of_its_size() {
@@ -171,12 +178,13 @@ struct checked_call {
         !detail::has_member_named<Problem, detail::sparsity_member> || has_sparsity<Problem>;
     static constexpr bool mass_usable = [] {
         if constexpr (has_mass<Problem>)
-            return detail::mass_of_its_size<Problem, Vector>();
+            return detail::owns_numbers<decltype(std::declval<Problem&>().mass())> &&
+                   detail::mass_of_its_size<Problem, Vector>();
         else
             return !detail::has_member_named<Problem, detail::mass_member>;
     }();
     static constexpr bool index_usable =
-        !detail::has_member_named<Problem, detail::index_member> || has_index<Problem>;
+        !detail::has_member_named<Problem, detail::index_member> || has_owned_index<Problem>;
     static constexpr bool band_usable =
         !detail::has_member_named<Problem, detail::bandwidth_member> || has_bandwidth<Problem>;
     static constexpr bool solver_usable =

@@ -112,7 +112,7 @@ struct checked_capabilities {
         "problem.mass must be a member function `auto mass() const` that returns the n x n matrix M (for "
         "M(t) or M(y): problem/fully_implicit.hpp); give a member that means something else another name");
     static_assert(
-        absent<detail::index_member> || has_index<Problem>,
+        absent<detail::index_member> || has_owned_index<Problem>,
         "problem.index must be a member function `auto index() const` that returns the index of every "
         "component, e.g. a std::array<int, n>; give a member that means something else another name");
     static_assert(absent<detail::bandwidth_member> || has_bandwidth<Problem>,

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 
 namespace stagecraft {
@@ -25,6 +26,10 @@ entry_mass<Scalar> finite_entries(const Matrix& m) {
 template <class Scalar, class Problem>
 auto make_mass(Problem& problem, Eigen::Index n) {
     if constexpr (has_mass<Problem>) {
+        static_assert(
+            detail::owns_numbers<decltype(problem.mass())>,
+            "problem.mass() returns an expression of Eigen's, whose operands may be gone before it is "
+            "evaluated: write its type, `Eigen::Matrix2d mass() const`, say");
         const auto& m = problem.mass();
         if (m.rows() != n || m.cols() != n)
             throw std::invalid_argument("integrate: problem.mass() must be n x n with n the size of y0");

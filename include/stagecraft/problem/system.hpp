@@ -12,6 +12,7 @@
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/linear_solve.hpp>
 #include <stagecraft/linear/second_order_lu.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/distributed.hpp>
@@ -37,6 +38,9 @@ template <class Problem, class Vector>
 auto make_jacobian(Problem& problem, int n) {
     using scalar = typename Vector::Scalar;
     if constexpr (has_matrix<Problem>) {
+        static_assert(owns_numbers<decltype(problem.matrix())>,
+                      "problem.matrix() returns an expression of Eigen's, whose operands may be gone: write "
+                      "its type, `Eigen::MatrixXd matrix() const`, say");
         auto J = problem.matrix();
         if (J.rows() != n || J.cols() != n)
             throw std::invalid_argument("integrate: problem.matrix() must be n x n with n the size of y0");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 
@@ -47,10 +48,11 @@ struct problem_with_solver : Problem {
 }  // namespace detail
 
 /// A right-hand side, for instance a lambda, together with a constant mass matrix: M y' = f(t, y). Can be
-/// combined with the others: with_index(with_mass(f, M), flags).
+/// combined with the others: with_index(with_mass(f, M), flags). An expression, v.asDiagonal(), is evaluated here.
 template <class Rhs, class Mass>
 auto with_mass(Rhs rhs, Mass mass) {
-    return detail::rhs_with_mass<Rhs, Mass>(std::move(rhs), std::move(mass));
+    using object = decltype(detail::object_of(std::move(mass)));
+    return detail::rhs_with_mass<Rhs, object>(std::move(rhs), detail::object_of(std::move(mass)));
 }
 
 /// A right-hand side together with its Jacobian, a callable j(t, y, J).
@@ -62,7 +64,8 @@ auto with_jacobian(Rhs rhs, Jacobian jacobian) {
 /// A right-hand side together with the index (1, 2 or 3) of every component, e.g. a std::array<int, n>.
 template <class Rhs, class Index>
 auto with_index(Rhs rhs, Index index) {
-    return detail::rhs_with_index<Rhs, Index>(std::move(rhs), std::move(index));
+    using object = decltype(detail::object_of(std::move(index)));
+    return detail::rhs_with_index<Rhs, object>(std::move(rhs), detail::object_of(std::move(index)));
 }
 
 /// A problem with all its members whose linear systems are solved by `Solver`, for instance

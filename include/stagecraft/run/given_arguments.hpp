@@ -53,6 +53,12 @@ struct given_arguments {
         else
             return true;
     }();
+    static constexpr bool object = [] {
+        if constexpr (returns)
+            return returns_object<Problem, Vector>;
+        else
+            return true;
+    }();
     static constexpr bool column = unseen || check::column, const_enough = unseen || check::const_enough,
                           callable = unseen || check::callable,
                           uncalled = unseen || !column || !const_enough || !callable,

@@ -165,8 +165,7 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
     }(static_cast<const std::remove_const_t<decltype(list)>*>(nullptr));
     static_assert(functional,
                   "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
-                  "and return "
-                  "a number: [](const auto& y) { return y[0]; }");
+                  "and return a number, not a product of Eigen's: [](const auto& y) { return y.dot(y); }");
     if constexpr (!differentiable || !functional) {
         return gradient_result<vector, parameters>{};
     } else {

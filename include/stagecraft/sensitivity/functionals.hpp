@@ -10,6 +10,7 @@
 
 #include <stagecraft/jacobian/reverse_functions.hpp>
 #include <stagecraft/jacobian/unconverted.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 
@@ -113,6 +114,10 @@ auto with_parameters(const G& g, const Q& q, const Args&... args) {
         return g(args...);
 }
 
+/// G takes these as they are and returns a number: no product of Eigen's, which converts to one but refers to its operands.
+template <class G, class... Args>
+concept gives_number = callable_unconverted<G, Args...> && owned_number<std::invoke_result_t<G, Args...>>;
+
 /// A functional can be differentiated.
 template <class Functional, class Vector, class Parameters>
 constexpr bool differentiable_functional() {
@@ -122,15 +127,15 @@ constexpr bool differentiable_functional() {
     using values = Eigen::Matrix<number, Parameters::RowsAtCompileTime, 1>;
     using G = decltype(std::declval<const Functional&>().g);
     if constexpr (is_integral<Functional>)
-        return callable_unconverted<const G, const scalar&, const state&, const values&> ||
-               callable_unconverted<const G, const scalar&, const state&>;
+        return gives_number<const G, const scalar&, const state&, const values&> ||
+               gives_number<const G, const scalar&, const state&>;
     else if constexpr (is_data_sum<Functional>)
-        return callable_unconverted<const G, const std::size_t&, const state&> ||
-               callable_unconverted<const G, const std::size_t&, const state&, const values&>;
-    else if constexpr (callable_unconverted<const G, const state&>)
+        return gives_number<const G, const std::size_t&, const state&> ||
+               gives_number<const G, const std::size_t&, const state&, const values&>;
+    else if constexpr (gives_number<const G, const state&>)
         return std::is_convertible_v<std::invoke_result_t<const G&, const state&>, number>;
     else
-        return callable_unconverted<const G, const state&, const values&>;
+        return gives_number<const G, const state&, const values&>;
 }
 
 }  // namespace detail

@@ -14,6 +14,7 @@
 
 #include <stagecraft/jacobian/dual_functions.hpp>
 #include <stagecraft/observe/event.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/sensitivity/parameters.hpp>
 
 namespace stagecraft {
@@ -71,6 +72,11 @@ auto watch_for(const Problem&, const Parameters& p, const std::tuple<Events...>&
         using scalar = typename Vector::Scalar;
         std::vector<event_function<typename watch::function>> all;
         const auto add = [&](const auto& one) {
+            static_assert(
+                owned_number<decltype(one.g(std::declval<const scalar&>(), std::declval<const Vector&>(),
+                                            p))>,
+                "sensitivity_event: g returns a product of Eigen's, whose operands may be gone before it is "
+                "evaluated: write n.dot(y), or (n.transpose() * y).value()");
             all.push_back({[&p, &one](const scalar& t, const Vector& y) { return scalar(one.g(t, y, p)); },
                            {one.options.direction, false}});
         };

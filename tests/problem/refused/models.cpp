@@ -4,7 +4,10 @@
 // says: model.G_rate must be callable
 // says: model.potential must be callable
 // says: model.singularity must be callable
+// says: M, F, G, g and b of a mechanical model must return matrices, not expressions of Eigen's
+// says: M, F, G, b and g of a sized_mechanical_model must return matrices, not expressions of Eigen's
 #include <stagecraft/mechanics/model.hpp>
+#include <stagecraft/mechanics/sized_model.hpp>
 
 // A particle in the plane, with optional members that cannot be used, and the same as they must be.
 template <class S, int Rows = 2>
@@ -44,7 +47,37 @@ struct singular : particle {
     template <class S>
     S singularity(const vector<S>&) const;
 };
+struct braked : particle {
+    template <class S>
+    vector<S> F(const vector<S>&, const vector<S>& v) const {
+        const vector<S> brakes(1, 2);
+        return -brakes.cwiseProduct(v);
+    }
+};
+struct chain {
+    int coordinates() const { return 2; }
+    int constraints() const { return 1; }
+    Eigen::DiagonalMatrix<double, 2> M() const { return Eigen::Vector2d(1, 2).asDiagonal(); }
+    Eigen::VectorXd F(const Eigen::VectorXd&, const Eigen::VectorXd&) const;
+    const Eigen::MatrixXd& G(const Eigen::VectorXd&) const { return gradient; }
+    Eigen::MatrixXd gradient;
+};
 #else
+struct braked : particle {
+    template <class S>
+    auto F(const vector<S>&, const vector<S>& v) const {
+        const vector<S> brakes(1, 2);
+        return -brakes.cwiseProduct(v);
+    }
+};
+struct chain {
+    int coordinates() const { return 2; }
+    int constraints() const { return 1; }
+    auto M() const { return Eigen::Vector2d(1, 2).asDiagonal(); }
+    Eigen::VectorXd F(const Eigen::VectorXd&, const Eigen::VectorXd&) const;
+    const Eigen::MatrixXd& G(const Eigen::VectorXd&) const { return gradient; }
+    Eigen::MatrixXd gradient;
+};
 struct pulled : particle {
     vector<double> F(const vector<double>&, const vector<double>&) const;
 };
@@ -70,3 +103,5 @@ template struct stagecraft::checked_model<solving>;
 template struct stagecraft::checked_model<turning>;
 template struct stagecraft::checked_model<falling>;
 template struct stagecraft::checked_model<singular>;
+template struct stagecraft::checked_model<braked>;
+template struct stagecraft::sized::checked_returns<chain>;

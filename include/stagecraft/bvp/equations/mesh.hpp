@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <stagecraft/bvp/options.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/system.hpp>
 
 namespace stagecraft::detail {
@@ -157,6 +158,7 @@ auto guess_value(const Guess& guess, const Scalar& t) {
 template <class Guess, class Scalar>
 concept usable_guess = constant_guess<Guess> || requires(const Guess& guess, const Scalar& t) {
     typename std::decay_t<decltype(guess(t))>::PlainObject;
+    { guess(t) } -> owns_numbers;
 };
 
 /// The same, which must have n components at every t.
@@ -173,6 +175,10 @@ auto guess_slope(const Guess& guess, const Scalar& t, const Scalar& h, Eigen::In
     if constexpr (constant_guess<Guess>) {
         return vector(vector::Zero(n));
     } else if constexpr (requires { guess.derivative(t); }) {
+        static_assert(
+            owns_numbers<decltype(guess.derivative(t))>,
+            "guess.derivative(t) returns an expression of Eigen's, whose operands may be gone: write "
+            "its type, Eigen::Vector2d, say, or .eval()");
         return vector(guess.derivative(t));
     } else {
         const Scalar step = h / 64;
