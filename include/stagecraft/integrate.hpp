@@ -54,9 +54,11 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
             if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
                 run.between_steps([&] {
                     correct(observer, run, start);
-                    const bool go_on = observe(observer, run.t(), run.y(), run.output().step(), run.output());
+                    const auto& output = run.output();
+                    const auto* end = end_inside(observer, run.t(), run.y(), output.step(), output);
+                    const bool go_on = tell_until(end, observer, run.t(), run.y(), output.step(), output);
                     // Generic, so that it is compiled only where an observer asks for it.
-                    save(observer, [&](auto... none) { return checkpoint_of(run, none...); });
+                    if (!end) save(observer, [&](auto... none) { return checkpoint_of(run, none...); });
                     return go_on;
                 });
         }

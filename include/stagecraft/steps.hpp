@@ -124,7 +124,9 @@ class step_range {
 /// It is an input range, which the algorithms of std::ranges accept as an lvalue. Arguments and errors are
 /// those of integrate(), except that an exception of the problem leaves the loop. Observers are called by
 /// hand: watch.start(t0, y0, t1) before the loop if the observer has it (solution, output_times, events),
-/// then watch(step.t, step.y, step.h, step.output) in it.
+/// then watch(step.t, step.y, step.h, step.output) in it, where false ends the loop: with events() first, as the loop sees
+/// whole steps, and a terminal event ends the run inside one, at watch.found().back(); observers(watch, table), called in
+/// this way, shows the table the step up to there.
 ///
 /// Only a correction of the states must act before the loop sees the step, and is given as the last argument:
 /// projection(problem), projection_onto<M>(g) (dae/projection.hpp) or anything else with correct(t, y)

@@ -5,10 +5,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
+#include <stagecraft/checkpoint.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/observe/event.hpp>
+#include <stagecraft/observe/global_error.hpp>
 #include <stagecraft/observe/observers.hpp>
+#include <stagecraft/observe/output_times.hpp>
+#include <stagecraft/observe/progress.hpp>
+#include <stagecraft/observe/save_every.hpp>
+#include <stagecraft/observe/solution.hpp>
+#include <stagecraft/observe/table.hpp>
+#include <stagecraft/steps.hpp>
 #include <string>
 
 #include "../message.hpp"
@@ -369,6 +378,88 @@ BOOST_AUTO_TEST_CASE(watches_compose_in_any_order) {
     ends_early(sc::observers(early, count, late));
     ends_early(sc::observers(late, count, early));
     BOOST_TEST(steps == 4);
+}
+
+// Dropped from height 1/2 with g = 1, in either direction of time: on the ground at |t| = 1 with speed 1. The step that shows
+// it goes far beyond.
+BOOST_AUTO_TEST_CASE(nothing_that_an_observer_keeps_is_later_than_the_end) {
+    for (const double t1 : {10.0, -10.0}) {
+        const double end = t1 < 0 ? -1 : 1;
+        const auto beyond = [&](double t) { return (t - end) * end > 1e-14; };
+        auto ground = sc::events<Vector2d>(sc::event(component(0), {.terminal = true}));
+        auto deep = sc::events<Vector2d>(
+            sc::event([](double, const Vector2d& y) { return y[0] + 1; }, {.terminal = true}),
+            sc::event([](double, const Vector2d& y) { return y[0] + 0.5; }));
+        std::ostringstream table, lines;
+        sc::solution<Vector2d> y;
+        sc::output_times<Vector2d> output({0, end / 2, end * 1.25, end * 1.5});
+        sc::checkpoint<Vector2d> last;
+        double seen = 0, length = 0, covered = 0, part = 0;
+        Vector2d state(0, 0);
+        auto save = sc::save_every(1, [&](auto point) { last = std::move(point); });
+        const auto plain = [&](double t, const Vector2d& x) { seen = t, state = x; };
+        const auto timed = [&](double, const Vector2d&, double h) { length += h; };
+        const auto continuous = [&](double t, const Vector2d&, double, const auto& out) {
+            BOOST_TEST((out(t) - Vector2d(0.5 - t * t / 2, -t)).norm() < 1e-14);
+            covered = t;
+        };
+        auto told = sc::progress([&](double p) { part = p; }, 1e-9);
+        const auto check = [&](auto&& all) {
+            seen = length = covered = part = 0;
+            table.str(""), lines.str(""), last = {};
+            const auto r = sc::integrate(radau, free_fall, Vector2d(0.5, 0), 0, t1, {}, all);
+            BOOST_TEST(sc::name(r.status) == "event");
+            BOOST_TEST(std::abs(r.t - end) < 1e-14);
+            BOOST_TEST(r.report.steps < 50);
+            BOOST_TEST(!beyond(last.t));
+            BOOST_TEST(last.t != 0);
+            BOOST_TEST(seen == r.t);
+            BOOST_TEST(state == r.y);
+            BOOST_TEST(std::abs(length - r.t) < 1e-14);
+            BOOST_TEST(covered == r.t);
+            BOOST_TEST(std::abs(part - 0.1) < 1e-14);
+            BOOST_TEST(y.t1() == r.t);
+            BOOST_TEST(y.ends_of_steps().back() == r.t);
+            BOOST_TEST(std::abs(y(end * 0.9)[0] - 0.095) < 1e-14);
+            BOOST_TEST(output.filled() == 2);
+            BOOST_TEST(ground.found().size() == 1u);
+            BOOST_TEST(deep.found().size() == 0u);
+            const auto last_row = [](std::string text) {
+                text.pop_back();
+                return text.substr(text.rfind('\n') + 1);
+            };
+            BOOST_TEST(std::stod(last_row(table.str())) == r.t);
+            BOOST_TEST(std::stod(last_row(lines.str()).substr(6)) == r.t);
+        };
+        auto rows = sc::csv(table, {"q", "v"});
+        auto objects = sc::json_lines(lines);
+        check(sc::observers(plain, rows, y, deep, save, ground, told, output, timed, continuous, objects));
+        check(sc::observers(sc::observers(continuous, deep, objects, save, told), timed,
+                            sc::observers(y, output, ground), rows, plain));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_of_the_global_error_is_that_at_the_end) {
+    sc::global_error<Vector2d, decltype(free_fall)> error(free_fall, 1, 1);
+    auto ground = sc::events<Vector2d>(sc::event(component(0), {.terminal = true}));
+    sc::integrate(radau, free_fall, Vector2d(0.5, 0), 0, 10, {}, sc::observers(error, ground));
+    BOOST_TEST(error.bound() < 1e-13);  // the solution is exact: the bound is rounding, times e at t = 1
+    BOOST_TEST(error.lipschitz_bound() <= (std::numbers::e - 1) * error.largest_defect() * (1 + 1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_over_steps_shows_its_table_no_more_than_the_run_has) {
+    auto ground = sc::events<Vector2d>(sc::event(component(0), {.terminal = true}));
+    std::ostringstream table;
+    double seen = 0;
+    const auto plain = [&](double t, const Vector2d&) { seen = t; };
+    auto all = sc::observers(plain, ground, sc::csv(table));
+    auto run = sc::steps(radau, free_fall, Vector2d(0.5, 0), 0, 10);
+    all.start(0.0, Vector2d(0.5, 0), 10.0);
+    for (const auto& step : run)
+        if (!all(step.t, step.y, step.h, step.output)) break;
+    BOOST_TEST(run.t() > 1.1);
+    BOOST_TEST(std::abs(seen - 1) < 1e-14);
+    BOOST_TEST(ground.found().back().t == seen);
 }
 
 BOOST_AUTO_TEST_CASE(an_observer_that_stops_is_not_an_event) {

@@ -95,10 +95,18 @@ class event_watch {
         span_ = std::max<scalar>(abs(t0), abs(t1));
     }
 
+    /// False if the run ends in this step; for loops that are written by hand (steps.hpp).
     template <class Output>
     requires requires(const Output& o, const scalar& t, Vector& y) { o.evaluate(t, y); }
-    bool operator()(const scalar& t, const Vector& y, const scalar&, const Output& output) {
-        if (ended_) return false;
+    bool operator()(const scalar& t, const Vector& y, const scalar& h, const Output& output) {
+        return end_inside(t, y, h, output) == nullptr;
+    }
+    /// Finds the events of a step; the last one if it ends the run, else null.
+    template <class Output>
+    requires requires(const Output& o, const scalar& t, Vector& y) { o.evaluate(t, y); }
+    const occurrence<Vector>* end_inside(const scalar& t, const Vector& y, const scalar&,
+                                         const Output& output) {
+        if (ended_) return &found_.back();
         backwards_ = t < output.t0();
         first_ = first_ || output.t0() != last_.t;
         take_samples(t, y, output);
@@ -114,7 +122,7 @@ class event_watch {
             if (!ended_) demand_numbers(samples_[k]);
         }
         first_ = false;
-        return !ended_;
+        return ended_ ? &found_.back() : nullptr;
     }
 
     template <class Result>

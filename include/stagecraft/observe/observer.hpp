@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/observe/occurrence.hpp>
 #include <stagecraft/taken_arguments.hpp>
 
 namespace stagecraft {
@@ -23,11 +24,17 @@ namespace stagecraft {
 ///   observer.correct(t, y)
 ///       Called after every accepted step, before the call operator. It may change y and then returns true;
 ///       the run goes on from the changed state (dae/projection.hpp).
+///   observer.end_inside(t, y, h, output)
+///       Called after every accepted step before any observer's call operator, with the same arguments. Where the run
+///       ends inside this step it returns a pointer to an occurrence with the time and the state of that end, else null.
+///       All observers are then called with these in place of t and y, so that none sees what lies beyond the end.
+///       Its own call operator is not called in a run.
 ///   observer.save(take)
-///       Called after every accepted step, last; take() makes a checkpoint of the run (checkpoint.hpp).
+///       Called after every accepted step, last, unless the run ends inside it; take() makes a checkpoint of the run
+///       (checkpoint.hpp).
 ///   observer.conclude(result)
-///       Called last. It may shorten the run to an earlier t, and must then do the same when it is called
-///       again; what it has kept beyond result.t it discards.
+///       Called last. An observer with end_inside() shortens the run to its end here, and does the same when it is called
+///       again; what others have kept beyond result.t they discard.
 struct no_observer {};
 
 namespace detail {
@@ -51,6 +58,13 @@ struct save_member {
     template <class T>
     static constexpr bool visible_in = requires {
         &T::save;
+    };
+};
+struct end_inside_member {
+    int end_inside;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::end_inside;
     };
 };
 struct conclude_member {
@@ -90,6 +104,28 @@ void announce([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar
     if constexpr (callable) observer.start(t0, y0, t1);
 }
 
+/// The observer may end the run inside a step.
+template <class Observer, class Vector, class Output>
+concept ending_observer = requires(Observer& observer, const typename Vector::Scalar& t, const Vector& y,
+                                   const Output& output) {
+    { observer.end_inside(t, y, t, output) } -> std::convertible_to<const occurrence<Vector>*>;
+};
+/// Where the observer ends the run inside the step, null where it does not.
+template <class Observer, class Scalar, class Vector, class Output>
+const occurrence<Vector>* end_inside([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t,
+                                     [[maybe_unused]] const Vector& y, [[maybe_unused]] const Scalar& h,
+                                     [[maybe_unused]] const Output& output) {
+    constexpr bool callable = ending_observer<Observer, Vector, Output>;
+    static_assert(
+        callable || !has_member_named<Observer, end_inside_member>,
+        "observer.end_inside must be callable as end_inside(t, y, h, output) and return a pointer to an "
+        "occurrence<Vector>, Vector the type of the state, null where the run goes on");
+    if constexpr (callable)
+        return observer.end_inside(t, y, h, output);
+    else
+        return nullptr;
+}
+
 /// Calls observer(t, y, h, output), observer(t, y, h) or observer(t, y), whichever exists; true means go on.
 template <class Observer, class Scalar, class Vector, class Output>
 bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
@@ -110,6 +146,26 @@ bool observe(Observer& observer, const Scalar& t, const Vector& y, const Scalar&
         return call(t, y, h);
     else
         return call(t, y);
+}
+
+/// The same after end_inside() in a run; true means go on.
+template <class Observer, class Scalar, class Vector, class Output>
+bool tell(Observer& observer, const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
+    if constexpr (requires { observer.tell(t, y, h, output); })
+        return observer.tell(t, y, h, output);
+    else if constexpr (ending_observer<Observer, Vector, Output>)
+        return true;  // has seen the step
+    else
+        return observe(observer, t, y, h, output);
+}
+
+/// The same for a step that the run ends inside, at *end, where that is not null.
+template <class Observer, class Scalar, class Vector, class Output>
+bool tell_until(const occurrence<Vector>* end, Observer& observer, const Scalar& t, const Vector& y,
+                const Scalar& h, const Output& output) {
+    if (end == nullptr) return tell(observer, t, y, h, output);
+    tell(observer, end->t, end->y, Scalar(end->t - output.t0()), output);
+    return false;
 }
 
 template <class Observer, class Scalar, class Vector>

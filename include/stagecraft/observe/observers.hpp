@@ -58,8 +58,23 @@ class observer_list
     template <class Scalar, class Vector, class Output>
     requires(detail::can_observe<std::remove_reference_t<Observers>, Vector, Output>&&...) bool operator()(
         const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
+        return detail::tell_until(end_inside(t, y, h, output), *this, t, y, h, output);
+    }
+    /// The first end of the run inside the step that one of them finds.
+    template <class Scalar, class Vector, class Output>
+    const occurrence<Vector>* end_inside(const Scalar& t, const Vector& y, const Scalar& h,
+                                         const Output& output) {
+        const occurrence<Vector>* first = nullptr;
+        each([&](auto& o) {
+            const occurrence<Vector>* end = detail::end_inside(o, t, y, h, output);
+            if (end && (!first || (h < Scalar(0) ? end->t > first->t : end->t < first->t))) first = end;
+        });
+        return first;
+    }
+    template <class Scalar, class Vector, class Output>
+    bool tell(const Scalar& t, const Vector& y, const Scalar& h, const Output& output) {
         bool go_on = true;
-        each([&](auto& o) { go_on = detail::observe(o, t, y, h, output) && go_on; });
+        each([&](auto& o) { go_on = detail::tell(o, t, y, h, output) && go_on; });
         return go_on;
     }
     /// The corrections of all observers that make any, one after the other.
@@ -94,7 +109,7 @@ class observer_list
 };
 
 /// One observer that calls several after every step, in the order given. The run goes on if none of them ends
-/// it. Lvalues are kept by reference, temporaries are moved in.
+/// it; where events() ends it inside a step, all of them see the step up to there, wherever events() stands in the list. Lvalues are kept by reference, temporaries are moved in.
 template <class... Observers>
 observer_list<Observers...> observers(Observers&&... o) {
     return observer_list<Observers...>(std::forward<Observers>(o)...);

@@ -32,7 +32,8 @@ class saving_observer {
 ///     integrate(method, problem, last, t1, options);            // goes on from there
 ///
 /// `file << last` writes it, `file >> last` reads it. Together with others: observers(watch, save_every(...)). A
-/// checkpoint costs a copy of the Jacobian and a few states. std::invalid_argument unless steps > 0.
+/// checkpoint costs a copy of the Jacobian and a few states. None is taken of a step that an event ends the run in.
+/// std::invalid_argument unless steps > 0.
 template <class Store>
 auto save_every(long steps, Store store) {
     constexpr bool takes_points = !requires { store.y; };

@@ -112,6 +112,7 @@ class solution {
     void conclude(const Result& r) {
         if (after(t1_, r.t)) t1_ = r.t;
         while (!pieces_.empty() && !after(t1_, pieces_.back().t0)) pieces_.pop_back();
+        if (!pieces_.empty() && after(pieces_.back().t1, t1_)) pieces_.back().t1 = t1_;
     }
 
   private:
