@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -13,17 +14,20 @@
 #include <vector>
 
 #include <stagecraft/named_member.hpp>
+#include <stagecraft/options.hpp>
 
 namespace stagecraft {
 
-/// All that the rest of a run depends on, after an accepted step: integrate(method, problem, point, t1, options) goes on
+/// All that the rest of a run depends on, after an accepted step: integrate(method, problem, point, t1) goes on
 /// from there and makes the same steps, bit by bit, that the run would have made if it is given the same method,
-/// problem, t1 and options. A plain value that owns what it needs; one is taken by the observer `save_every`
+/// problem and t1. Its options are those of the run, unless others are given there. A plain value that owns what it needs; one is taken by the observer `save_every`
 /// (observe/save_every.hpp), by step_range::save() or by an observer's own member save (observe/observer.hpp).
 ///
 /// t and y are where the run was. `numbers` and `counts` are what it remembers (step size, order, controllers, jumps seen, the
 /// last step's polynomial, the Jacobian and for which step it is factored, the report), in an order that may change
-/// with the version of the library; factors are made again. Size: n (s + 5) numbers and those of the Jacobian.
+/// with the version of the library; factors are made again. `options` are those of the run; without them (in files of
+/// version 2, say) options have to be given to go on. Size: n (s + 5) numbers and those of the Jacobian, n more with
+/// atol_components.
 ///
 /// Not in it: what observers and the problem itself remember, and what a linear_solver of the problem's own keeps
 /// from one factorisation to the next (the preconditioners of krylov_blocks and petsc_blocks, the factors of klu_blocks
@@ -35,6 +39,7 @@ struct checkpoint {
     Vector y;
     std::vector<scalar> numbers;
     std::vector<long> counts;
+    std::optional<stagecraft::options<scalar>> options{};
 };
 
 /// Not without the type of the state.
@@ -54,8 +59,30 @@ checkpoint()->checkpoint<detail::unstated>;
 
 namespace detail {
 
-inline constexpr const char* checkpoint_header = "stagecraft checkpoint 2";
+inline constexpr const char *checkpoint_header = "stagecraft checkpoint 3",
+                            *header_without_options = "stagecraft checkpoint 2";
 
+/// The options of the run that a checkpoint was taken of. std::invalid_argument where it has none.
+template <class Point>
+const auto& options_of(const Point& point) {
+    if (!point.options)
+        throw std::invalid_argument(
+            "integrate: the checkpoint is without the options of its run: give them, integrate(method, "
+            "problem, "
+            "checkpoint, t1, options)");
+    return *point.options;
+}
+
+/// Calls visit with the numbers of some options, and with what they choose and count.
+template <class Options, class Numbers, class Choices>
+void visit_options(Options& o, Numbers&& numbers, Choices&& choices) {
+    auto& [rtol, atol, components, fixed, first, least, largest, control, continuous, jumps, steps,
+           iterations,
+           factor] = o;  // all of them: another one does not compile before it is saved
+    static_cast<void>(components);
+    numbers(rtol, atol, fixed, first, least, largest, factor);
+    choices(control, continuous, jumps, steps, iterations);
+}
 template <class Scalar>
 using bits_of = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;
 
@@ -151,6 +178,19 @@ inline std::size_t read_size(std::istream& in, const char* name) {
     return size;
 }
 
+inline void write_counts(std::ostream& out, const char* name, const std::vector<long>& counts) {
+    out << name << ' ' << counts.size() << '\n';
+    for (const long count : counts) out << std::to_string(count) << '\n';
+}
+inline void read_counts(std::istream& in, const char* name, std::vector<long>& counts) {
+    for (std::size_t size = read_size(in, name); size > 0; --size) {
+        long count = 0;
+        if (!(in >> count))
+            throw std::invalid_argument(std::string("checkpoint: one of ") + name + " is missing");
+        counts.push_back(count);
+    }
+}
+
 /// Calls take(x) with every number of the list.
 template <class Scalar, class Take>
 void read_bits(std::istream& in, const char* name, Take&& take) {
@@ -173,11 +213,12 @@ inline std::string checksum(const std::string& lines) {
     return std::to_string(sum);
 }
 
-/// The lines of a checkpoint behind its header, up to the one with their checksum.
-inline std::string checked_lines(std::istream& in) {
+/// The lines of a checkpoint behind its header, up to the one with their checksum; whether options are among them.
+inline std::pair<std::string, bool> checked_lines(std::istream& in) {
     std::string line;
     std::getline(in >> std::ws, line);
-    if (line != checkpoint_header)
+    const bool with_options = line == checkpoint_header;
+    if (!with_options && line != header_without_options)
         throw std::invalid_argument(std::string("checkpoint: the text should begin with ") +
                                     checkpoint_header);
     std::string lines = line + '\n';
@@ -185,13 +226,53 @@ inline std::string checked_lines(std::istream& in) {
     while (std::getline(in, line) && !line.starts_with("checksum ")) lines += line + '\n';
     if (line != "checksum " + checksum(lines))
         throw std::invalid_argument("checkpoint: the text is not as it was written: its checksum is another");
-    return lines.substr(header);
+    return {lines.substr(header), with_options};
+}
+
+template <class Scalar>
+void write_options(std::ostream& out, const std::optional<options<Scalar>>& given) {
+    std::vector<Scalar> numbers;
+    std::vector<long> choices;
+    if (given)
+        visit_options(
+            *given, [&](const auto&... x) { (numbers.push_back(x), ...); },
+            [&](const auto&... x) { (choices.push_back(static_cast<long>(x)), ...); });
+    write_bits(out, "options", numbers);
+    write_counts(out, "choices", choices);
+    write_bits(out, "atol_components", given ? given->atol_components : numbers_of_components<Scalar>());
+}
+/// Reads the same. std::invalid_argument where there are fewer or more than there are options.
+template <class Scalar>
+std::optional<options<Scalar>> read_options(std::istream& in) {
+    std::vector<Scalar> numbers, components;
+    std::vector<long> choices;
+    read_bits<Scalar>(in, "options", [&](const Scalar& x) { numbers.push_back(x); });
+    read_counts(in, "choices", choices);
+    read_bits<Scalar>(in, "atol_components", [&](const Scalar& x) { components.push_back(x); });
+    if (numbers.empty()) return std::nullopt;
+    options<Scalar> read;
+    std::size_t number = 0, choice = 0;
+    const auto next = [](const auto& list, std::size_t& k) {
+        if (k == list.size()) throw std::invalid_argument("checkpoint: an option is missing");
+        return list[k++];
+    };
+    visit_options(
+        read, [&](auto&... x) { ((x = next(numbers, number)), ...); },
+        [&](auto&... x) {
+            ((x = static_cast<std::remove_cvref_t<decltype(x)>>(next(choices, choice))), ...);
+        });
+    read.atol_components =
+        numbers_of_components<Scalar>(Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(
+            components.data(), static_cast<Eigen::Index>(components.size())));
+    return read;
 }
 
 }  // namespace detail
 
 /// Writes a checkpoint of doubles or floats as text that reads back to the same bits everywhere: the line
-/// "stagecraft checkpoint 2" (the version of the form), then the lists t, y, numbers and counts, each as a line with its
+/// "stagecraft checkpoint 3" (the version of the form), then the lists t, y, numbers, counts, options (rtol, atol,
+/// fixed_step, initial_step, min_step, max_step, newton_factor; none where there are no options), choices (control,
+/// continuous, jumps, max_steps, newton_iterations) and atol_components, each as a line with its
 /// name and size and a line for every entry, then "checksum" and the FNV-1a hash (64 bits, decimal) of all lines
 /// before. A floating-point number is the hexadecimal digits of its IEEE 754 bits, most significant first (Python:
 /// struct.unpack('>d', bytes.fromhex(line))); a count is decimal.
@@ -204,18 +285,19 @@ std::ostream& operator<<(std::ostream& out, const checkpoint<Vector>& point) {
     detail::write_bits(text, "t", Eigen::Matrix<typename Vector::Scalar, 1, 1>(point.t));
     detail::write_bits(text, "y", point.y);
     detail::write_bits(text, "numbers", point.numbers);
-    text << "counts " << point.counts.size() << '\n';
-    for (const long count : point.counts) text << std::to_string(count) << '\n';
+    detail::write_counts(text, "counts", point.counts);
+    detail::write_options(text, point.options);
     const std::string lines = text.str();
     return out << lines << "checksum " << detail::checksum(lines) << '\n';
 }
 
-/// Reads what operator<< has written. Throws std::invalid_argument where it is something else, or not all of it as it
+/// Reads what operator<< has written, and version 2, which has no options. Throws std::invalid_argument where it is something else, or not all of it as it
 /// was written.
 template <class Vector>
 std::istream& operator>>(std::istream& in, checkpoint<Vector>& point) {
     using scalar = typename Vector::Scalar;
-    std::istringstream text(detail::checked_lines(in));
+    const auto [lines, with_options] = detail::checked_lines(in);
+    std::istringstream text(lines);
     std::vector<scalar> y;
     checkpoint<Vector> read;
     detail::read_bits<scalar>(text, "t", [&](const scalar& x) { read.t = x; });
@@ -224,11 +306,8 @@ std::istream& operator>>(std::istream& in, checkpoint<Vector>& point) {
         throw std::invalid_argument("checkpoint: y has another size");
     read.y = Eigen::Map<const Vector>(y.data(), static_cast<Eigen::Index>(y.size()));
     detail::read_bits<scalar>(text, "numbers", [&](const scalar& x) { read.numbers.push_back(x); });
-    for (std::size_t size = detail::read_size(text, "counts"); size > 0; --size) {
-        long count = 0;
-        if (!(text >> count)) throw std::invalid_argument("checkpoint: a count is missing");
-        read.counts.push_back(count);
-    }
+    detail::read_counts(text, "counts", read.counts);
+    if (with_options) read.options = detail::read_options<scalar>(text);
     point = std::move(read);
     return in;
 }

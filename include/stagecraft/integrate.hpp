@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <exception>
 #include <initializer_list>
 #include <iosfwd>
@@ -245,15 +246,15 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     return detail::run_from<given>(method, problem, y0, t0, t1, o, observer);
 }
 
-/// Goes on with a run from a checkpoint of it (checkpoint.hpp): with the same method, problem, t1 and options it ends with
-/// the bits of the run that was not interrupted, report included. With other options or another t1 it is a run
-/// that begins with the step size, the order and the Jacobian of the other one. Observers start at from.t.
+/// Goes on with a run from a checkpoint of it (checkpoint.hpp) with these options: with the same method, problem, t1 and
+/// options it ends with the bits of the run that was not interrupted, report included. With other options or another t1 it
+/// is a run that begins with the step size, the order and the Jacobian of the other one. Observers start at from.t.
 /// std::invalid_argument where the method or the size of the problem is another one, and with options.fixed_step
 /// another t1.
 template <class Method, class Problem, class Vector, class Observer = no_observer>
 result<Vector> integrate(const Method& method, Problem&& problem, const checkpoint<Vector>& from,
                          std::type_identity_t<typename Vector::Scalar> t1,
-                         const options<typename Vector::Scalar>& o = {}, Observer&& observer = {}) {
+                         const options<typename Vector::Scalar>& o, Observer&& observer = {}) {
     using problem_type = std::remove_reference_t<Problem>;
     if constexpr (detail::returning_right_hand_side<problem_type, Vector>) {
         static_assert(detail::returns_object<problem_type, Vector>,
@@ -282,6 +283,19 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
         else
             return {};
     }
+}
+
+/// The same with the options of the run that the checkpoint was taken of, where none are given or {} stands in their place:
+///
+///     integrate(method, problem, last, t1);
+///     integrate(method, problem, last, t1, {}, observer);
+///
+/// The defaults are options<double>{}. std::invalid_argument where the checkpoint has no options.
+template <class Method, class Problem, class Vector, class Observer = no_observer>
+result<Vector> integrate(const Method& method, Problem&& problem, const checkpoint<Vector>& from,
+                         std::type_identity_t<typename Vector::Scalar> t1, std::nullptr_t = {},
+                         Observer&& observer = {}) {
+    return integrate(method, std::forward<Problem>(problem), from, t1, detail::options_of(from), observer);
 }
 
 // Calls that cannot be meant as they stand: each of these says in one sentence what to write.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/owned_value.hpp>
 
 namespace stagecraft {
 

@@ -151,12 +151,19 @@ auto steps(const Method& method, Problem&& problem, const Eigen::MatrixBase<Deri
         return std::initializer_list<result<vector>>();
 }
 
-/// The rest of a run of which a checkpoint was taken, as integrate() goes on from one.
+/// The rest of a run of which a checkpoint was taken, as integrate() goes on from one: with these options, or with those
+/// of the run where none are given or {} stands in their place.
 template <class Method, class Problem, class Vector>
 requires right_hand_side<std::remove_reference_t<Problem>, Vector> step_range<Method, Problem, Vector> steps(
     const Method& method, Problem&& problem, const checkpoint<Vector>& from,
-    std::type_identity_t<typename Vector::Scalar> t1, const options<typename Vector::Scalar>& o = {}) {
+    std::type_identity_t<typename Vector::Scalar> t1, const options<typename Vector::Scalar>& o) {
     return {method, std::forward<Problem>(problem), from, t1, o};
+}
+template <class Method, class Problem, class Vector>
+requires right_hand_side<std::remove_reference_t<Problem>, Vector> step_range<Method, Problem, Vector> steps(
+    const Method& method, Problem&& problem, const checkpoint<Vector>& from,
+    std::type_identity_t<typename Vector::Scalar> t1, std::nullptr_t = {}) {
+    return {method, std::forward<Problem>(problem), from, t1, detail::options_of(from)};
 }
 
 /// The same with a correction of every step.

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/observe/save_every.hpp>
+#include <stagecraft/steps.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -68,16 +69,17 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
     auto longer = point;
     longer.numbers.push_back(1);
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), longer, 1, free), "another method or problem"));
-    for (const char* text : {"", "stagecraft checkpoint 0\n", "stagecraft checkpoint 2\nt 1\n3ff\n"}) {
+    for (const char* text : {"", "stagecraft checkpoint 0\n", "stagecraft checkpoint 3\nt 1\n3ff\n"}) {
         std::istringstream file(text);
         sc::checkpoint<Vector2d> read;
         BOOST_CHECK_THROW(file >> read, std::invalid_argument);
     }
     std::ostringstream text;
-    text << sc::checkpoint<Vector2d>{1.5, Vector2d(1, -2), {}, {7}};
-    BOOST_TEST(text.str() ==
-               "stagecraft checkpoint 2\nt 1\n3ff8000000000000\ny 2\n3ff0000000000000\nc000000000000000\n"
-               "numbers 0\ncounts 1\n7\nchecksum 12061889195501014478\n");
+    text << sc::checkpoint<Vector2d>{1.5, Vector2d(1, -2), {}, {7}, {}};
+    BOOST_TEST(
+        text.str() ==
+        "stagecraft checkpoint 3\nt 1\n3ff8000000000000\ny 2\n3ff0000000000000\nc000000000000000\n"
+        "numbers 0\ncounts 1\n7\noptions 0\nchoices 0\natol_components 0\nchecksum 5612763885660055494\n");
     // One bit that is not as it was written.
     const std::string written = text.str();
     for (std::size_t i = 0; i < written.size(); ++i)
@@ -92,4 +94,60 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
     sc::checkpoint<Vector2d> read;
     file >> read;
     BOOST_TEST(read.y == Vector2d(1, -2));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_goes_on_with_its_own_options_unless_others_are_given) {
+    const sc::options<double> all{.rtol = 3e-9,
+                                  .atol_components = {1e-9, 2e-7},
+                                  .initial_step = 1e-4,
+                                  .min_step = 1e-12,
+                                  .max_step = 0.05,
+                                  .control = sc::step_control::proportional_integral,
+                                  .continuous = true,
+                                  .jumps = false,
+                                  .max_steps = 5000,
+                                  .newton_iterations = 9,
+                                  .newton_factor = 0.01};
+    const auto method = sc::radau_iia<3>();
+    const relaxation problem{10};
+    for (const auto& o : {all, sc::options<double>{.rtol = 1e-9, .atol = 1e-12}}) {
+        const auto whole = sc::integrate(method, problem, start, 0, 1, o);
+        std::stringstream file;
+        file << halfway(o);
+        sc::checkpoint<Vector2d> point;
+        file >> point;
+        long seen = 0;
+        const auto count = [&](double, const Vector2d&) { ++seen; };
+        auto loop = sc::steps(method, problem, point, 1);
+        for (const auto& step : loop) static_cast<void>(step);
+        const auto rest = sc::integrate(method, problem, point, 1);
+        const auto watched = sc::integrate(method, problem, point, 1, {}, count);
+        BOOST_TEST((rest.y == whole.y));
+        BOOST_TEST((watched.y == whole.y));
+        BOOST_TEST((loop.y() == whole.y));
+        BOOST_TEST(interrupted::same(rest.report, whole.report));
+        BOOST_TEST(seen > 0);
+        BOOST_TEST((sc::integrate(method, problem, point, 1, sc::options<double>{}).y != whole.y));
+        BOOST_TEST((sc::integrate(method, problem, point, 1, {.rtol = 1e-5}, count).y != whole.y));
+    }
+    const auto equal = halfway({.fixed_step = 0.01});
+    BOOST_TEST((sc::integrate(method, problem, equal, 1).y ==
+                sc::integrate(method, problem, start, 0, 1, {.fixed_step = 0.01}).y));
+}
+
+BOOST_AUTO_TEST_CASE(a_file_of_version_2_is_read_and_needs_options) {
+    std::istringstream file(
+        "stagecraft checkpoint 2\nt 1\n3ff8000000000000\ny 2\n3ff0000000000000\nc000000000000000\n"
+        "numbers 0\ncounts 1\n7\nchecksum 12061889195501014478\n");
+    sc::checkpoint<Vector2d> read;
+    file >> read;
+    BOOST_TEST(read.t == 1.5);
+    BOOST_TEST(read.counts.size() == 1u);
+    BOOST_TEST(!read.options.has_value());
+    auto point = halfway({.rtol = 1e-8});
+    point.options.reset();
+    const auto go_on = [&] { sc::integrate(sc::radau_iia<3>(), relaxation{10}, point, 1); };
+    BOOST_TEST(contains(message(go_on), "the checkpoint is without the options of its run: give them"));
+    BOOST_TEST((sc::integrate(sc::radau_iia<3>(), relaxation{10}, point, 1, {.rtol = 1e-8}).y ==
+                sc::integrate(sc::radau_iia<3>(), relaxation{10}, start, 0, 1, {.rtol = 1e-8}).y));
 }

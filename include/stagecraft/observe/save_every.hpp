@@ -29,7 +29,7 @@ class saving_observer {
 ///
 ///     checkpoint<Vector3d> last;
 ///     integrate(method, problem, y0, t0, t1, options, save_every(1, [&](auto point) { last = std::move(point); }));
-///     integrate(method, problem, last, t1, options);            // goes on from there
+///     integrate(method, problem, last, t1);                     // goes on from there with the same options
 ///
 /// `file << last` writes it, `file >> last` reads it. Together with others: observers(watch, save_every(...)). A
 /// checkpoint costs a copy of the Jacobian and a few states. None is taken of a step that an event ends the run in.

@@ -9,7 +9,7 @@ namespace stagecraft {
 /// The checkpoint of a run between two steps. Costs a copy of what it holds.
 template <class Method, class Problem, class Vector>
 checkpoint<Vector> checkpoint_of(integrator<Method, Problem, Vector>& run) {
-    checkpoint<Vector> point{run.t(), run.y(), {}, {}};
+    checkpoint<Vector> point{run.t(), run.y(), {}, {}, run.given_options()};
     detail::luggage<checkpoint<Vector>> bag(point);
     run.carry(bag);
     return point;

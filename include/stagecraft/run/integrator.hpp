@@ -75,6 +75,7 @@ class integrator {
     const Vector& y() const { return y_; }
     /// The continuous solution over the last accepted step; there is none before the first.
     const output_type& output() const { return outputs_[current_]; }
+    const options<scalar>& given_options() const { return options_; }
     /// The report so far.
     const report<scalar>& counts() const { return report_; }
     /// success as long as nothing has ended the run.
