@@ -88,7 +88,7 @@ class adjoint_run {
         if (finer_) fine_.emplace(method_, problem_, y0_, options_, functionals_);
         for (std::size_t k = pieces_.size(); k > 0; --k) {
             piece& now = pieces_[k - 1];
-            at_end(k == pieces_.size(), ends_[k], now.end, now.finer_end);
+            at_end(k + 1 == ends_.size(), ends_[k], now.end, now.finer_end);
             for (auto& points = now.kept.points(); !points.empty(); points.pop_back())
                 if (!back(now, points.back(), ends_[k], r)) return false;
             pieces_.pop_back();

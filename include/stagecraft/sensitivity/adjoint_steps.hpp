@@ -95,7 +95,7 @@ class adjoint_steps {
         return visit_at(methods_, k, [&](auto& method) {
             auto& stages = method.stages;
             const int s = stages.stages();
-            at_.place(stages.method(), output);
+            at_.place(stages.method(), stages.method().A_inverse.transpose(), output);
             at_.evaluate();
             refuted_ = at_.refuted(static_cast<int>(looks_++ % s));
             if (!refuted_.empty()) return false;

@@ -58,6 +58,12 @@ bool solve_algebraic(const Pair& pair, const Vector& r, const Add& add, Vector& 
     Eigen::Matrix<scalar, Vector::RowsAtCompileTime, 3> at(n, 3);
     x.setZero();
     Vector left = r;
+    // What differential components contribute is zero up to the error of the extrapolation, in units of |r|/|J|.
+    const scalar unit = r.template lpNorm<Eigen::Infinity>() / (largest > scalar(0) ? largest : scalar(1));
+    const auto size = [&] {
+        const scalar own = x.template lpNorm<Eigen::Infinity>();
+        return own < unit ? unit : own;
+    };
     scalar change(0);
     for (int k = 0; k < 100; ++k) {  // exact at once where J is that of the pair
         for (int j = 0; j < 3; ++j) at.col(j) = left;
@@ -70,18 +76,16 @@ bool solve_algebraic(const Pair& pair, const Vector& r, const Add& add, Vector& 
             x[i] += step;
             if (!(abs(step) <= change)) change = abs(step);
         }
-        const scalar size = x.template lpNorm<Eigen::Infinity>();
-        if (!(size - size == scalar(0))) return false;
-        if (change <= 100 * eps * size) break;
+        if (!(size() - size() == scalar(0))) return false;
+        if (change <= 100 * eps * size()) break;
         left = r;
         add(x, left);
     }
-    const scalar size = x.template lpNorm<Eigen::Infinity>();
-    if (!(change <= sqrt(eps) * size)) return false;
+    if (!(change <= sqrt(eps) * size())) return false;
     Vector product = Vector::Zero(n), terms = Vector::Zero(n);
     for (const auto& e : pair.M.entries()) {
         product[e.row] += e.value * x[e.column];
-        terms[e.row] += abs(e.value) * size;
+        terms[e.row] += abs(e.value) * size();
     }
     return (product.cwiseAbs() - sqrt(eps) * terms).maxCoeff() <= scalar(0);
 }

@@ -231,10 +231,14 @@ class forward_run {
         r.t = run.output().t0();
         r.y = run.output().y0();
         r.S = along.S_before();
+        const scalar begin = r.t;
+        const Vector y_begin = r.y;
         if (t != r.t) piece(r, t, false, false, observer);
         if (!r.ok()) return;
         visit_at(events_, event, [&](const auto& one) {
-            r.events.push_back(cross(one, event, problem_, p_, r.t, r.y, r.S, near_));
+            const scalar mean =
+                (t - begin) == scalar(0) ? scalar(0) : scalar(one.g(begin, y_begin, p_)) / (t - begin);
+            r.events.push_back(cross(one, event, problem_, p_, r.t, r.y, r.S, mean, near_));
             event_ = true;
             last_event_ = event;
             // Where the jump leads away from zero, this is no rounding.

@@ -142,7 +142,7 @@ class forward_steps {
     template <class Stages, class Output>
     bool solve(Stages& stages, const Output& output) {
         const int s = stages.stages();
-        at_.place(stages.method(), output);
+        at_.place(stages.method(), stages.method().A_inverse, output);
         at_.evaluate();
         at_.relative_weights(output.y0(), weights_);
         const auto d = update_weights(stages.method());

@@ -54,9 +54,10 @@ class stage_points {
         return system_.jacobian();
     }
 
-    /// The step of `method` that has the continuous solution `output`.
-    template <class Tableau, class Output>
-    void place(const Tableau& method, const Output& output) {
+    /// The step of `method` that has the continuous solution `output`; A_inverse is that of the method, which may be given
+    /// transposed.
+    template <class Tableau, class Inverse, class Output>
+    void place(const Tableau& method, [[maybe_unused]] const Inverse& A_inverse, const Output& output) {
         if (method.c[0] == scalar(0) && output.nodes().first_column == 0)
             throw std::invalid_argument(
                 "sensitivities: the stages of Radau IA are not kept; use another method");
@@ -69,7 +70,7 @@ class stage_points {
             if constexpr (Problem::mass_depends) {
                 at.slope.setZero();
                 for (int j = 0; j < s; ++j)
-                    at.slope += method.A_inverse(i, j) / output.step() * output.increments().col(j);
+                    at.slope += A_inverse(i, j) / output.step() * output.increments().col(j);
             }
         }
         place(s, output.t0(), output.y0());

@@ -86,10 +86,10 @@ auto watch_for(const Problem&, const Parameters& p, const std::tuple<Events...>&
 }
 
 /// Goes across an event at (t, y), of which S is dy/dp before and after; changes t by what g there asks for. `near` is how
-/// long g takes to zero from what it is after the event.
+/// long g takes to zero from what it is after the event, `mean` its mean slope in the step before.
 template <class Event, class Problem, class Parameters, class Vector, class Matrix>
 auto cross(const Event& event, int number, Problem& problem, const Parameters& p, typename Vector::Scalar& t,
-           Vector& y, Matrix& S, typename Vector::Scalar& near) {
+           Vector& y, Matrix& S, const typename Vector::Scalar& mean, typename Vector::Scalar& near) {
     using std::abs;
     using scalar = typename Vector::Scalar;
     using dual = dual_number<scalar, 1>;
@@ -137,17 +137,17 @@ auto cross(const Event& event, int number, Problem& problem, const Parameters& p
         along(scalar(1), f, -1, take_g);
     }
     const scalar rate = value.derivatives()[0];
+    if (!(abs(rate) * 1000000 > abs(mean)) || rate == scalar(0)) {
+        std::ostringstream text;
+        text << "sensitivities_with_events: at t = " << t << " event " << number
+             << " is grazing: its time has no derivative";
+        throw std::domain_error(text.str());
+    }
     event_derivative<Vector, Matrix> r{number, t, {}, y, S};
     r.dt.resize(m);
     for (Eigen::Index k = 0; k < m; ++k) {
         along(scalar(0), S.col(k), k, take_g);
         r.dt[k] = -value.derivatives()[0] / rate;
-        if (!(r.dt[k] - r.dt[k] == scalar(0))) {
-            std::ostringstream text;
-            text << "sensitivities_with_events: at t = " << t << " event " << number
-                 << " is grazing: its time has no derivative";
-            throw std::domain_error(text.str());
-        }
         r.dy.col(k) = S.col(k) + r.dt[k] * f;
     }
     for (Eigen::Index k = 0; k < m; ++k) {
