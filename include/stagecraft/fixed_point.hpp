@@ -89,11 +89,11 @@ class fixed_point_step : public step_defaults<Space> {
     static bool factor(const System&, const Scalar&) {
         return true;
     }
-    template <class System>
+    template <class System, class Norm>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                 const vector& weights, const newton_limits<Scalar>& limits,
+                                 const Norm& norm, const newton_limits<Scalar>& limits,
                                  typename output::stage_matrix& Z, long&) {
-        return solver_.solve(system, t, y, h, weights, limits, v_, Z);
+        return solver_.solve(system, t, y, h, norm, limits, v_, Z);
     }
     /// The slopes of the step before are the first guess.
     void guess(const output*, const vector&, const Scalar& h, output&, const Scalar& = Scalar(1)) { h_ = h; }

@@ -140,4 +140,21 @@ typename Vector::Scalar weighted_norm(const Vector& x, const Weights& w, int n, 
     return largest * sqrt(sum / scalar(n));
 }
 
+/// That norm with given weights, which it refers to: what stage solvers and norms of the run have in common.
+template <class Vector, class Sums = complete_sums>
+class weighted_root_mean_square {
+  public:
+    explicit weighted_root_mean_square(const Vector& weights, const Sums& sums = {})
+        : weights_(weights), sums_(sums) {}
+    const Vector& weights() const { return weights_; }
+    const Sums& sums() const { return sums_; }
+    typename Vector::Scalar operator()(const Vector& x) const {
+        return weighted_norm(x, weights_, static_cast<int>(x.size()), sums_);
+    }
+
+  private:
+    const Vector& weights_;
+    [[no_unique_address]] Sums sums_;
+};
+
 }  // namespace stagecraft

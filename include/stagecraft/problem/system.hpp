@@ -30,6 +30,11 @@ struct bad_problem : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
+/// A component of index 2 or 3 and the power of h by which its error counts, 1 or 2.
+struct raised_component {
+    int component, power;
+};
+
 namespace detail {
 
 /// The matrix that holds the Jacobian of a problem: its own, banded, sparse, or dense. A dense one has no storage
@@ -318,38 +323,13 @@ class system
         bag(J_);
     }
 
-    /// Multiplies the weights of index-2 components by |h| and those of index-3 components by h^2.
-    void weigh_by_index(Vector& weights, const scalar& h) const {
-        if constexpr (has_index<Problem>) {
-            using std::abs;
-            const scalar size = abs(h);
-            for (const auto& r : raised_) weights[r.component] *= r.power == 1 ? size : scalar(size * size);
-        }
-    }
-
-    /// Multiplies the weights of the components of index 2 and 3 by `factor`.
-    void weigh_raised(Vector& weights, const scalar& factor) const {
-        for (const auto& r : raised_) weights[r.component] *= factor;
-    }
+    /// The components of index 2 and 3, of which there are none where the problem has no index().
+    static constexpr bool may_be_raised = has_index<Problem>;
+    const std::vector<raised_component>& raised() const { return raised_; }
     /// Calls visit(i, k - 1) for every component i of index k = 2 or 3.
     template <class Visit>
     void for_each_raised(Visit visit) const {
         for (const auto& r : raised_) visit(r.component, r.power);
-    }
-
-    /// The weights of the components whose order reduction the step control can follow, which are those of
-    /// index 1. (The estimates of the others contain the violation of the constraints that earlier steps have
-    /// left, divided by h and h^2; smaller steps do not reduce it. Their own weights account for their lower
-    /// orders.)
-    const Vector& weights_to_follow(const Vector& weights) {
-        if constexpr (has_index<Problem>) {
-            if (raised_.empty()) return weights;
-            followed_ = weights;
-            for (const auto& r : raised_) followed_[r.component] = scalar(0);
-            return followed_;
-        } else {
-            return weights;
-        }
     }
 
     /// The largest index flag: 1, 2 or 3. Above 1 the norms depend on the step size.
@@ -358,17 +338,14 @@ class system
     /// that linear solvers leave which only iterate.
     bool rough_stages() const { return iterative_blocks<blocks, scalar> || largest_index() > 1; }
 
-    /// The error of an attempt whose stage equations are solved, 1 being the tolerance: `error`, or where that is below
-    /// one and the problem carries more along than y (sensitivities) the error of that, if it is larger.
-    template <class Step, class Trial>
-    scalar further_error(const scalar& error, [[maybe_unused]] Step& method, [[maybe_unused]] Trial& trial) {
-        if constexpr (requires { problem_.further_error(*this, method, trial); }) {
-            if (error < scalar(1)) {
-                const scalar further = problem_.further_error(*this, method, trial);
-                if (!(further <= error)) return further;
-            }
-        }
-        return error;
+    /// The error of what the problem carries along, more than y (sensitivities), where that of y is `error` < 1: of a
+    /// measured_step. 0 where there is no more.
+    template <class Method, class Step>
+    scalar further_error([[maybe_unused]] Method& method, [[maybe_unused]] const Step& step) {
+        if constexpr (requires { problem_.further_error(*this, method, step); })
+            return problem_.further_error(*this, method, step);
+        else
+            return scalar(0);
     }
 
     bool constant_jacobian() {
@@ -408,9 +385,6 @@ class system
     struct no_engine {
         explicit no_engine(int) {}
     };
-    struct raised {
-        int component, power;
-    };
     using engine = std::conditional_t<
         analytic, no_engine,
         std::conditional_t<automatic, automatic_jacobian<scalar, size_at_compile_time>,
@@ -424,10 +398,9 @@ class system
     mass_type mass_;
     [[no_unique_address]] engine engine_;
     matrix J_;
-    std::vector<raised> raised_;
+    std::vector<raised_component> raised_;
     int largest_index_ = 1, all_ = n_;
     [[no_unique_address]] mutable shared_failure<scalar, sums_type> failure_;
-    [[no_unique_address]] std::conditional_t<has_index<Problem>, Vector, no_engine> followed_{n_};
 };
 
 }  // namespace stagecraft

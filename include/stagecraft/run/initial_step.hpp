@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/norms.hpp>
@@ -10,14 +11,15 @@ namespace stagecraft {
 
 /// A first step size: one that changes the solution by about one per cent in the weighted norm, and at most a
 /// thousandth of the span if the solution hardly moves. f is scaled to a derivative by the rows of M (their largest
-/// entries, or their sums where products are all that is known); algebraic equations do not enter. The error test corrects a bad guess.
-template <class Mass, class Vector, class Sums>
-typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vector& f, const Vector& weights,
-                                   const typename Vector::Scalar& span, const Sums& sums) {
+/// entries, or their sums where products are all that is known); algebraic equations do not
+/// enter. The error test corrects a bad guess.
+template <class Mass, class Vector, class Norm>
+typename Vector::Scalar initial_step(const Mass& mass, const Vector& y, const Vector& f, const Norm& norm,
+                                     const typename Vector::Scalar& span) {
     using scalar = typename Vector::Scalar;
     using std::abs;
     const int n = static_cast<int>(y.size());
-    if (Sums::complete && n == 0) return span;
+    if (std::remove_cvref_t<decltype(norm.sums())>::complete && n == 0) return span;
     Vector slope = f;
     if constexpr (!Mass::identity) {
         Vector row = Vector::Zero(n);
@@ -31,8 +33,8 @@ typename Vector::Scalar first_step(const Mass& mass, const Vector& y, const Vect
         }
         for (int i = 0; i < n; ++i) slope[i] = row[i] > scalar(0) ? scalar(f[i] / row[i]) : scalar(0);
     }
-    scalar size = weighted_norm(y, weights, n, sums);
-    const scalar change = weighted_norm(slope, weights, n, sums);
+    scalar size = norm(y);
+    const scalar change = norm(slope);
     if (size < scalar(1)) size = scalar(1);
     return change * span > size / 1000 ? scalar(size / change / scalar(100)) : scalar(span / 1000);
 }

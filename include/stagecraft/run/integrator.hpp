@@ -8,19 +8,22 @@
 #include <stdexcept>
 #include <string>
 
+#include <stagecraft/judge/judge.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
-#include <stagecraft/run/acceptance.hpp>
 #include <stagecraft/run/constraints_determine.hpp>
 #include <stagecraft/run/end_slope.hpp>
+#include <stagecraft/run/guarded.hpp>
 #include <stagecraft/run/homotopy.hpp>
 #include <stagecraft/run/initial_step.hpp>
 #include <stagecraft/run/linearisation.hpp>
+#include <stagecraft/run/measured_step.hpp>
 #include <stagecraft/run/newton_room.hpp>
 #include <stagecraft/run/solve_from_guess.hpp>
 #include <stagecraft/run/step_plan.hpp>
+#include <stagecraft/run/tolerance_norm.hpp>
 #include <stagecraft/status.hpp>
 #include <stagecraft/step/method_set.hpp>
 
@@ -50,19 +53,18 @@ class integrator {
           system_(problem, y0, report_),
           steps_(steps::make(detail::as_tuple(method), n_)),
           plan_(checked_plan(y0, t0, t1, o)),
+          norm_(options_, system_.raised(), y0, system_.sums()),
           linear_(n_),
-          acceptance_(o, t0, n_),
+          judge_(o, t0, detail::guards_in<system_type>(detail::guards_of<Method>::of(method))),
           t_(t0),
           y_(y0),
           y1_(n_),
-          scale_(n_),
-          weights_(n_),
+          error_(n_),
           f_(n_),
           outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())},
           keeps_output_(keeps_output) {
         system_.set_extent(start_.agree(system_.extent(), o, t0, t1, largest_columns()));
         report_.set_tolerances(o);
-        set_weights(options_, y_, scale_);
         h_ = plan_.equal().h;
         if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
         for (int k = 0; k < method_count<Method>; ++k) prepare_method(k);
@@ -107,7 +109,7 @@ class integrator {
             throw std::invalid_argument("integrate: the corrected state must be finite and of the same size");
         if (has_output_) outputs_[current_].move_end(y - y_);
         y_ = y;
-        set_weights(options_, y_, scale_);
+        norm_.at(y_);
         f_.forget();
         visit_current([](auto& m) { m.replaced(); });
     }
@@ -116,7 +118,7 @@ class integrator {
     template <class Bag>
     void carry(Bag& bag) {
         std::apply([&](auto&... m) { (bag.same(m.count(), "method"), ...); }, steps_);
-        bag(h_, started_, has_output_, report_, plan_, acceptance_, linear_, extrapolation_, f_, system_);
+        bag(h_, started_, has_output_, report_, plan_, judge_, linear_, extrapolation_, f_, system_);
         std::apply([&](auto&... m) { bag(m...); }, steps_);
         if (has_output_) bag(outputs_[current_]);
         if constexpr (Bag::unpacks)
@@ -154,11 +156,14 @@ class integrator {
 
   private:
     using system_type = stagecraft::system<Problem, Vector>;
+    using norm_type = tolerance_norm<Vector, typename system_type::sums_type, system_type::may_be_raised>;
+    using guards_type =
+        decltype(detail::guards_in<system_type>(std::declval<typename detail::guards_of<Method>::type>()));
     enum class progress { again, accepted, given_up };
 
     template <class F>
     decltype(auto) visit_current(F&& f) {
-        return detail::visit_at(steps_, acceptance_.method(), std::forward<F>(f));
+        return detail::visit_at(steps_, judge_.method(), std::forward<F>(f));
     }
     int largest_columns() {
         return std::apply([](auto&... m) { return std::max({m.columns()...}); }, steps_);
@@ -182,7 +187,14 @@ class integrator {
             const bool fixed = plan_.fixed();
             m.prepare(system_, {fixed, keeps_output_, options_.jumps});
             if (!fixed) demand_free_steps(m, system_.largest_index(), options_.continuous);
-            acceptance_.prepare(k, m, system_);
+            const scalar smooth = m.estimate_ratio(options_.rtol);
+            judge_.prepare(k, smooth);
+            if constexpr (method_count < Method >> 1)
+                judge_.prepare(
+                    k,
+                    {m.count(), m.estimate_power(), least_ratio_of_index(smooth, system_.largest_index()),
+                     m.stages().work(system_.total_size())},
+                    options_.rtol);
         });
     }
 
@@ -194,7 +206,7 @@ class integrator {
         const bool choose = !plan_.fixed() && options_.initial_step == scalar(0);
         if (left || choose || has_second_order_components<Problem>) {
             const Vector& f0 = f_.left(system_, t_, y_);
-            const scalar size = weighted_norm(f0, scale_, n_, system_.sums());
+            const scalar size = weighted_norm(f0, norm_.of_state(), n_, norm_.sums());
             if (!(size - size == scalar(0))) return give_up(status::non_finite) == progress::accepted;
             if constexpr (has_second_order_components<Problem>)
                 for (int i = 0, m = position_components<Problem>(n_); i < m; ++i)
@@ -204,10 +216,11 @@ class integrator {
         }
         started_ = true;
         if (plan_.fixed()) return true;
-        h_ = plan_.first(choose ? first_step(system_.mass(), y_, f_.value(), scale_,
-                                             scalar(abs(plan_.end() - t_)), system_.sums())
-                                : options_.initial_step,
-                         t_);
+        const weighted_root_mean_square at_start(norm_.of_state(), norm_.sums());
+        h_ = plan_.first(
+            choose ? initial_step(system_.mass(), y_, f_.value(), at_start, scalar(abs(plan_.end() - t_)))
+                   : options_.initial_step,
+            t_);
         return true;
     }
 
@@ -221,21 +234,26 @@ class integrator {
         output_type& now = outputs_[1 - current_];
 
         const linear_state linear = linearise(method, plan.h);
-        if (linear == linear_state::growing) return refuse_growth(plan);
+        if (linear == linear_state::forbidden) return refuse_forbidden(plan);
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
         if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
         method.advance(y_, now, y1_);
         if (plan_.fixed()) return accept(method, plan, now);
 
-        trial_step<Vector, output_type> trial{plan, t_, y_, weights(), f_, y1_, now};
-        const scalar error = system_.further_error(
-            acceptance_.error(method, system_, trial, refused_, report_.steps == 0, report_), method, trial);
-        if (!(error < scalar(1)) &&
-            !(plan.smallest && acceptance_.passes(plan.h, error, method.estimate_power())))
-            return refuse_error(method, plan, error);
-        h_ = plan_.bounded(acceptance_.after_accepted(method, system_, trial, error, newton, linear_.theta(),
-                                                      method.implicit() ? linear_.hold() : scalar(1),
-                                                      refused_));
+        const solved_step<Vector, output_type> vectors{y_, f_, y1_, now, error_};
+        measured_step measured(method, system_, norm_, vectors, report_);
+        measured.t = t_;
+        measured.h = plan.h;
+        measured.t_next = plan.t_next;
+        measured.smallest = plan.smallest;
+        measured.method = judge_.method();
+        measured.refused = refused_;
+        measured.iterations = newton.iterations;
+        measured.theta = linear_.theta();
+        if (method.implicit()) measured.hold = linear_.hold();
+        const verdict<scalar> said = judge_(measured);
+        if (!said.accepted) return refuse_error(plan, said);
+        h_ = plan_.bounded(said.next_h);
         return accept(method, plan, now);
     }
 
@@ -244,19 +262,21 @@ class integrator {
     linear_state linearise(Step& method, const scalar& h) {
         using std::abs;
         if (needs_left_value(method)) f_.left(system_, t_, y_);
-        if (system_.largest_index() > 1) system_.weigh_by_index(weights_ = scale_, h);
+        norm_.over(h);
         method.begin(f_.value());
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
             const bool ahead = extrapolates() && refused_.all == 0 && !plan_.fixed();
             linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? &outputs_[current_] : nullptr,
                              ahead, options_, y1_);
+            judge_.linearised();
         }
         const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
-        const bool longer = 2 * abs(h) > 3 * abs(last);
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
-        return linear_.factor(system_, method.stages(), h, acceptance_.method(), !plan_.fixed(), slope,
-                              longer, weights(), report_.factorisations);
+        const factored_step tried{system_, method.stages(), slope, norm_, h, 2 * abs(h) > 3 * abs(last)};
+        return linear_.factor(
+            system_, method.stages(), h, judge_.method(),
+            [&] { return !plan_.fixed() && judge_.forbids(tried); }, report_.factorisations);
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
@@ -268,11 +288,11 @@ class integrator {
         if (method.iterates()) limits = newton_limits_for(method.coupled_stages_count(), h);
         if (linear == linear_state::factored) {
             newton = solve_from_guess(method, system_, extrapolates() ? &outputs_[current_] : nullptr, t_, y_,
-                                      h, weights(), limits, now, report_.solves);
+                                      h, norm_, limits, now, report_.solves);
         }
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
-            if (solve_by_homotopy(method, system_, t_, y_, h, weights(), limits, now, report_, newton))
-                linear_.factored_for(h, acceptance_.method());
+            if (solve_by_homotopy(method, system_, t_, y_, h, norm_, limits, now, report_, newton))
+                linear_.factored_for(h, judge_.method());
         if (newton.end == newton_end::converged && method.iterates())
             linear_.solved(newton, factorisation_cost(method, system_), report_.steps == 0);
         return newton;
@@ -285,8 +305,8 @@ class integrator {
         return progress::again;
     }
 
-    /// The step would pass over a growing mode.
-    progress refuse_growth(const planned_step<scalar>& plan) {
+    /// A guard forbids the step.
+    progress refuse_forbidden(const planned_step<scalar>& plan) {
         obstacle_ = status::step_underflow;
         ++report_.rejected_error;
         ++refused_.all;
@@ -314,23 +334,24 @@ class integrator {
             return progress::again;
         }
         const int usual = system_.rough_stages() ? 2 : 1;  // one of them from a constant
-        acceptance_.newton_failed(refused_.all > usual);
+        judge_.unsolved(refused_.all > usual);
         return shorten(plan, plan.h / 2);
     }
 
     /// The error is too large, or not finite.
-    template <class Step>
-    progress refuse_error(Step& method, const planned_step<scalar>& plan, const scalar& error) {
-        const bool finite = error - error == scalar(0);
+    progress refuse_error(const planned_step<scalar>& plan, const verdict<scalar>& said) {
+        const bool finite = said.error - said.error == scalar(0);
         obstacle_ = finite ? status::step_underflow : why_not_finite();
         ++(finite ? report_.rejected_error : report_.rejected_newton);
         ++refused_.all;
-        if (finite) ++refused_.for_error;
+        if (finite) {
+            ++refused_.for_error;
+            refused_.h = plan.h;
+            refused_.error = said.error;
+        }
         f_.retry();
-        const scalar h = acceptance_.after_rejected(t_, plan.h, error, method.estimate_power(),
-                                                    report_.steps == 0, refused_);
         linear_.rejected(system_);
-        return shorten(plan, h);
+        return shorten(plan, said.next_h);
     }
 
     /// A linear solver that has failed leaves NaN.
@@ -365,11 +386,10 @@ class integrator {
         current_ = 1 - current_;
         t_ = plan.t_next;
         y_ = y1_;
-        set_weights(options_, y_, scale_);
+        norm_.at(y_);
         return progress::accepted;
     }
 
-    const Vector& weights() const { return system_.largest_index() > 1 ? weights_ : scale_; }
     template <class Step>
     bool needs_left_value(const Step& method) const {
         return method.needs_left_value(plan_.fixed()) || (method.implicit() && linear_.needs_left_value());
@@ -394,16 +414,17 @@ class integrator {
     system_type system_;
     typename steps::type steps_;
     step_plan<scalar> plan_;
+    norm_type norm_;
     linearisation<system_type, Vector> linear_;
-    acceptance<Vector, method_count<Method>> acceptance_;
+    judge<scalar, method_count<Method>, guards_type> judge_;
     extrapolation_trust extrapolation_;
     scalar t_, h_{0};
-    Vector y_, y1_, scale_, weights_;  // scale_: weights without those of the index
+    Vector y_, y1_, error_;
     end_slope<Vector> f_;
     std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
     int current_ = 0;
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
-    refusals refused_;
+    refusals<scalar> refused_;
     bool keeps_output_, started_ = false, has_output_ = false;
     stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
 };

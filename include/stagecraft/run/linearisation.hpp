@@ -4,10 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
-#include <stagecraft/judge/guards/growth_watch.hpp>
-#include <stagecraft/linear/dense_blocks.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/options.hpp>
 #include <stagecraft/run/initial_step.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -23,38 +21,21 @@ auto factorisation_cost(Step& method, const System& system) {
         return typename System::scalar(0);
 }
 
-namespace detail {
+/// What the linear systems of an attempt are like: factored, singular (or not finite), or such that a guard forbids the
+/// step.
+enum class linear_state { factored, singular, forbidden };
 
-/// True if stages of such a system are solved by dense blocks of run-time size.
-template <class System>
-inline constexpr bool in_dense_blocks = [] {
-    if constexpr (requires { typename System::blocks; }) {
-        using blocks = typename System::blocks;
-        using usual = dense_blocks<typename System::scalar, System::size_at_compile_time>;
-        constexpr int n = System::size_at_compile_time;
-        return !System::structured && usual::built_in && (n < 0 || n > 16) &&
-               (std::is_base_of_v<usual, blocks> || requires { typename blocks::whole; });
-    } else {
-        return false;
-    }
-}();
-
-/// What solves the systems of the search for growth: where there are such blocks, one of them.
-template <class Scalar, class System>
-struct search_block {
-    using type = split_lu<Scalar, -1>;
+/// A step of h whose matrices have just been factored, as guards see it before its stage equations are solved.
+template <class System, class Stages, class Slope, class Norm>
+struct factored_step {
+    using scalar = typename System::scalar;
+    const System& system;
+    Stages& stages;
+    Slope& slope;  ///< slope() is f at the left end
+    const Norm& norm;
+    scalar h;
+    bool longer;  ///< by half at least than the step before
 };
-template <class Scalar, class System>
-requires in_dense_blocks<System>
-struct search_block<Scalar, System> {
-    using type = typename System::blocks::real;
-};
-
-}  // namespace detail
-
-/// What the linear systems of an attempt are like: factored, singular (or not finite), or such that the step
-/// would pass over a growing mode (judge/guards/growth_watch.hpp).
-enum class linear_state { factored, singular, growing };
 
 /// The linearisation of the stage equations that Newton's iteration uses: the Jacobian, which the system
 /// holds, and how old it is; for which step size and method its matrices are factored; how well it serves
@@ -110,24 +91,20 @@ class linearisation {
             }
         }
         jacobian_ = age::fresh;
-        growth_.jacobian_changes();
         factored_for(scalar(0), 0);
     }
 
     /// Factors the systems of a step h with method number k, unless they are already: for h, or for one that
     /// differs from it by no more than rounding of large t explains, which slows the iteration by as little.
-    /// `watch` looks for growth, with slope() = f at the left end; in what moves, too, if the step is much `longer` than
-    /// the one before.
-    template <class Stages, class Slope>
-    linear_state factor(const System& system, Stages& stages, const scalar& h, int k, bool watch,
-                        Slope&& slope, bool longer, const Vector& weights, long& factorisations) {
+    /// forbids() is asked once they are.
+    template <class Stages, class Forbids>
+    linear_state factor(const System& system, Stages& stages, const scalar& h, int k, Forbids&& forbids,
+                        long& factorisations) {
         if (factored_method_ == k && factored_within(h, scalar(1) / 100000)) return linear_state::factored;
         ++factorisations;
         factored_for(scalar(0), 0);
         if (!stages.factor(system, h)) return linear_state::singular;
-        if (watch &&
-            (growth_.sees(system, stages, slope) || (longer && growth_.sees_in(system, slope, weights, h))))
-            return linear_state::growing;
+        if (forbids()) return linear_state::forbidden;
         factored_for(h, k);
         return linear_state::factored;
     }
@@ -188,17 +165,16 @@ class linearisation {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(factored_h_, theta_, fresh_theta_, hold_, factored_method_, jacobian_, ahead_, contradicted_,
-            growth_);
+        bag(factored_h_, theta_, fresh_theta_, hold_, factored_method_, jacobian_, ahead_, contradicted_);
     }
 
   private:
     enum class age : unsigned char { wanted, kept, fresh };
 
-    /// Increments of differences are to be small beside what a component is, or moves by: h f0 where it is not stiff.
-    /// Where it is, f0 is |J| times what the step before left of it beside the smooth solution, which may be anything;
-    /// so it is not taken to move faster than in that step (which may have been an eighth of this one), and in the
-    /// first one not by more than an automatic first step would have it. Returns the length of that one, later 0.
+    /// Increments of differences are to be small beside what a component is, or moves by: h f0 where it is not stiff. In
+    /// stiff components f0 is dominated by J times the last error, so h f0 says nothing about how far they move: they are
+    /// not taken to move faster than in the step before (which may have been an eighth of this one), and in the first one
+    /// not by more than an automatic first step would have it. Returns the length of that one, later 0.
     template <class Output>
     scalar look_for_negligible(const System& system, const Vector& y, const Vector& f0, const scalar& h,
                                const Output* last, const options<scalar>& o) {
@@ -206,7 +182,8 @@ class linearisation {
         scalar reach = abs(h);
         if (last == nullptr) {
             set_weights(o, y, negligible_);
-            const scalar first = first_step(system.mass(), y, f0, negligible_, reach, system.sums());
+            const weighted_root_mean_square norm(negligible_, system.sums());
+            const scalar first = initial_step(system.mass(), y, f0, norm, reach);
             if (first < reach) reach = first;
         }
         for (int i = 0; i < system.size(); ++i) {
@@ -240,7 +217,6 @@ class linearisation {
     }
 
     Vector negligible_;  // sizes below which differences need not tell components apart
-    growth_watch<scalar, typename detail::search_block<scalar, System>::type> growth_;
     scalar factored_h_{0}, theta_{0}, fresh_theta_{0};  // theta, and theta when the Jacobian was new
     scalar hold_ = scalar(6) / 5;
     int factored_method_ = 0;

@@ -9,16 +9,16 @@ namespace stagecraft {
 /// constant where there is none. A first increment larger than the solution (limits.far) says that the polynomial does
 /// not reach as far as this step, and nothing that follows could be believed: a stiff component may have been led to
 /// where f is flat, or to another solution of the stage equations. Then it begins again, at a constant.
-template <class Step, class System, class Vector, class Scalar>
+template <class Step, class System, class Vector, class Norm, class Scalar>
 newton_outcome<Scalar> solve_from_guess(Step& method, System& system, const typename Step::output* before,
-                                        const Scalar& t, const Vector& y, const Scalar& h,
-                                        const Vector& weights, newton_limits<Scalar> limits,
-                                        typename Step::output& now, long& solves) {
+                                        const Scalar& t, const Vector& y, const Scalar& h, const Norm& norm,
+                                        newton_limits<Scalar> limits, typename Step::output& now,
+                                        long& solves) {
     for (;; before = nullptr) {
         if (before == nullptr) limits.far = Scalar(0);
         method.guess(before, y, h, now);
         const newton_outcome<Scalar> newton =
-            method.stages().solve(system, t, y, h, weights, limits, now.increments(), solves);
+            method.stages().solve(system, t, y, h, norm, limits, now.increments(), solves);
         const bool far =
             limits.far > Scalar(0) && newton.end == newton_end::diverged && newton.iterations == 1;
         if (!far) return newton;

@@ -74,17 +74,18 @@ class forward_steps {
     /// The error of S in an attempt whose stage equations are solved, in tolerances: by the estimate that the method makes
     /// of y, in each column, of which the largest counts. Components of index 2 and 3 are left to the control of y, as their
     /// estimates contain what earlier steps have left in the constraints, and with another history than y's.
-    template <class System, class Step, class Trial>
-    scalar error(System& system, Step& method, Trial& trial) {
+    template <class System, class Method, class Step>
+    scalar error(System& system, Method& method, const Step& step) {
         if (!controlled_) return scalar(0);
-        auto now = trial.now;
-        method.finish(trial.t, trial.y, trial.plan.h, trial.y1, now);
+        const auto& at = step.vectors();
+        auto now = at.now;
+        method.finish(step.t, at.y, step.h, at.y1, now);
         if (!solve(method.stages(), now)) return refused();
         const int s = method.count();
         const scalar ratio = method.estimate_ratio(at_.tolerance());
         scalar largest(0);
         long solves = 0;
-        auto column = trial.now;
+        auto column = at.now;
         for (Eigen::Index k = 0; k < S_.cols(); ++k) {
             column.increments().leftCols(s) = Z_.middleCols(k * s, s);
             weigh(k);
@@ -95,7 +96,7 @@ class forward_steps {
             column_ = S_.col(k);
             for (int look = 0; look < 2; ++look) {  // once more filtered, as collocation_step::estimate_again
                 at_(s, column_, static_cast<int>(k), left_);
-                method.estimate(system, trial.plan.h, left_, column, error_);
+                method.estimate(system, step.h, left_, column, error_);
                 one = method.error_size(system, column, ratio, error_, solves, size);
                 if (one < scalar(1)) break;
                 column_ = S_.col(k) + error_.cwiseProduct(raised_);
@@ -198,9 +199,9 @@ struct with_sensitivities : at_parameters<Problem, Parameters> {
     using at_parameters<Problem, Parameters>::at_parameters;
     forward_steps<with_sensitivities, Vector>* along = nullptr;
 
-    template <class System, class Step, class Trial>
-    typename Vector::Scalar further_error(System& system, Step& method, Trial& trial) const {
-        return along->error(system, method, trial);
+    template <class System, class Method, class Step>
+    typename Vector::Scalar further_error(System& system, Method& method, const Step& step) const {
+        return along->error(system, method, step);
     }
 };
 

@@ -9,6 +9,7 @@
 #include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/tolerance_norm.hpp>
 #include <stagecraft/sensitivity/linear_stages.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/transformed.hpp>
@@ -36,9 +37,9 @@ class halved_steps {
         : system_(problem, y0, report_),
           stages_(make(as_tuple(method), static_cast<int>(y0.size()))),
           options_(o),
+          norm_(options_, system_.raised(), y0, system_.sums()),
           y1_(y0),
-          f_(y0),
-          weights_(y0) {
+          f_(y0) {
         system_.take_jacobian();
     }
 
@@ -66,16 +67,15 @@ class halved_steps {
         }
         system_.evaluate_jacobian(t, y, f_, y1_);
         if (!stages.factor(system_, h)) return false;
-        set_weights(options_, y, weights_);
-        const int index = system_.largest_index();
-        if (index > 1) system_.weigh_by_index(weights_, h);
+        norm_.at(y);
+        norm_.over(h);
         Output part = whole;
         const Vector start = whole(t);
         for (int i = 0; i < s; ++i) part.increments().col(i) = whole(t + method.c[i] * h) - start;
         const scalar rounding = std::numeric_limits<scalar>::epsilon() / options_.rtol;
-        const newton_limits<scalar> limits{scalar(1) / 1000, 4 * rounding, 100 * rounding, 50, false,
-                                           index + 1};
-        if (stages.solve(system_, t, y, h, weights_, limits, part.increments(), report_.solves).end !=
+        const newton_limits<scalar> limits{
+            scalar(1) / 1000, 4 * rounding, 100 * rounding, 50, false, system_.largest_index() + 1};
+        if (stages.solve(system_, t, y, h, norm_, limits, part.increments(), report_.solves).end !=
             newton_end::converged)
             return false;
         part.cover(whole.nodes(), t, h, y);
@@ -91,7 +91,8 @@ class halved_steps {
     system_type system_;
     stages_type stages_;
     options<scalar> options_;
-    Vector y1_, f_, weights_;
+    tolerance_norm<Vector, typename system_type::sums_type, system_type::may_be_raised> norm_;
+    Vector y1_, f_;
 };
 
 }  // namespace stagecraft::detail

@@ -60,9 +60,10 @@ bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const
     linear_stage_system<scalar, Mass, Add> system(mass, s, add);
     long solves = 0;
     Z.setZero();
+    const weighted_root_mean_square<Vector> norm(weights);
     // A first iteration shows how large the solution is.
     newton_limits<scalar> limits{scalar(0), scalar(0), scalar(0), 1, true};
-    if (stages.solve(system, scalar(0), x, h, weights, limits, Z, solves).end == newton_end::non_finite)
+    if (stages.solve(system, scalar(0), x, h, norm, limits, Z, solves).end == newton_end::non_finite)
         return false;
     scalar size = x.cwiseProduct(weights).template lpNorm<Eigen::Infinity>();
     for (int i = 0; i < s; ++i) {
@@ -75,7 +76,7 @@ bool solve_linear_stages(Stages& stages, const Mass& mass, const Add& add, const
     weights /= size < smallest ? smallest : size;
     limits = {2 * eps, 4 * eps, 10000 * eps, most_linear_iterations, false, 3};
     const auto converged = [&] {
-        return stages.solve(system, scalar(0), x, h, weights, limits, Z, solves).end == newton_end::converged;
+        return stages.solve(system, scalar(0), x, h, norm, limits, Z, solves).end == newton_end::converged;
     };
     if (converged()) return true;
     const scalar far_down = sqrt(eps);

@@ -44,9 +44,9 @@ class coupled_stages {
     }
 
     /// Computes the slopes, from a first guess in v.k; Z takes z_i = Y_i - y in its columns.
-    template <class System, class StageMatrix>
+    template <class System, class Norm, class StageMatrix>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                 const vector& weights, const newton_limits<Scalar>& limits, slopes& v,
+                                 const Norm& norm, const newton_limits<Scalar>& limits, slopes& v,
                                  StageMatrix& Z, long& solves) {
         const auto& m = v.method;
         const int s = m.stages();
@@ -65,14 +65,14 @@ class coupled_stages {
                 for (int r = 0; r < n_; ++r) x_[(i - first_) * n_ + r] = fi_[r];
             }
             Scalar residual(0);
-            if constexpr (inexact_blocks<Blocks, Scalar>) residual = largest(weights, system.sums());
+            if constexpr (inexact_blocks<Blocks, Scalar>) residual = largest(norm);
             system.measure(work::solve, [&] { systems_.solve(system, x_, v.mass); });
             if constexpr (inexact_blocks<Blocks, Scalar>)
                 systems_.left().tell(monitor, Scalar(0), residual, Scalar(Scalar(1) / h));
             ++solves;
             for (int i = first_; i < s; ++i)
                 for (int r = 0; r < n_; ++r) v.k(r, i) += x_[(i - first_) * n_ + r];
-            if (monitor.over(change(m, h, weights, system.sums()))) break;
+            if (monitor.over(change(m, h, norm))) break;
         }
         for (int i = 0; i < s; ++i) {
             v.combine([&](int j) { return m.A(i, j); }, s, h, yi_);
@@ -101,12 +101,12 @@ class coupled_stages {
 
   private:
     /// The size of the largest right-hand side in x_.
-    template <class Sums>
-    Scalar largest(const vector& weights, const Sums& sums) {
+    template <class Norm>
+    Scalar largest(const Norm& norm) {
         Scalar most(0);
         for (int i = 0; i < count_; ++i) {
             for (int r = 0; r < n_; ++r) fi_[r] = x_[i * n_ + r];
-            const Scalar one = weighted_norm(fi_, weights, n_, sums);
+            const Scalar one = norm(fi_);
             if (!(one <= most)) most = one;
         }
         return most;
@@ -120,25 +120,24 @@ class coupled_stages {
 
     /// Size of the increments of the z_i and of y1 that result, through A and b, from the increments of the
     /// slopes in x_.
-    template <class Sums>
-    Scalar change(const tableau<Scalar, Stages>& m, const Scalar& h, const vector& weights,
-                  const Sums& sums) {
+    template <class Norm>
+    Scalar change(const tableau<Scalar, Stages>& m, const Scalar& h, const Norm& norm) {
         using std::sqrt;
-        if constexpr (!Sums::complete) {
+        if constexpr (!std::remove_cvref_t<decltype(norm.sums())>::complete) {
             const auto squares = [&](const Scalar& unit) {
                 Scalar sum(0);
                 for (int i = first_; i <= m.stages(); ++i) {
                     increment(m, h, i);
-                    sum += (fi_.array() * weights.array() * unit).square().sum();
+                    sum += (fi_.array() * norm.weights().array() * unit).square().sum();
                 }
                 return sum / Scalar(count_ + 1);
             };
-            return added_norm<Scalar>(squares, n_, sums);
+            return added_norm<Scalar>(squares, n_, norm.sums());
         }
         Scalar sum = Scalar(0), largest = Scalar(0);
         for (int i = first_; i <= m.stages(); ++i) {
             increment(m, h, i);
-            const Scalar size = weighted_norm(fi_, weights, n_);
+            const Scalar size = norm(fi_);
             sum += size * size;
             if (!(size <= largest)) largest = size;
         }

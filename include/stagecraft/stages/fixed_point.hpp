@@ -23,9 +23,9 @@ class fixed_point_stages {
 
     /// Computes the slopes, from a first guess in v.k; Z takes z_i = Y_i - y in its columns. The iteration ends
     /// where the error left in the z_i is below limits.factor, judged by the contraction that is seen.
-    template <class System, class StageMatrix>
+    template <class System, class Norm, class StageMatrix>
     newton_outcome<scalar> solve(System& system, const scalar& t, const Vector& y, const scalar& h,
-                                 const Vector& weights, const newton_limits<scalar>& limits, slopes& v,
+                                 const Norm& norm, const newton_limits<scalar>& limits, slopes& v,
                                  StageMatrix& Z) {
         const auto& m = v.method;
         const int s = m.stages();
@@ -48,7 +48,7 @@ class fixed_point_stages {
             for (int i = 0; i < s; ++i) {
                 stage(i);
                 value_ = stage_ - Z.col(i);
-                const scalar size = weighted_norm(value_, weights, n_, system.sums());
+                const scalar size = norm(value_);
                 if (!(size <= largest)) largest = size;
                 Z.col(i) = stage_;
             }

@@ -92,16 +92,16 @@ class sequential_stages {
     /// Computes the slopes with the current factors, which may be those of a step of nearly h; Z brings first
     /// guesses of z_i in its columns (if v.guessed) and takes the z_i of
     /// implicit stages. The outcome is that of the stage with the slowest iteration.
-    template <class System, class StageMatrix>
+    template <class System, class Norm, class StageMatrix>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                 const vector& weights, const newton_limits<Scalar>& limits, slopes& v,
+                                 const Norm& norm, const newton_limits<Scalar>& limits, slopes& v,
                                  StageMatrix& Z, long& solves) {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
         if constexpr (built_in<Scalar>)
             if (!implicit() && !v.by_value) {
-                if (!evaluate(system, t, y, h, v)) slowest.end = newton_end::non_finite;
+                if (!evaluate(system, t, y, h, norm.sums(), v)) slowest.end = newton_end::non_finite;
                 return slowest;
             }
         set_shifts(h);
@@ -113,7 +113,7 @@ class sequential_stages {
                 v.mass.solve(fi_.data());
                 v.k.col(i) = fi_;
                 if (implicit()) Z.col(i) = r_;
-                if (!all_finite(fi_, n_, system.sums())) {
+                if (!all_finite(fi_, n_, norm.sums())) {
                     slowest.end = newton_end::non_finite;
                     return slowest;
                 }
@@ -127,7 +127,7 @@ class sequential_stages {
             } else {
                 z_.setZero();
             }
-            const newton_outcome<Scalar> outcome = iterate(system, t, y, h, weights, limits, v, i, solves);
+            const newton_outcome<Scalar> outcome = iterate(system, t, y, h, norm, limits, v, i, solves);
             if (outcome.iterations > slowest.iterations) slowest.iterations = outcome.iterations;
             if (outcome.theta > slowest.theta) slowest.theta = outcome.theta;
             if (outcome.end != newton_end::converged) {
@@ -181,11 +181,11 @@ class sequential_stages {
     }
 
     /// The slopes of an explicit method. False if one is not finite.
-    template <class System>
+    template <class System, class Sums>
     [[gnu::noinline]] bool evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                    slopes& v) {
+                                    const Sums& sums, slopes& v) {
         const int n = N >= 0 ? N : n_, first = v.left_stage ? 1 : 0;
-        if constexpr (unrolled && System::sums_type::complete) {
+        if constexpr (unrolled && Sums::complete) {
             std::array<lanes<Scalar, N>, Stages> k;
             if (v.left_stage) k[0] = lanes<Scalar, N>::load(v.k.data());
             return [&]<int... i>(std::integer_sequence<int, i...>) {
@@ -198,7 +198,7 @@ class sequential_stages {
                 combine_onto(n, row(i), h, v.k.data(), y.data(), yi_.data());
                 call(system, t + v.method.c[i] * h, yi_, fi_, v);
                 Scalar* const k = v.k.data() + static_cast<std::ptrdiff_t>(i) * n;
-                if (!copy_finite(fi_.data(), n, k, system.sums())) return false;
+                if (!copy_finite(fi_.data(), n, k, sums)) return false;
             }
         }
         return true;
@@ -235,10 +235,10 @@ class sequential_stages {
         const std::size_t from = i > 0 ? row_ends_[i - 1] : 0;
         return {terms_.data() + from, row_ends_[i] - from};
     }
-    template <class System>
+    template <class System, class Norm>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                   const vector& weights, const newton_limits<Scalar>& limits,
-                                   const slopes& v, int i, long& solves) {
+                                   const Norm& norm, const newton_limits<Scalar>& limits, const slopes& v,
+                                   int i, long& solves) {
         const int b = block_[i];
         newton_monitor<Scalar> monitor(limits);
         while (monitor.may_go_on()) {
@@ -248,8 +248,7 @@ class sequential_stages {
             add_mass_times(system.mass(), shift_[b], d_.data(), fi_.data(), n_);
             if (v.by_value) fi_ -= v.carry[i] * v.left;
             Scalar residual(0);
-            if constexpr (inexact_blocks<Blocks, Scalar>)
-                residual = weighted_norm(fi_, weights, n_, system.sums());
+            if constexpr (inexact_blocks<Blocks, Scalar>) residual = norm(fi_);
             system.measure(work::solve, [&] {
                 solve_together(system, blocks_[b], [&] { blocks_[b].solve(fi_.data()); });
             });
@@ -260,7 +259,7 @@ class sequential_stages {
             }
             ++solves;
             z_ += fi_;
-            if (monitor.over(weighted_norm(fi_, weights, n_, system.sums()))) break;
+            if (monitor.over(norm(fi_))) break;
         }
         return monitor.outcome();
     }

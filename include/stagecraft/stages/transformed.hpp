@@ -136,9 +136,9 @@ class transformed_stages {
     }
 
     /// Solves for Z (in: first guess) with the current factors, which may be those of a step of nearly h.
-    template <class System, class StageMatrix>
+    template <class System, class Norm, class StageMatrix>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                 const vector& weights, const newton_limits<Scalar>& limits, StageMatrix& Z,
+                                 const Norm& norm, const newton_limits<Scalar>& limits, StageMatrix& Z,
                                  long& solves) {
         const int s = stages();
         std::conditional_t<blocks_type::inexact, inexact_newton_monitor<Scalar>, newton_monitor<Scalar>>
@@ -152,9 +152,9 @@ class transformed_stages {
                 D_.col(i) = fi_;
             }
             residual(system.mass(), Z, h);
-            solve_blocks(system, weights, monitor);
+            solve_blocks(system, norm, monitor);
             ++solves;
-            if (monitor.over(add_increment(Z, weights, system.sums()))) break;
+            if (monitor.over(add_increment(Z, norm.weights(), norm.sums()))) break;
         }
         return monitor.outcome();
     }
@@ -214,11 +214,11 @@ class transformed_stages {
     }
 
     /// Solves in F; where that is by iteration, as exactly as the monitor asks for.
-    template <class System, class Monitor>
-    void solve_blocks(const System& system, const vector& weights, Monitor& monitor) {
+    template <class System, class Norm, class Monitor>
+    void solve_blocks(const System& system, const Norm& norm, Monitor& monitor) {
         if constexpr (blocks_type::inexact) {
             if (blocks_.iterates()) {
-                const Scalar residual = size_of_blocks(weights, system.sums());
+                const Scalar residual = size_of_blocks(norm.weights(), norm.sums());
                 const Scalar part = monitor.may_leave(residual);
                 system.measure(work::solve,
                                [&] { blocks_.solve_leaving(system, F_.data(), part, sizes_.of_block); });

@@ -248,9 +248,10 @@ class collocation_step : public step_defaults<Space> {
 
     /// How fast the Legendre coefficients of the stage polynomial fall: (|a_s| / |a_{s-2}|)^{1/2} in the
     /// weighted norm; 0 < decay <= 1. Of free steps.
-    template <class Sums>
-    Scalar decay(const output& now, const vector& norm_weights, const Sums& sums) {
+    template <class Norm>
+    Scalar decay(const output& now, const Norm& norm) {
         using std::sqrt;
+        const vector& norm_weights = norm.weights();
         Scalar size[3] = {Scalar(0), Scalar(0), Scalar(static_cast<int>(norm_weights.size()))};
         for (int r = 0; r < 2; ++r) {
             weigh_coefficient(r, now);
@@ -259,7 +260,7 @@ class collocation_step : public step_defaults<Space> {
                 size[r] += a * a;
             }
         }
-        sums(size, 3);
+        norm.sums()(size, 3);
         components_ = size[2];
         last_coefficient_ = sqrt(size[0]);
         const Scalar least = Scalar(1) / 10000;
@@ -292,10 +293,10 @@ class collocation_step : public step_defaults<Space> {
     /// About the largest error of the continuous solution over the step, O(h^{s+1}): twice the Legendre
     /// coefficient that would come next, taken to be to the last one as this is to those before. Nothing of f
     /// and J enters, so that stiff components count in full.
-    template <class Sums>
-    Scalar output_error(const output& now, const vector& norm_weights, const Sums& sums) {
+    template <class Norm>
+    Scalar output_error(const output& now, const Norm& norm) {
         using std::sqrt;
-        const Scalar q = decay(now, norm_weights, sums);
+        const Scalar q = decay(now, norm);
         return components_ == Scalar(0) ? Scalar(0) : Scalar(2 * q * last_coefficient_ / sqrt(components_));
     }
 

@@ -19,6 +19,13 @@ struct variable_order {
 template <class... Methods>
 variable_order(std::tuple<Methods...>) -> variable_order<Methods...>;
 
+/// A method and the guards that watch its steps: what guarded() and without() return (run/guarded.hpp).
+template <class Method, class Guards>
+struct guarded_method {
+    Method method;
+    Guards guards;
+};
+
 namespace detail {
 
 template <class Scalar, int Stages>
@@ -32,6 +39,10 @@ std::tuple<tableau<Scalar, Stages>> as_tuple(const tableau<Scalar, Stages>& m) {
 template <class... Methods>
 const std::tuple<Methods...>& as_tuple(const variable_order<Methods...>& m) {
     return m.methods;
+}
+template <class Method, class Guards>
+decltype(auto) as_tuple(const guarded_method<Method, Guards>& m) {
+    return as_tuple(m.method);
 }
 
 /// The step that serves a method, and the columns its continuous solution may need.

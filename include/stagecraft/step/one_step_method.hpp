@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/newton.hpp>
 
 // What the integrator asks of a method: the concept, and defaults for what a method need not say.
@@ -33,13 +34,13 @@ struct run_demands {
 /// A method as the integrator sees it: an object that makes one step at a time and keeps nothing from step to
 /// step but slopes that the next one begins with. Models: collocation_step, tableau_step.
 ///
-/// Notation: m the method, t, y, h the step, y1 the state at its end, w the weights of the norm, `now` an
+/// Notation: m the method, t, y, h the step, y1 the state at its end, norm that of the tolerance, `now` an
 /// output (its increments are z_i = Y_i - y), s the stages. Vectors have size n. Nothing allocates.
 ///
 /// Expression, meaning, and cost of those that are made in every step:
 ///   - m.prepare(system, demands): once, before all others; std::invalid_argument where it cannot serve them.
 ///   - m.stages(): the solver of the stage equations, with factor(system, h) -> bool and
-///     solve(system, t, y, h, w, limits, Z, solves) -> newton_outcome.
+///     solve(system, t, y, h, norm, limits, Z, solves) -> newton_outcome.
 ///   - m.count(): s. m.coupled_stages_count(): how many of them one Newton iteration solves for.
 ///   - m.columns(): columns of increments that an output needs.
 ///   - m.implicit(): false if no stage needs a Jacobian. m.stiffly_accurate(): y1 is the last stage.
@@ -54,17 +55,18 @@ struct run_demands {
 ///   - m.finish(t, y, h, y1, now): the step is accepted, now := its continuous solution; s^2 n.
 ///
 /// Everything else may be left to step_defaults, from which a model derives. A method for variable_order has
-/// decay(now, w, sums) and, in its stages, work(system) besides.
+/// decay(now, norm) and, in its stages, work(system) besides.
 template <class Step, class System>
 concept one_step_method = requires(
     Step& m, const Step& c, System& system, const run_demands& demands, const typename Step::vector& x,
     typename Step::vector& out, const typename Step::vector::Scalar& h, const typename Step::output* before,
-    typename Step::output& now, const newton_limits<typename Step::vector::Scalar>& limits, long& solves,
+    typename Step::output& now, const weighted_root_mean_square<typename Step::vector>& norm,
+    const newton_limits<typename Step::vector::Scalar>& limits, long& solves,
     typename Step::vector::Scalar (*size)(const typename Step::vector&, bool reduced)) {
     m.prepare(system, demands);
     { m.stages().factor(system, h) } -> std::same_as<bool>;
     {
-        m.stages().solve(system, h, x, h, x, limits, now.increments(), solves)
+        m.stages().solve(system, h, x, h, norm, limits, now.increments(), solves)
         } -> std::same_as<newton_outcome<typename Step::vector::Scalar>>;
     { c.count() } -> std::same_as<int>;
     { c.coupled_stages_count() } -> std::same_as<int>;
@@ -149,10 +151,10 @@ class step_defaults {
 
     // The continuous solution.
 
-    /// True if output_error(now, w, sums) bounds its error between the ends.
+    /// True if output_error(now, norm) bounds its error between the ends.
     static constexpr bool knows_output_error() { return false; }
-    template <class Sums>
-    static scalar output_error(const output&, const vector& /*weights*/, const Sums&) {
+    template <class Norm>
+    static scalar output_error(const output&, const Norm&) {
         return scalar(0);
     }
 
@@ -161,9 +163,21 @@ class step_defaults {
     /// True if some component of y' is found to be the same at all nodes of the step, and not zero.
     static bool sees_constant_slope(const output&) { return false; }
 
-    /// What an estimate of 1 stands for across a jump of f, `smooth` where there is none. A method whose
-    /// estimate does not see every jump has besides blind(), knows_slopes(), weigh_slopes() and damp().
+    /// What an estimate of 1 stands for across a jump of f, `smooth` where there is none.
     static const scalar& jump_ratio(const scalar& smooth) { return smooth; }
+    /// How many combinations of the slopes see jumps that the estimate does not (tableau/blind_spots.hpp), and the power
+    /// of h by which they fall where f is smooth.
+    static constexpr int blind_spot_count() { return 0; }
+    static constexpr int blind_spot_power() { return 0; }
+    /// True if the slopes are known that these ask for.
+    static constexpr bool knows_slopes() { return false; }
+    /// x := h times combination number g.
+    static void weigh_slopes(int /*g*/, const scalar& /*h*/, vector& /*x*/) {}
+    /// Damps stiff components of x by (M - h a J)^-1 M; false where there is no such filter.
+    template <class System>
+    static bool damp(const System&, vector& /*x*/) {
+        return false;
+    }
 };
 
 /// Throws std::invalid_argument where the method cannot serve steps that are not equal, with components of that

@@ -144,12 +144,12 @@ class tableau_step : public step_defaults<Space> {
     int determinant_sign() requires knows_determinant { return sequential_.determinant_sign(); }
     Scalar growth_shift() const { return is_.lower ? sequential_.growth_shift() : Scalar(0); }
 
-    template <class System>
+    template <class System, class Norm>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
-                                 const vector& weights, const newton_limits<Scalar>& limits,
+                                 const Norm& norm, const newton_limits<Scalar>& limits,
                                  typename output::stage_matrix& Z, long& solves) {
-        const auto outcome = is_.lower ? sequential_.solve(system, t, y, h, weights, limits, v_, Z, solves)
-                                       : coupled_.solve(system, t, y, h, weights, limits, v_, Z, solves);
+        const auto outcome = is_.lower ? sequential_.solve(system, t, y, h, norm, limits, v_, Z, solves)
+                                       : coupled_.solve(system, t, y, h, norm, limits, v_, Z, solves);
         if (v_.by_value) {
             const int last = count() - 1;
             next_value_ = v_.carry[last] * v_.left;
@@ -304,7 +304,8 @@ class tableau_step : public step_defaults<Space> {
     }
     // Jumps of f (judge/guards/jumps.hpp).
 
-    const blind_spots<Scalar>& blind() const { return blind_; }
+    int blind_spot_count() const { return blind_.count(); }
+    int blind_spot_power() const { return blind_.power; }
     /// True if the slopes are known that the combinations at blind spots ask for.
     bool knows_slopes() const { return !blind_.need_left_slope || left_known_ || slope_from_f_; }
     /// x := h times combination number g of the slopes.

@@ -15,20 +15,15 @@ class smoothness {
   public:
     bool doubted() const { return steps_ > 0; }
 
-    /// Takes the estimate of an attempt in units of the tolerance, expected() for the predicted one (0:
-    /// none), and whether the same step has just been rejected for its error. True if doubt begins with this
-    /// attempt.
-    template <class Expected>
-    bool surprised(const Scalar& estimate, Expected&& expected, bool again) {
+    /// Takes the estimate of an attempt in units of the tolerance, the one predicted from the step before (0: none), and
+    /// whether the same step has just been refused for its error. True if doubt begins with this attempt.
+    bool surprised(const Scalar& estimate, const Scalar& expected, bool again) {
         if (doubted()) {
             if (!(estimate < Scalar(1))) steps_ = memory;
             return false;
         }
         if (!(estimate > notable()) && !(again && !(estimate < Scalar(1)))) return false;
-        if (!again) {
-            const Scalar before = expected();
-            if (!(before > Scalar(0)) || estimate <= surprise() * before) return false;
-        }
+        if (!again && (!(expected > Scalar(0)) || estimate <= surprise() * expected)) return false;
         steps_ = memory;
         return true;
     }
