@@ -35,6 +35,9 @@ constexpr const char* reason(status s) {
             return "the right-hand side or the Jacobian gave NaN or infinity for every admissible step";
         case status::size_changed:
             return "the right-hand side or the Jacobian changed the size of its output";
+        case status::wrong_derivative:
+            return "a Jacobian, a pattern or a parameter_jacobian of the problem's disagrees with "
+                   "differences of f";
         case status::function_threw:
             return "a function of the problem or an observer threw; result.exception holds what";
     }

@@ -17,6 +17,7 @@
 #include <stagecraft/run/end_slope.hpp>
 #include <stagecraft/run/guarded.hpp>
 #include <stagecraft/run/homotopy.hpp>
+#include <stagecraft/run/inconsistent_start.hpp>
 #include <stagecraft/run/initial_step.hpp>
 #include <stagecraft/run/linearisation.hpp>
 #include <stagecraft/run/measured_step.hpp>
@@ -271,6 +272,10 @@ class integrator {
                              ahead, options_, y1_);
             judge_.linearised();
         }
+        if (report_.steps == 0 && refused_.all == 0 && !method.forgets())
+            demand_consistent_start(
+                system_, [&]() -> const Vector& { return f_.left(system_, t_, y_); }, norm_.of_state(),
+                scalar(plan_.fixed() ? 1000 : 10));
         const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
         const factored_step tried{system_, method.stages(), slope, norm_, h, 2 * abs(h) > 3 * abs(last)};
@@ -378,6 +383,11 @@ class integrator {
             method.finish(t_, y_, plan.h, y1_, now);
         else
             now.cover(t_, plan.h);
+        if (method.ends_off_constraints()) {
+            const Vector& f1 = f_.right(system_, plan.t_next, y1_);
+            report_.error_solves += method.end_on_constraints(system_, plan.h, f1, now, y1_);
+            f_.retry();
+        }
         method.accepted();
         f_.stepped();
         extrapolation_.stepped();

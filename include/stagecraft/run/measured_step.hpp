@@ -5,6 +5,7 @@
 
 #include <stagecraft/judge/evidence.hpp>
 #include <stagecraft/linear/mass.hpp>
+#include <stagecraft/linear/mass_kernel.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/run/end_slope.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -168,18 +169,19 @@ class measured_step : public step_facts<typename System::scalar> {
         }
         return middle;
     }
-    /// x_j := 0 where column j of M is zero, or where that is not known its row sum.
+    /// Takes out of x what M takes to zero; where its entries are not known, the components with a row sum of zero.
     template <class Mass>
     static void drop_algebraic(const Mass& mass, vector& x) {
-        if constexpr (!Mass::identity) {
-            vector size = vector::Zero(x.size());
-            if constexpr (has_entries<Mass>) {
-                for (const auto& e : mass.entries()) size[e.column] = scalar(1);
-            } else {
-                const vector ones = vector::Ones(x.size());
-                add_mass_times(mass, scalar(1), ones.data(), size.data(), static_cast<int>(x.size()));
-            }
-            for (int j = 0; j < x.size(); ++j)
+        const int n = static_cast<int>(x.size());
+        if constexpr (Mass::identity) {
+            return;
+        } else if constexpr (has_entries<Mass>) {
+            mass_kernel<scalar>(mass, n).remove(x);
+        } else {
+            vector size = vector::Zero(n);
+            const vector ones = vector::Ones(n);
+            add_mass_times(mass, scalar(1), ones.data(), size.data(), n);
+            for (int j = 0; j < n; ++j)
                 if (size[j] == scalar(0)) x[j] = scalar(0);
         }
     }

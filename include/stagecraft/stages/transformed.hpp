@@ -165,6 +165,12 @@ class transformed_stages {
         blocks_.filter(system, x, scratch);
     }
 
+    /// re + i im := (gamma_1/h M - J)^-1 (re + i im), or with the first complex block; im stays zero of a real one.
+    template <class System>
+    void solve_first(const System& system, vector& re, vector& im) {
+        system.measure(work::solve, [&] { blocks_.solve_first(system, re, im); });
+    }
+
     /// x := x - (gamma/h M - J)^-1 gamma/h M x = -(gamma/h M - J)^-1 J x, the real part of it where gamma is
     /// complex: the part of x in stiff components. In a mode of eigenvalue lambda the factor is z / (z -
     /// gamma), z = h lambda: nearly one where z is large, O(h) where it is small.
@@ -174,7 +180,7 @@ class transformed_stages {
         im.setZero();
         add_mass_times(system.mass(), shift_[0], x.data(), re.data(), size());
         if (real_blocks() == 0) add_mass_times(system.mass(), shift_[1], x.data(), im.data(), size());
-        system.measure(work::solve, [&] { blocks_.solve_first(system, re, im); });
+        solve_first(system, re, im);
         x -= re;
     }
 

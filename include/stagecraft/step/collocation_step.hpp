@@ -8,6 +8,8 @@
 #include <type_traits>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/linear/mass_kernel.hpp>
+#include <stagecraft/linear/norms.hpp>
 #include <stagecraft/stages/transformed.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_extrapolation.hpp>
@@ -70,9 +72,13 @@ class collocation_step : public step_defaults<Space> {
     int columns() const { return count(); }
     /// Serves every run.
     template <class System>
-    void prepare(const System&, const run_demands& demands) {
+    void prepare(const System& system, const run_demands& demands) {
         extrapolation_.prepare(known_.nodes);
         if (demands.fixed) return;
+        if constexpr (!System::mass_type::identity && has_entries<typename System::mass_type> &&
+                      System::sums_type::complete)
+            if (!forgets() && !known_.stiffly_accurate)
+                algebraic_ = mass_kernel<Scalar>(system.mass(), system.size());
         top_ = remembered(stages_.method(), [&] {
             return highest_legendre_coefficients<Scalar>(known_.nodes.c, known_.nodes.size);
         });
@@ -120,10 +126,16 @@ class collocation_step : public step_defaults<Space> {
         return 1;
     }
 
-    /// error := (M/(h a) - J)^-1 error with a as in the filter of the estimate.
+    /// error := (M/(h a) - J)^-1 error with a as in the filter of the estimate; with an M that may be singular the real part,
+    /// as a modulus by components would take what M takes to zero elsewhere.
     template <class System>
     int solve_for_defect(const System& system, const Scalar&, vector& error) {
-        system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
+        if constexpr (System::mass_type::identity) {
+            system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
+        } else {
+            scratch_.setZero();
+            stages_.solve_first(system, error, scratch_);
+        }
         return 1;
     }
 
@@ -134,6 +146,28 @@ class collocation_step : public step_defaults<Space> {
         using std::abs;
         return abs(Scalar(1) - known_.update.sum()) < detail::largest_damping<Scalar>();
     }
+    /// Of a method that cannot forget, in free steps with a singular M of index 1: y1 moves in the algebraic directions
+    /// alone until it satisfies the constraints. What a step leaves there would be handed on as it is, grow from step to
+    /// step, and soon be all that the estimates show, of steps however short. As the stages satisfy the constraints, y1 is
+    /// then what the method makes of the differential equation on them, of its full order (Hairer-Wanner II.VI.1, the state
+    /// space form).
+    bool ends_off_constraints() const { return !algebraic_.empty(); }
+    /// One iteration with the factors there are, from what the filtered defect f1 - M u'(1) shows, f1 = f(t1, y1): along the
+    /// constraints it is an error of the step, O(h) of which is left by another solve. Returns the number of solves.
+    template <class System>
+    int end_on_constraints(const System& system, const Scalar& h, const vector& f1, output& now, vector& y1) {
+        defect(system, h, known_.right, f1, now, rest_);
+        second_.setZero();
+        stages_.solve_first(system, rest_, second_);
+        stages_.stiff_part(system, rest_, scratch_, second_);
+        algebraic_.project(rest_);
+        if (all_finite(rest_, system.size())) {
+            y1 += rest_;
+            now.move_end(rest_);
+        }
+        return 2;
+    }
+
     /// True if f(t1, y1) is asked for before the step is accepted. Where y1 is no stage, what f does between
     /// the last node and the end of the step is in no stage value, and the estimate is to be made at the
     /// right end as well.
@@ -162,13 +196,23 @@ class collocation_step : public step_defaults<Space> {
             system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
             return 1;
         }
+        int solves = 1;
+        if constexpr (!System::mass_type::identity)
+            if (!stages_
+                     .has_real_block()) {  // the estimate has no sign, and the way to the constraints has one
+                system(t, y, f);
+                defect(system, h, known_.left, f, now, error);
+                second_.setZero();
+                stages_.solve_first(system, error, second_);
+                ++solves;
+            }
         error += y;
         system.for_each_raised([&](int i, int) { error[i] = y[i]; });
         system(t, error, f);
         defect(system, h, known_.left, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         if (known_.stiffly_accurate) system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });
-        return 1;
+        return solves;
     }
 
     bool estimates_from_start() const { return known_.stiffly_accurate; }
@@ -235,11 +279,13 @@ class collocation_step : public step_defaults<Space> {
         } else {
             rest_.setZero();
             for (int j = 0; j < count(); ++j) rest_ += known_.ends[j] * now.increments().col(j);
+            algebraic_.remove(rest_);  // which end_on_constraints() mends
         }
         Scalar left = size(rest_, true) / 2;
         const int orders = known_.order + 1 - estimate_power() + (known_.stiffly_accurate ? 0 : 1);
         for (int k = 0; k < orders && left > promised; ++k) {
             stages_.stiff_part(system, rest_, scratch_, second_);
+            algebraic_.remove(rest_);
             ++solves;
             left = size(rest_, true) / 2;
         }
@@ -372,6 +418,7 @@ class collocation_step : public step_defaults<Space> {
                                              stage_extrapolation<Scalar, Space::columns>,
                                              whole_extrapolation<Space::columns>>
         extrapolation_;
+    mass_kernel<Scalar> algebraic_{identity_mass()};  // where ends_off_constraints()
     vector scratch_, second_, rest_;
     Scalar last_coefficient_{0},
         components_{0};  // of the decay: a_s, and how many components all processes have

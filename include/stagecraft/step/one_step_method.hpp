@@ -111,6 +111,13 @@ class step_defaults {
     static void accepted() {}
     /// y1 has been replaced: what was kept of it for the next step is not valid.
     static void replaced() {}
+    /// True if y1 is to be moved onto the constraints by end_on_constraints() before the next step.
+    static constexpr bool ends_off_constraints() { return false; }
+    template <class System>
+    static int end_on_constraints(const System&, const scalar& /*h*/, const vector& /*f1*/, output&,
+                                  vector& /*y1*/) {
+        return 0;
+    }
     /// False if |R(infinity)| is one: what a step leaves in algebraic components stays for ever.
     static constexpr bool forgets() { return true; }
     /// bag(...) with what is kept for the next step (checkpoint.hpp).
