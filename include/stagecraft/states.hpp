@@ -145,6 +145,19 @@ template <class Problem, class T, class Y>
 concept returns_state = requires(const Problem& p, const T& t, const Y& y) {
     { p(t, y) } -> std::convertible_to<Y>;
 };
+/// What a problem of a State writes is lost: it takes f by value, or const.
+template <class Problem, class State>
+constexpr bool loses_state() {
+    using last = typename decltype(output_parameter<std::remove_cv_t<Problem>>())::type;
+    if constexpr (!writes_state<Problem, scalar_of<State>, State>)
+        return false;
+    else if constexpr (std::is_same_v<std::remove_cv_t<last>, State> || std::is_same_v<last, const State&>)
+        return true;
+    else if constexpr (std::is_class_v<State>)
+        return takes_copy<const Problem, State, scalar_of<State>, State>;
+    else
+        return false;
+}
 /// Where the value is returned, it is an object, not an expression of Eigen's.
 template <class Problem, class T, class Y>
 constexpr bool returns_owned_state() {
@@ -288,11 +301,12 @@ class split_observer {
 
 /// True if the Observer is a callable of the State without further members, which is called with that.
 template <class Observer, class State, class Output>
-inline constexpr bool observes_split =
-    can_observe<split_observer<Observer, State>, typename state_parts<State>::vector, Output> &&
+concept observes_split =
     !std::is_same_v<std::remove_const_t<Observer>, no_observer> &&
     !has_member_named<Observer, start_member> && !has_member_named<Observer, correct_member> &&
-    !has_member_named<Observer, save_member> && !has_member_named<Observer, conclude_member>;
+    !has_member_named<Observer, save_member> && !has_member_named<Observer, conclude_member> &&
+    !has_member_named<Observer, end_inside_member> &&
+    can_observe<split_observer<Observer, State>, typename state_parts<State>::vector, Output>;
 
 }  // namespace detail
 
@@ -341,7 +355,12 @@ result<State> integrate(const Method& method, Problem&& problem, const State& y0
         "integrate: the problem returns an expression of Eigen's, whose operands may be gone before it "
         "is evaluated: write `-> Eigen::Vector2cd`, the type of y0, or `return (A * y).eval();` (a "
         "number: .value())");
-    if constexpr (!gives_state || !object) {
+    constexpr bool arrives = !gives_state || !detail::loses_state<std::remove_reference_t<Problem>, State>();
+    static_assert(
+        arrives,
+        "integrate: the problem takes f by value, or const, and what it writes is lost: write `State& f`, "
+        "State the type of y0, or `auto& f`");
+    if constexpr (!gives_state || !object || !arrives) {
         return {t0, y0, status::function_threw, {}, {}};
     } else {
         using form = detail::state_parts<State>;

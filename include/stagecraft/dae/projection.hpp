@@ -14,6 +14,7 @@
 #include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/problem/written_argument.hpp>
 
 namespace stagecraft {
 
@@ -141,6 +142,11 @@ class projection_onto_equations {
             callable,
             "projection_onto<M>(g): g must be callable as g(t, y, out), y of the type of the state and "
             "out `auto&`, `Eigen::Matrix<Scalar, M, 1>&` or `Eigen::VectorXd&`");
+        using written = std::conditional_t<fixed, Values, column>;
+        static_assert(
+            !callable || detail::writes_into<Constraint, written, Scalar, Vector>,
+            "projection_onto<M>(g): g takes out by value, or const, and what it writes is lost: write "
+            "`Eigen::Matrix<Scalar, M, 1>& out` or `auto& out`");
         Values result;
         if constexpr (fixed) {
             g_(t, y, result);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <stagecraft/problem/parts.hpp>
+#include <stagecraft/problem/written_argument.hpp>
 
 namespace stagecraft {
 
@@ -39,6 +40,11 @@ class fully_implicit_problem : public detail::optional_jacobian<fully_implicit_p
                                                                 detail::implicit_jacobian<F, double, N>> {
     static constexpr bool fits = detail::implicit_equations<F, double, double, N>;
     static_assert(fits, "fully_implicit: F must be callable as F(t, y, v, out) with v for y'");
+    using values = Eigen::Matrix<double, N, 1>;
+    static_assert(
+        !fits || detail::writes_into<const F, values, double, values, values>,
+        "fully_implicit: F takes out by value, or const, and what it writes is lost: write `Vector& out` "
+        "or `auto& out`");
     static_assert(
         !detail::has_member_named<F, detail::jacobian_member> || detail::implicit_jacobian<F, double, N>,
         "fully_implicit: F.jacobian must be callable as F.jacobian(t, y, v, F_y, F_v) on a const F");

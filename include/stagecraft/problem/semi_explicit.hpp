@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <stagecraft/problem/parts.hpp>
+#include <stagecraft/problem/written_argument.hpp>
 
 namespace stagecraft {
 
@@ -30,6 +31,17 @@ template <class G, class T, class S, class Sizes>
 concept constraint_with_z = callable_unconverted < const G,
         const T&, const column<S, Sizes::first>
 &, const column<S, Sizes::second>&, column<S, Sizes::second>& > ;
+/// What f and g write arrives.
+template <class F, class Sizes, class A = column<double, Sizes::first>,
+          class B = column<double, Sizes::second>>
+concept differential_equations_arrive =
+    !differential_equations<F, double, double, Sizes> || writes_into<const F, A, double, A, B>;
+template <class G, class Sizes, class A = column<double, Sizes::first>,
+          class B = column<double, Sizes::second>>
+concept constraint_equations_arrive =
+    (!constraint_with_z<G, double, double, Sizes> ||
+     writes_into<const G, B, double, A, B>)&&(!constraint_without_z<G, double, double, Sizes> ||
+                                              writes_into<const G, B, double, A>);
 template <class G, class T, class S, class Sizes>
 concept constraint_equations = constraint_without_z<G, T, S, Sizes> || constraint_with_z<G, T, S, Sizes>;
 
@@ -78,6 +90,14 @@ class semi_explicit_problem
                           g_fits = detail::constraint_equations<G, double, double, Sizes>;
     static_assert(f_fits, "semi_explicit: f must be callable as f(t, y, z, out)");
     static_assert(g_fits, "semi_explicit: g must be callable as g(t, y, out) or g(t, y, z, out)");
+    static_assert(
+        detail::differential_equations_arrive<F, Sizes>,
+        "semi_explicit: f takes out by value, or const, and what it writes is lost: write `Vector& out` "
+        "or `auto& out`");
+    static_assert(
+        detail::constraint_equations_arrive<G, Sizes>,
+        "semi_explicit: g takes out by value, or const, and what it writes is lost: write `Vector& out` "
+        "or `auto& out`");
     static_assert(!(sees_z && detail::constraint_without_z<G, double, double, Sizes>),
                   "semi_explicit: g must be callable in one of its two forms, not in both");
 

@@ -153,6 +153,7 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
         "adjoint_gradient: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
         "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F) or "
         "parameter_adjoint(t, y, p, v, q)");
+    [[maybe_unused]] constexpr detail::checked_outputs<Problem, vector, parameters> checked;
     const auto list = [&] {
         if constexpr (detail::is_tuple<Functional>)
             return std::apply([](const auto&... one) { return std::tuple(detail::as_functional(one)...); },

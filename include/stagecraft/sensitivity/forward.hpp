@@ -36,6 +36,7 @@ auto run_with_sensitivities(const Method& method, const Problem& problem, const 
                             const typename Vector::Scalar& t1, const options<typename Vector::Scalar>& o,
                             const sensitivity_options<Vector, Parameters>& s, const Events& events,
                             Observer& observer) {
+    [[maybe_unused]] constexpr checked_outputs<Problem, Vector, Parameters> checked;
     forward_run<Method, Problem, Vector, Parameters, Events> run(method, problem, p, t1, o, s, events);
     return run(t0, y0, observer);
 }

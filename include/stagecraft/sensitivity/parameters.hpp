@@ -9,6 +9,7 @@
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/problem/written_argument.hpp>
 
 namespace stagecraft {
 
@@ -76,6 +77,42 @@ struct parameter_derivatives {
         else
             return automatic;
     }();
+};
+
+/// parameter_jacobian(t, y, p, F) takes F by value, or parameter_adjoint(t, y, p, v, q) takes q.
+template <class Problem, class Vector, class P, class Matrix, class S = typename Vector::Scalar>
+concept parameter_jacobian_takes_copy = requires(const Problem& f, const S& t, const Vector& y, const P& p) {
+    f.parameter_jacobian(t, y, p, std::declval<Matrix>());
+}
+&&(!requires(const Problem& f, const S& t, const Vector& y, const P& p, passed_by_reference<Matrix>& F) {
+    f.parameter_jacobian(t, y, p, F);
+} ||
+   std::is_same_v<typename last_parameter<decltype(&Problem::parameter_jacobian)>::type, Matrix>);
+template <class Problem, class Vector, class P, class S = typename Vector::Scalar>
+concept parameter_adjoint_takes_copy = requires(const Problem& f, const S& t, const Vector& y, const P& p) {
+    f.parameter_adjoint(t, y, p, y, std::declval<P>());
+}
+&&(!requires(const Problem& f, const S& t, const Vector& y, const P& p, passed_by_reference<P>& q) {
+    f.parameter_adjoint(t, y, p, y, q);
+} ||
+   std::is_same_v<typename last_parameter<decltype(&Problem::parameter_adjoint)>::type, P>);
+
+/// Refuses a problem(t, y, p, f) of which what it writes is lost.
+template <class Problem, class Vector, class Parameters>
+struct checked_outputs {
+    using matrix = typename parameter_derivatives<Problem, Vector, Parameters>::matrix;
+    static_assert(
+        writes_into<const Problem, Vector, typename Vector::Scalar, Vector, Parameters>,
+        "sensitivities and adjoint_gradient: the problem takes f by value, or const, and what it writes is "
+        "lost: write `Vector& f` or `auto& f`");
+    static_assert(
+        !parameter_jacobian_takes_copy<Problem, Vector, Parameters, matrix>,
+        "problem.parameter_jacobian(t, y, p, F) takes F by value, and what it writes is lost: write "
+        "`Matrix& F` or `auto& F`");
+    static_assert(
+        !parameter_adjoint_takes_copy<Problem, Vector, Parameters>,
+        "problem.parameter_adjoint(t, y, p, v, q) takes q by value, and what it writes is lost: write "
+        "`Vector& q` or `auto& q`");
 };
 
 /// A Problem with its parameters, and with jacobian(t, y, J) where it has jacobian(t, y, p, J).
