@@ -4,9 +4,14 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/observe/progress.hpp>
+#include <stagecraft/observe/table.hpp>
 #include <stagecraft/states.hpp>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace sc = stagecraft;
@@ -103,4 +108,47 @@ BOOST_AUTO_TEST_CASE(complex_states_are_pairs_of_real_ones) {
     };
     const auto z = sc::integrate(method, mirror, std::vector<complex<double>>{{1, 1}}, 0, 1, o).y[0];
     BOOST_TEST(std::abs(z - complex<double>(std::exp(-1.0), std::exp(1.0))) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_state_of_any_kind_is_written_as_a_table) {
+    const auto last_of = [](const std::ostringstream& table) {
+        std::string text = table.str();
+        text.pop_back();
+        return text.substr(text.rfind('\n') + 1);
+    };
+    const auto head_of = [](const std::ostringstream& table) {
+        return table.str().substr(0, table.str().find('\n'));
+    };
+    const sc::options<double> o{.fixed_step = 0.25};
+    double t = 0, x = 0, y = 0;
+    char comma;
+    std::ostringstream number, turn, several, by_hand, objects;
+    const auto decay = [](double, double y) { return -y; };
+    const double end = sc::integrate(sc::radau_iia<3>(), decay, 1.0, 0, 1, o, sc::csv(number, {"a"})).y;
+    BOOST_TEST(head_of(number) == "t,a");
+    std::istringstream(last_of(number)) >> t >> comma >> x;
+    BOOST_TEST((t == 1 && x == end));
+    // z' = i z: the real part first.
+    using complex = std::complex<double>;
+    const auto rotation = [](double, const complex& z) { return complex(0, 1) * z; };
+    const complex z =
+        sc::integrate(sc::radau_iia<3>(), rotation, complex(1, 0), 0, 1, o, sc::csv(turn, {"re", "im"})).y;
+    BOOST_TEST(head_of(turn) == "t,re,im");
+    std::istringstream(last_of(turn)) >> t >> comma >> x >> comma >> y;
+    BOOST_TEST((t == 1 && x == z.real() && y == z.imag()));
+    BOOST_TEST(std::abs(x - std::cos(1.0)) < 1e-6);
+    const auto swing = [](double, const std::array<double, 2>& y) {
+        return std::array<double, 2>{y[1], -y[0]};
+    };
+    sc::integrate(sc::radau_iia<3>(), swing, std::array<double, 2>{0, 1}, 0, 1, o, sc::csv(several));
+    BOOST_TEST(head_of(several) == "t,y0,y1");
+    auto row = sc::csv(by_hand);
+    row(1, std::array<complex, 2>{complex(0.1, 2), complex(3, -4)});  // a t without digits costs y none
+    BOOST_TEST(by_hand.str() == "t,y0,y1,y2,y3\n1,0.10000000000000001,2,3,-4\n");
+    auto one_name = sc::csv(by_hand, {"z"});
+    BOOST_CHECK_THROW(one_name(0.5, complex(1, 2)), std::invalid_argument);
+    auto object = sc::json_lines(objects);
+    object(0.5, std::numeric_limits<double>::infinity());
+    object(1.5, 2.5);
+    BOOST_TEST(objects.str() == "{\"t\": 0.5, \"y0\": null}\n{\"t\": 1.5, \"y0\": 2.5}\n");
 }

@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
+#include <complex>
+#include <cstddef>
 #include <limits>
 #include <locale>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace stagecraft {
+
+namespace detail {
+template <class T>
+inline constexpr bool is_complex_number = false;
+template <class T>
+inline constexpr bool is_complex_number<std::complex<T>> = true;
+
+/// Calls take(x) with every real number of a state: it is a number, or has several; a complex one is two, real part first.
+template <class State, class Take>
+void each_number(const State& y, const Take& take) {
+    if constexpr (is_complex_number<State>) {
+        take(y.real());
+        take(y.imag());
+    } else if constexpr (requires { y[0]; }) {
+        for (const auto& component : y) each_number(component, take);
+    } else {
+        take(y);
+    }
+}
+}  // namespace detail
 
 /// How a table_writer writes a row.
 enum class table_form { csv, json_lines };
@@ -28,35 +50,52 @@ class table_writer {
     }
 
     /// The head of the table, and the row of the initial state.
-    template <class Scalar, class Vector>
-    void start(const Scalar& t0, const Vector& y0, const Scalar&) {
-        head(y0.size());
+    template <class Scalar, class State>
+    void start(const Scalar& t0, const State& y0, const Scalar&) {
+        head(y0);
         (*this)(t0, y0);
     }
     /// A row. Begins the table where there was no run to do it. std::invalid_argument where y has not as many
-    /// components as there are names.
-    template <class Scalar, class Vector>
-    void operator()(const Scalar& t, const Vector& y) {
-        if (!begun_) head(y.size());
-        if (static_cast<std::size_t>(y.size()) != names_.size())
-            throw std::invalid_argument("table: there must be a name for every component of y");
+    /// numbers as there are names.
+    template <class Scalar, class State>
+    void operator()(const Scalar& t, const State& y) {
+        if (!begun_) head(y);
+        if (count(y) != names_.size())
+            throw std::invalid_argument(
+                "table: there must be a name for every component of y, two for a complex one");
         std::ostringstream row;
         row.imbue(std::locale::classic());
-        row.precision(std::numeric_limits<Scalar>::max_digits10);
         const bool json = form_ == table_form::json_lines;
-        row << (json ? "{\"t\": " : "") << t;
-        for (Eigen::Index i = 0; i < y.size(); ++i) {
-            row << (json ? ", \"" + names_[static_cast<std::size_t>(i)] + "\": " : ",");
-            row << y[i];
-        }
+        const auto write = [&](const auto& x) {
+            using number = std::remove_cvref_t<decltype(x)>;
+            row.precision(std::numeric_limits<number>::max_digits10);
+            if (json && !(x - x == number(0)))
+                row << "null";  // JSON has no other numbers than finite ones
+            else
+                row << x;
+        };
+        row << (json ? "{\"t\": " : "");
+        write(t);
+        auto name = names_.begin();
+        detail::each_number(y, [&](const auto& x) {
+            row << (json ? ", \"" + *name++ + "\": " : ",");
+            write(x);
+        });
         *out_ << row.str() << (json ? "}\n" : "\n");
     }
 
   private:
-    void head(Eigen::Index n) {
+    template <class State>
+    static std::size_t count(const State& y) {
+        std::size_t n = 0;
+        detail::each_number(y, [&](const auto&) { ++n; });
+        return n;
+    }
+    template <class State>
+    void head(const State& y) {
         begun_ = true;
         if (names_.empty())
-            for (Eigen::Index i = 0; i < n; ++i) names_.push_back("y" + std::to_string(i));
+            for (std::size_t i = 0; i < count(y); ++i) names_.push_back("y" + std::to_string(i));
         if (form_ == table_form::json_lines) return;
         *out_ << 't';
         for (const auto& name : names_) *out_ << ',' << name;
@@ -75,13 +114,14 @@ class table_writer {
 ///     std::ofstream file("run.csv");
 ///     integrate(method, problem, y0, t0, t1, options, csv(file, {"position", "speed"}));
 ///
-/// At other times, by hand: auto row = csv(file); for (double t : times) row(t, solution(t)). The stream is not copied.
+/// y is a state of any kind. A complex number is two columns, its real part and its imaginary part, with a name each: {"re z",
+/// "im z"}. At other times, by hand: auto row = csv(file); for (double t : times) row(t, solution(t)). The stream is not copied.
 /// std::invalid_argument for names that need quoting, or as many as do not suit y.
 inline table_writer csv(std::ostream& out, std::vector<std::string> names = {}) {
     return {out, std::move(names), table_form::csv};
 }
 
-/// The same with an object of JSON on each line, {"t": 0, "y0": 1, ...}.
+/// The same with an object of JSON on each line, {"t": 0, "y0": 1, ...}; null stands for numbers that are not finite.
 inline table_writer json_lines(std::ostream& out, std::vector<std::string> names = {}) {
     return {out, std::move(names), table_form::json_lines};
 }
