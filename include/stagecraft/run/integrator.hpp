@@ -77,7 +77,7 @@ class integrator {
     const scalar& t() const { return t_; }
     const Vector& y() const { return y_; }
     /// The continuous solution over the last accepted step; there is none before the first.
-    const output_type& output() const { return outputs_[current_]; }
+    const output_type& output() const { return *output_; }
     const options<scalar>& given_options() const { return options_; }
     /// The report so far.
     const report<scalar>& counts() const { return report_; }
@@ -108,7 +108,7 @@ class integrator {
     void replace_state(const Vector& y) {
         if (y.size() != n_ || !all_finite(y, n_, system_.sums()))
             throw std::invalid_argument("integrate: the corrected state must be finite and of the same size");
-        if (has_output_) outputs_[current_].move_end(y - y_);
+        if (has_output_) output_->move_end(y - y_);
         y_ = y;
         norm_.at(y_);
         f_.forget();
@@ -121,7 +121,7 @@ class integrator {
         std::apply([&](auto&... m) { (bag.same(m.count(), "method"), ...); }, steps_);
         bag(h_, started_, has_output_, report_, plan_, judge_, linear_, extrapolation_, f_, system_);
         std::apply([&](auto&... m) { bag(m...); }, steps_);
-        if (has_output_) bag(outputs_[current_]);
+        if (has_output_) bag(*output_);
         if constexpr (Bag::unpacks)
             linear_.factor_again([&](int k, const scalar& h) {
                 detail::visit_at(steps_, k, [&](auto& m) { m.stages().factor(system_, h); });
@@ -232,7 +232,7 @@ class integrator {
         unsolved_before_ = report_.linear_failures;
         if (plan.obstacle != status::success)
             return give_up(plan.obstacle == status::step_underflow ? obstacle_ : plan.obstacle);
-        output_type& now = outputs_[1 - current_];
+        output_type& now = *tried_;
 
         const linear_state linear = linearise(method, plan.h);
         if (linear == linear_state::forbidden) return refuse_forbidden(plan);
@@ -241,8 +241,7 @@ class integrator {
         method.advance(y_, now, y1_);
         if (plan_.fixed()) return accept(method, plan, now);
 
-        const solved_step<Vector, output_type> vectors{y_, f_, y1_, now, error_};
-        measured_step measured(method, system_, norm_, vectors, report_);
+        measured_step measured(method, system_, norm_, y_, now, f_, y1_, error_, report_);
         measured.t = t_;
         measured.h = plan.h;
         measured.t_next = plan.t_next;
@@ -260,7 +259,7 @@ class integrator {
 
     /// Evaluates what the stages need at the left end, the Jacobian if it is wanted, and factors.
     template <class Step>
-    linear_state linearise(Step& method, const scalar& h) {
+    [[gnu::always_inline]] linear_state linearise(Step& method, const scalar& h) {
         using std::abs;
         if (needs_left_value(method)) f_.left(system_, t_, y_);
         norm_.over(h);
@@ -268,16 +267,14 @@ class integrator {
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
             const bool ahead = extrapolates() && refused_.all == 0 && !plan_.fixed();
-            linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? &outputs_[current_] : nullptr,
-                             ahead, options_, y1_);
+            linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? output_ : nullptr, ahead, options_,
+                             y1_);
             judge_.linearised();
         }
-        if (report_.steps == 0 && refused_.all == 0 && !method.forgets())
-            demand_consistent_start(
-                system_, [&]() -> const Vector& { return f_.left(system_, t_, y_); }, norm_.of_state(),
-                scalar(plan_.fixed() ? 1000 : 10));
-        const scalar last = extrapolates() ? outputs_[current_].step() : scalar(0);
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
+        if (report_.steps == 0 && refused_.all == 0 && !method.forgets())
+            demand_consistent_start(system_, slope, norm_.of_state(), scalar(plan_.fixed() ? 1000 : 10));
+        const scalar last = extrapolates() ? output_->step() : scalar(0);
         const factored_step tried{system_, method.stages(), slope, norm_, h, 2 * abs(h) > 3 * abs(last)};
         return linear_.factor(
             system_, method.stages(), h, judge_.method(),
@@ -287,13 +284,14 @@ class integrator {
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
     /// step, which cannot be repeated with a smaller one, by homotopy where that fails.
     template <class Step>
-    newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear, output_type& now) {
+    [[gnu::always_inline]] newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear,
+                                                        output_type& now) {
         newton_outcome<scalar> newton;
         newton_limits<scalar> limits{};
         if (method.iterates()) limits = newton_limits_for(method.coupled_stages_count(), h);
         if (linear == linear_state::factored) {
-            newton = solve_from_guess(method, system_, extrapolates() ? &outputs_[current_] : nullptr, t_, y_,
-                                      h, norm_, limits, now, report_.solves);
+            newton = solve_from_guess(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h, norm_,
+                                      limits, now, report_.solves);
         }
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
             if (solve_by_homotopy(method, system_, t_, y_, h, norm_, limits, now, report_, newton))
@@ -368,7 +366,7 @@ class integrator {
 
     /// Moves to the end of the step.
     template <class Step>
-    progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
+    [[gnu::always_inline]] progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
         using std::abs;
         if (!system_.finite(y1_)) return give_up(status::non_finite);
         if (method.ends_with_value()) {
@@ -393,7 +391,7 @@ class integrator {
         extrapolation_.stepped();
         linear_.stepped(system_);
         report_.count_step(abs(plan.h), method.count());
-        current_ = 1 - current_;
+        std::swap(output_, tried_);
         t_ = plan.t_next;
         y_ = y1_;
         norm_.at(y_);
@@ -432,7 +430,7 @@ class integrator {
     Vector y_, y1_, error_;
     end_slope<Vector> f_;
     std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
-    int current_ = 0;
+    output_type *output_ = &outputs_[0], *tried_ = &outputs_[1];
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
     refusals<scalar> refused_;
     bool keeps_output_, started_ = false, has_output_ = false;

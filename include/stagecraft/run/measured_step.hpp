@@ -13,28 +13,29 @@
 
 namespace stagecraft {
 
-/// An attempt at a step from (t, y) to (t1, y1) whose stage equations are solved: where its vectors are.
-template <class Vector, class Output>
-struct solved_step {
-    using scalar = typename Vector::Scalar;
-    const Vector& y;
-    end_slope<Vector>& f;  ///< f at one of the ends
-    Vector& y1;
-    Output& now;    ///< the stages, later the continuous solution
-    Vector& error;  ///< room for estimates
-};
-
-/// The facts of such an attempt, and what the judge and its guards may ask to be measured: vectors in, numbers out, in the
-/// norm whose tolerance is 1. Nothing is measured that is not asked for, and each question is put once.
-template <class Method, class System, class Norm, class Vectors>
+/// An attempt at a step from (t, y) to (t1, y1) whose stage equations are solved: its facts, and what the judge and its guards
+/// may ask to be measured: vectors in, numbers out, in the norm whose tolerance is 1. Nothing is measured that is not asked
+/// for, and each question is put once.
+template <class Method, class System, class Norm>
 class measured_step : public step_facts<typename System::scalar> {
     using scalar = typename System::scalar;
-    using vector = std::remove_cvref_t<decltype(std::declval<Vectors>().y1)>;
+    using vector = typename Method::vector;
+    using output = typename Method::output;
 
   public:
-    measured_step(Method& method, System& system, const Norm& norm, const Vectors& vectors,
-                  report<scalar>& counts)
-        : method_(method), system_(system), norm_(norm), at_(vectors), counts_(counts) {
+    /// `now` holds the stages, later the continuous solution; f what is known at one of the ends; error is room for
+    /// estimates.
+    measured_step(Method& method, System& system, const Norm& norm, const vector& y, const output& now,
+                  end_slope<vector>& f, vector& y1, vector& error, report<scalar>& counts)
+        : method_(method),
+          system_(system),
+          norm_(norm),
+          y_(y),
+          now_(now),
+          f_(f),
+          y1_(y1),
+          error_(error),
+          counts_(counts) {
         this->first = counts.steps == 0;
         this->stages = method.count();
         this->power = method.estimate_power();
@@ -46,38 +47,37 @@ class measured_step : public step_facts<typename System::scalar> {
 
     /// The method's estimate; with components of index 2 and 3, compared with the state at the start as well.
     [[gnu::always_inline]] scalar estimate() {
-        counts_.error_solves += method_.estimate(system_, this->h, at_.f.value(), at_.now, at_.error);
+        counts_.error_solves += method_.estimate(system_, this->h, f_.value(), now_, error_);
         if (this->index > 1) {
             const scalar s = scalar(this->power - 1);
-            method_.compare_with_start(system_, at_.now, s / (s + scalar(1)) / this->share, at_.error);
+            method_.compare_with_start(system_, now_, s / (s + scalar(1)) / this->share, error_);
         }
         return last_ = size();
     }
     /// The same once more filtered.
     scalar estimate_again() {
         this->once = last_;
-        counts_.error_solves +=
-            method_.estimate_again(system_, this->t, at_.y, this->h, at_.now, at_.y1, at_.error);
-        if (this->first && this->refused.all > 0) method_.without_start(system_, at_.now, at_.error);
-        method_.advance(at_.y, at_.now, at_.y1);
+        counts_.error_solves += method_.estimate_again(system_, this->t, y_, this->h, now_, y1_, error_);
+        if (this->first && this->refused.all > 0) method_.without_start(system_, now_, error_);
+        method_.advance(y_, now_, y1_);
         return size();
     }
     /// The one that is made at the right end, 0 where there is none.
     [[gnu::always_inline]] scalar estimate_right() {
         if (!method_.needs_right_value()) return scalar(0);
-        const auto& f1 = at_.f.right(system_, this->t_next, at_.y1);
-        const int solves = method_.estimate_right(system_, this->h, f1, at_.now, at_.error);
+        const auto& f1 = f_.right(system_, this->t_next, y1_);
+        const int solves = method_.estimate_right(system_, this->h, f1, now_, error_);
         counts_.error_solves += solves;
-        return solves > 0 ? scalar(norm_(at_.error) * method_.right_ratio(this->ratio)) : scalar(0);
+        return solves > 0 ? scalar(norm_(error_) * method_.right_ratio(this->ratio)) : scalar(0);
     }
     /// The size of the estimate made last, as step.ratio and step.share have it now.
     [[gnu::always_inline]] scalar size() {
         return method_.error_size(
-            system_, at_.now, this->ratio, at_.error, counts_.error_solves,
+            system_, now_, this->ratio, error_, counts_.error_solves,
             [this](const vector& x, bool reduced) { return reduced ? follow(x) : judged(x); });
     }
     /// The same if this step had made all of the estimate in components of index 2 and 3.
-    scalar size_with_share_one() const { return norm_.shared(at_.error, of_index(scalar(1))) * this->ratio; }
+    scalar size_with_share_one() const { return norm_.shared(error_, of_index(scalar(1))) * this->ratio; }
     /// The error of what the problem carries along, where it is more than y (system::further_error).
     scalar further() { return system_.further_error(method_, *this); }
 
@@ -91,7 +91,7 @@ class measured_step : public step_facts<typename System::scalar> {
     scalar ratio_across_jump() const { return method_.jump_ratio(this->smooth); }
     /// True if some component of y' is the same at all nodes, and not zero; on any process.
     bool has_constant_slope() {
-        scalar seen(method_.sees_constant_slope(at_.now) ? 1 : 0);
+        scalar seen(method_.sees_constant_slope(now_) ? 1 : 0);
         norm_.sums()(&seen, 1);
         return seen > scalar(0);
     }
@@ -105,11 +105,11 @@ class measured_step : public step_facts<typename System::scalar> {
     scalar sign_at_blind_spots(const scalar& notable) {
         scalar largest(0);
         for (int g = 0; g < blind_spots(); ++g) {
-            method_.weigh_slopes(g, this->h, at_.error);
-            scalar next = judged(at_.error);
-            for (int k = 0; k < 2 && next > notable && method_.damp(system_, at_.error); ++k) {
+            method_.weigh_slopes(g, this->h, error_);
+            scalar next = judged(error_);
+            for (int k = 0; k < 2 && next > notable && method_.damp(system_, error_); ++k) {
                 ++counts_.error_solves;
-                next = judged(at_.error);
+                next = judged(error_);
             }
             largest = larger(largest, next);
         }
@@ -117,14 +117,14 @@ class measured_step : public step_facts<typename System::scalar> {
     }
     /// About the largest error of the continuous solution over the step.
     bool knows_output_error() const { return method_.knows_output_error(); }
-    scalar output_error() { return method_.output_error(at_.now, norm_); }
+    scalar output_error() { return method_.output_error(now_, norm_); }
     /// (M/(h a) - J)^-1 of the defect of the continuous solution in the middle of the widest gap between nodes and ends.
     /// Algebraic components, whose start need not be consistent, are left out: the solve takes what they do to the others
     /// away. One evaluation of f, one solve.
     scalar error_between_nodes() {
         if (!method_.implicit()) return scalar(0);
-        auto u = at_.now;
-        method_.finish(this->t, at_.y, this->h, at_.y1, u);
+        auto u = now_;
+        method_.finish(this->t, y_, this->h, y1_, u);
         const scalar t = this->t + this->h * farthest_from(u.nodes());
         vector error(system_.size());
         system_(t, u(t), error);
@@ -137,10 +137,14 @@ class measured_step : public step_facts<typename System::scalar> {
 
     // What the choice among several methods asks.
 
-    scalar decay() { return method_.decay(at_.now, norm_); }
+    scalar decay() { return method_.decay(now_, norm_); }
     auto linear_work() { return method_.stages().linear_work(system_); }
 
-    const Vectors& vectors() const { return at_; }
+    // What the problem asks for what it carries along (further_error).
+
+    const vector& y() const { return y_; }
+    const vector& y1() const { return y1_; }
+    const output& now() const { return now_; }
 
   private:
     /// What an estimate counts in components of index 2 and 3, whose errors are of its own order.
@@ -189,7 +193,10 @@ class measured_step : public step_facts<typename System::scalar> {
     Method& method_;
     System& system_;
     const Norm& norm_;
-    const Vectors& at_;
+    const vector& y_;
+    const output& now_;
+    end_slope<vector>& f_;
+    vector &y1_, &error_;
     report<scalar>& counts_;
     scalar last_{0};
 };

@@ -77,15 +77,14 @@ class forward_steps {
     template <class System, class Method, class Step>
     scalar error(System& system, Method& method, const Step& step) {
         if (!controlled_) return scalar(0);
-        const auto& at = step.vectors();
-        auto now = at.now;
-        method.finish(step.t, at.y, step.h, at.y1, now);
+        auto now = step.now();
+        method.finish(step.t, step.y(), step.h, step.y1(), now);
         if (!solve(method.stages(), now)) return refused();
         const int s = method.count();
         const scalar ratio = method.estimate_ratio(at_.tolerance());
         scalar largest(0);
         long solves = 0;
-        auto column = at.now;
+        auto column = step.now();
         for (Eigen::Index k = 0; k < S_.cols(); ++k) {
             column.increments().leftCols(s) = Z_.middleCols(k * s, s);
             weigh(k);

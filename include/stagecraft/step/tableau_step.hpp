@@ -47,6 +47,7 @@ class tableau_step : public step_defaults<Space> {
           v_(method, n),
           is_(known_.structure),
           sequential_(method, n, !is_.lower),
+          implicit_(!is_.lower || sequential_.implicit()),
           coupled_(method, n, is_),
           output_(method.stages()),
           left_slope_(n),
@@ -127,7 +128,7 @@ class tableau_step : public step_defaults<Space> {
     bool has_stage_order_two() const { return stagecraft::has_stage_order_two(v_.method); }
     bool forgets() const { return is_.forgets(); }
     /// False if no stage needs a Jacobian.
-    bool implicit() const { return !is_.lower || sequential_.implicit(); }
+    bool implicit() const { return implicit_; }
     bool iterates() const { return implicit(); }
     /// True if the next step uses f at its left end.
     bool needs_left_value(bool) const {
@@ -380,6 +381,7 @@ class tableau_step : public step_defaults<Space> {
     stage_slopes<vector, Stages, blocks> v_;
     tableau_structure is_;
     sequential_stages<vector, Stages, blocks> sequential_;
+    bool implicit_;
     coupled_stages<vector, Stages, blocks> coupled_;
     stage_output<Stages, Space> output_;
     blind_spots<Scalar> blind_;

@@ -38,7 +38,8 @@ class phase_guard : public guard_defaults {
         using std::pow;
         Scalar expected = step.last.error / last_ / 4;
         const Scalar shorter = abs(step.h / step.last.h);
-        if (shorter < Scalar(1)) expected *= Scalar(pow(shorter, Scalar(step.stages - 1)));
+        if (shorter < Scalar(1))
+            expected *= step.stages == 3 ? shorter * shorter : Scalar(pow(shorter, Scalar(step.stages - 1)));
         return larger(error, expected < Scalar(1) ? Scalar(expected * now_) : now_);
     }
     template <class Step>
