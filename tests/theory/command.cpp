@@ -86,6 +86,18 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_on_stderr_and_exit_2) {
     BOOST_TEST(run("--help").status == 0);
 }
 
+BOOST_AUTO_TEST_CASE(collocate_names_its_option_reads_short_decimals_and_nodes_near_the_ends) {
+    refused("collocate --nodes -1,2", "stagecraft: --nodes: must lie in [0, 1], one of them is -1");
+    refused("collocate --nodes 0,0,1", "stagecraft: --nodes: must be distinct, 0 is repeated");
+    BOOST_TEST(run("collocate --nodes 0.5,1.0").output == run("collocate --nodes 1/2,1").output);
+    BOOST_TEST(run("collocate --nodes 0.5,1.0").status == 0);
+    BOOST_TEST(run("collocate --nodes 0.2113248654,1").status == 2);
+    for (const char* node : {"1/10^48", "1/10^60", "1/10^80", "1-1/10^80"}) {
+        const result near = run(std::string("collocate --nodes ") + node + ",1/2", true);
+        BOOST_TEST(near.status == 0, node << ": " << near.output);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(exercise_lists_twelve_kinds_and_prints_text_latex_and_json) {
     const result list = run("exercise");
     BOOST_TEST(list.status == 0);

@@ -19,6 +19,8 @@ namespace {
 using namespace stagecraft;
 
 constexpr int most_nodes = 30;
+/// Decimals of at most two digits are exact nodes, as they are in a file that has no longer ones.
+constexpr tableaux::exact_decimals short_decimals{2, 2};
 
 /// Product of x - c over the nodes c, which may be surds as long as it has rational coefficients (conjugates
 /// come together).
@@ -30,7 +32,7 @@ tableaux::nodal_polynomial from_nodes(const std::string& list) {
     for (std::string text; std::getline(nodes, text, ',');) {
         tableaux::entry c;
         try {
-            c = tableaux::read_entry(text);
+            c = tableaux::read_entry(text, short_decimals);
         } catch (const std::invalid_argument& e) {
             throw std::invalid_argument("--nodes: '" + text + "' " + e.what());
         }
@@ -38,6 +40,8 @@ tableaux::nodal_polynomial from_nodes(const std::string& list) {
             throw std::invalid_argument("--nodes: '" + text +
                                         "' is not exact: a rounded node is another method; give " +
                                         "a fraction, a surd or --polynomial");
+        if (*c.exact < tableaux::quadratic(0) || *c.exact > tableaux::quadratic(1))
+            throw std::invalid_argument("--nodes: must lie in [0, 1], one of them is " + text);
         if (++count > most_nodes)
             throw std::invalid_argument("--nodes: more than " + std::to_string(most_nodes));
         try {
@@ -110,7 +114,7 @@ const tool::command collocate{[](CLI::App& app) {
     const auto r = std::make_shared<request>();
     auto* sub =
         app.add_subcommand("collocate", "Tableau and certificate of the collocation method on given nodes");
-    sub->add_option("--nodes", r->nodes, "distinct exact nodes in [0, 1]: 0,1/3,1");
+    sub->add_option("--nodes", r->nodes, "distinct exact nodes in [0, 1]: 0,1/3,1 or 0.5,1.0");
     sub->add_option("--polynomial", r->polynomial, "or the polynomial in x whose roots they are");
     sub->add_flag("--json", r->json, "print JSON instead of text");
     sub->callback([r] { run(*r); });

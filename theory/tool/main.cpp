@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // The command `stagecraft`. Every other source file here declares its subcommands itself (command.hpp).
 // Exit status: 0 done; 1 the command says so (a claim refuted, files that differ, an internal error); 2 bad
-// input; 3 `certify` only: a claim is beyond what the digits given can test.
+// input; 3 not decided: a claim is beyond what the digits given can test, or enclosures stayed too wide.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <stagecraft/tableaux/precision.hpp>
 #include <string>
 
 #include "clock.hpp"
@@ -61,7 +62,8 @@ int main(int argc, char** argv) {
     app.footer(
         "Theorems are cited by authors and place, as Hairer-Wanner II.IV.5; theory/BIBLIOGRAPHY.md has them "
         "in full.\n"
-        "Exit code: 0 done; 1 refuted, or different; 2 bad input; 3 beyond what the digits given can test");
+        "Exit code: 0 done; 1 refuted, or different; 2 bad input; 3 not decided: beyond what the digits "
+        "given can test, say");
     app.require_subcommand(1);
     app.set_version_flag("--version", "stagecraft " STAGECRAFT_VERSION);
     app.fallthrough();
@@ -82,6 +84,9 @@ int main(int argc, char** argv) {
         return complain(std::string(e.what()) + "; allowed: " + allowed(app));
     } catch (const std::invalid_argument& e) {
         return complain(e.what());
+    } catch (const stagecraft::tableaux::undecided& e) {
+        std::cerr << "stagecraft: not decided: " << e.what() << '\n';
+        return 3;
     } catch (const std::exception& e) {
         std::cerr << "stagecraft: " << e.what() << '\n';
         return 1;

@@ -30,6 +30,7 @@ inline std::optional<std::vector<quadratic>> exact_nodes(const nodal_polynomial&
         rest = rest / polynomial<rational>{-q, 1};
     }
     if (rest.degree() > 2) return {};
+    if (rest.degree() == 1) nodes.emplace_back(-rest[0]);
     if (rest.degree() == 2) {
         const auto root = exact_sqrt(rest[1] * rest[1] - 4 * rest[0]);
         if (!root) return {};

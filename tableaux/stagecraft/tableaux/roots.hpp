@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/tableaux/nodal.hpp>
+#include <stagecraft/tableaux/range.hpp>
 #include <stagecraft/tableaux/sturm.hpp>
 #include <stdexcept>
 #include <string>
@@ -122,12 +123,60 @@ inline ball exact_ball(double x, int bits) {
     return {ball::mantissa(static_cast<std::int64_t>(std::ldexp(f, 53))), e - 53, 0, bits};
 }
 
+/// Where Newton's method starts for a zero, how many bits tell it from its neighbours, and how far away (2^-apart) the next number is among the
+/// zeros, 0 and 1.
+struct start {
+    ball x;
+    int bits = 128;
+    int apart = 29;
+};
+
+/// The real zeros in (0, 1) as intervals so narrow that no two of them, 0 and 1 are nearer than 2^-apart, and their
+/// width is 2^-80 of that at most.
+struct separated {
+    std::vector<isolated_root<rational>> roots;
+    int apart = 0;
+    explicit separated(const polynomial<rational>& w) : roots(isolate_real_roots(w)) {
+        std::erase_if(roots, [](const auto& r) {
+            return r.high <= 0 || r.low >= 1 || (r.exact() && (r.low == 0 || r.low == 1));
+        });
+        for (int fine = 100;; fine *= 2) {
+            for (auto& r : roots) r = refine(w, r, scaled(rational(1), -fine));
+            apart = 1;
+            for (std::size_t i = 0; i <= roots.size(); ++i) {
+                const rational gap = (i < roots.size() ? roots[i].low : rational(1)) -
+                                     (i > 0 ? roots[i - 1].high : rational(0));
+                apart = std::max(apart, gap > 0 ? 1 - binary_exponent(gap) : fine);
+            }
+            if (apart + 80 <= fine) break;
+        }
+    }
+};
+
+/// Starts at the zeros of a user's w in (0, 1): w is rounded by 2^-bits, a zero by that over the
+/// slope, which is to be 2^-128 of the distance to the next zero.
+inline std::vector<start> starts(const polynomial<rational>& w, int bits) {
+    const separated all(w);
+    const auto slope = derivative(w);
+    std::vector<start> found;
+    for (const auto& r : all.roots) {
+        const rational x = (r.low + r.high) / 2, steep = slope(x);
+        const int flat = steep == 0 ? all.apart : std::max(0, 1 - binary_exponent(steep));
+        found.push_back(
+            {ball(x, std::max(bits, 4 * all.apart)).midpoint(), 128 + all.apart + flat, all.apart});
+    }
+    return found;
+}
+
 /// A ball of radius r = 2 |w| / |w'| around a Newton limit, proved to hold a zero of w by certain and
 /// opposite signs of w at its two ends. Throws undecided where the signs cannot be told.
-inline ball certified(const std::vector<ball>& w, ball x, int bits) {
-    const int s = static_cast<int>(w.size()) - 1;
-    for (int p = 128;; p = std::min(2 * p, bits)) {  // Newton, the precision doubling with the digits
-        for (int repeat = 0; repeat < (p == 128 || p == bits ? 2 : 1); ++repeat) {
+inline ball certified(const std::vector<ball>& w, const start& from, int bits) {
+    const int s = static_cast<int>(w.size()) - 1, first = std::min(from.bits, bits);
+    int last = 2;  // steps with all bits: the digits double from 128 bits below the distance, not from 0
+    for (int p = first; p > 128; p /= 2) ++last;
+    ball x = from.x;
+    for (int p = first;; p = std::min(2 * p, bits)) {  // Newton, the precision doubling with the digits
+        for (int repeat = 0; repeat < (p == bits ? last : p == first ? 2 : 1); ++repeat) {
             const auto table = legendre_values(x.with_bits(p + 64).midpoint(), s, true);
             const ball slope = legendre_sum(w, table.slope).midpoint();
             if (!certainly_nonzero(slope)) throw undecided("nodes: Newton's method met a zero slope");
@@ -157,36 +206,32 @@ inline ball certified(const std::vector<ball>& w, ball x, int bits) {
 
 }  // namespace zeros
 
-/// Enclosures of the nodes c_1 < ... < c_s, the zeros of w, computed with `bits` bits; their radii are about
-/// s^2 2^-bits for a family. Nodes 0, 1/2 and 1 are exact. The proof: s disjoint balls, each holding a sign
+/// Enclosures of the nodes c_1 < ... < c_s, the zeros of w, computed with `bits` bits (more where a user's w needs them
+/// to tell its zeros from one another); their radii are about s^2 2^-bits for a family. Nodes 0, 1/2 and 1 are exact. The proof: s disjoint balls, each holding a sign
 /// change of a polynomial of degree s. Throws undecided where the precision does not suffice for that.
 /// Cost O(s^2).
 inline std::vector<ball> enclose_nodes(const nodal_polynomial& w, int bits) {
     const int s = w.degree();
-    const std::vector<ball> coordinates = enclosed(w.legendre(), bits);
     const auto vanishes = [&](const rational& x) { return w.monomial()(x) == 0; };
     const bool left = vanishes(0), right = vanishes(1), middle = vanishes(rational(1, 2));
-    std::vector<ball> nodes;
-    if (left) nodes.push_back(ball(0).with_bits(bits));
-    const auto add = [&](const ball& start) {
-        const bool half =
-            middle && compare(abs(start - ball(rational(1, 2), 64)), ball(rational(1, 1 << 30), 64)) < 0;
-        nodes.push_back(half ? ball(1).scaled(-1).with_bits(bits)
-                             : zeros::certified(coordinates, start, bits));
-    };
+    std::vector<zeros::start> found;
     if (w.family()) {
         std::vector<double> approximate_w;
         for (const rational& q : w.legendre()) approximate_w.push_back(q.to<double>());
         const auto interior = static_cast<std::size_t>(s - (left ? 1 : 0) - (right ? 1 : 0));
-        for (const double x : zeros::approximate(approximate_w, interior)) add(zeros::exact_ball(x, bits));
+        for (const double x : zeros::approximate(approximate_w, interior))
+            found.push_back({zeros::exact_ball(x, bits)});
     } else {
-        for (const auto& root : isolate_real_roots(w.monomial())) {
-            if (root.high <= 0 || root.low >= 1) continue;
-            const auto fine = refine(w.monomial(), root, rational(integer(1), integer(1) << 80));
-            const rational x = (fine.low + fine.high) / rational(2);
-            if (fine.exact() && (x == 0 || x == 1)) continue;
-            add(ball(x, bits).midpoint());
-        }
+        found = zeros::starts(w.monomial(), bits);
+        for (const auto& start : found) bits = std::max(bits, start.bits);
+    }
+    const std::vector<ball> coordinates = enclosed(w.legendre(), bits);
+    std::vector<ball> nodes;
+    if (left) nodes.push_back(ball(0).with_bits(bits));
+    for (const auto& start : found) {
+        const ball half = ball(1).scaled(-1).with_bits(bits);
+        const bool met = middle && compare(abs(start.x - half), ball(1).scaled(-start.apart - 1)) < 0;
+        nodes.push_back(met ? half : zeros::certified(coordinates, start, bits));
     }
     if (right) nodes.push_back(ball(1).with_bits(bits));
     if (static_cast<int>(nodes.size()) != s) throw undecided("nodes: a zero is missing");
