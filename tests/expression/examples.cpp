@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <map>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/tableaux/fixed_rational.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
@@ -51,6 +52,131 @@ tableau<K, 2> radau_iia_2() {
     return t;
 }
 
+/// Reads what latex() prints of numbers and vectors, and evaluates it with the numbers of a tableau: sums reach over the
+/// product behind them, a minus sign is a difference wherever something stands before it.
+class latex_reader {
+  public:
+    latex_reader(const tableau<rational, 2>& t, std::string text) : t_(t), text_(std::move(text)) {}
+    /// The value with the free index i, counted from 0.
+    rational value(int i) {
+        at_ = 0;
+        index_ = {{'i', i}};
+        const rational x = sum();
+        BOOST_TEST(at_ == text_.size(), text_.substr(at_));
+        return x;
+    }
+
+  private:
+    bool next(const std::string& word) {
+        while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+        if (text_.compare(at_, word.size(), word) != 0) return false;
+        at_ += word.size();
+        return true;
+    }
+    rational sum() {
+        rational x = next("-") ? -product() : product();
+        for (;;) {
+            if (next("+"))
+                x += product();
+            else if (next("-"))
+                x -= product();
+            else
+                return x;
+        }
+    }
+    rational product() {
+        rational x = factor();
+        while (next("\\cdot") || starts_factor()) x *= factor();
+        return x;
+    }
+    bool starts_factor() {
+        next("");
+        return at_ < text_.size() && text_[at_] != '+' && text_[at_] != '-' && text_[at_] != ')' &&
+               text_.compare(at_, 5, "\\bigr") != 0;
+    }
+    rational factor() {
+        if (next("\\sum_{")) return summed(text_[at_]);
+        rational x = atom();
+        if (!next("^{")) return x;
+        const rational base = x;
+        for (int n = static_cast<int>(number().numerator()); n > 1; --n) x *= base;
+        next("}");
+        return x;
+    }
+    rational summed(char letter) {
+        at_ += 2;
+        const auto outer = index_;
+        const std::size_t start = at_;
+        rational all = 0;
+        for (int k = 0; k < 2; ++k) {
+            at_ = start;
+            index_[letter] = k;
+            // what stands directly behind the sign may be negative, in brackets only
+            all += product();
+        }
+        index_ = outer;
+        return all;
+    }
+    rational atom() {
+        if (next("\\bigl(")) {
+            const rational x = sum();
+            BOOST_TEST(next("\\bigr)"));
+            return x;
+        }
+        if (next("\\frac{")) {
+            const rational n = number();
+            BOOST_TEST(next("}{"));
+            const rational d = number();
+            BOOST_TEST(next("}"));
+            return n / d;
+        }
+        if (next("a_{")) {
+            const int i = index(), j = index();
+            return close(t_.A(i, j));
+        }
+        if (next("b_{")) return close(t_.b(index()));
+        if (next("c_{")) return close(t_.c(index()));
+        return number();
+    }
+    int index() {
+        BOOST_REQUIRE(index_.count(text_[at_]) == 1);
+        return index_[text_[at_++]];
+    }
+    rational close(const rational& x) {
+        BOOST_TEST(next("}"));
+        return x;
+    }
+    rational number() {
+        next("");
+        const std::size_t from = at_;
+        while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
+        BOOST_REQUIRE(at_ > from);
+        return rational(std::stoi(text_.substr(from, at_ - from)));
+    }
+
+    tableau<rational, 2> t_;
+    std::string text_;
+    std::size_t at_ = 0;
+    std::map<char, int> index_;
+};
+
+/// Whether the printed formula has the expression's value for a tableau of numbers without relations.
+template <class E>
+void reads_back(const E& e) {
+    tableau<rational, 2> t;
+    t.A << rational(2, 3), rational(-5, 7), rational(11, 13), rational(-17, 19);
+    t.b << rational(23, 29), rational(-31, 37);
+    t.c << rational(-41, 43), rational(47, 53);
+    latex_reader reader(t, latex(e));
+    const auto value = evaluate(e, matrix_model(t));
+    if constexpr (E::sort == sorts::number) {
+        BOOST_TEST((reader.value(0) == value), latex(e));
+    } else {
+        for (int i = 0; i < 2; ++i)
+            BOOST_TEST((reader.value(i) == value[static_cast<std::size_t>(i)]), latex(e));
+    }
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(conditions_compile_as_written) {
@@ -85,6 +211,62 @@ BOOST_AUTO_TEST_CASE(expressions_print_what_was_written) {
     PRINTS_ITSELF(dot(last, A * v) == dot(b, v));
     PRINTS_ITSELF(dot(b, c - 2 / 3_q * pow<2>(c)) == -1 / 3_q);
     PRINTS_ITSELF(A * c - (c - A * c) == one - (c - one));
+}
+
+BOOST_AUTO_TEST_CASE(negative_factors_print_what_was_written) {
+    PRINTS_ITSELF(dot(b, -1 * c) == -1 / 2_q);
+    PRINTS_ITSELF(dot(b, c * (-1 * c)) == -1 / 3_q);
+    PRINTS_ITSELF(dot(b, c * (-2 * (A * c))) == -1 / 4_q);
+    PRINTS_ITSELF(A * (-1 * c) == -1 / 2_q * (c * c));
+    PRINTS_ITSELF(dot(b, one - -1 * c) == 3 / 2_q);
+    PRINTS_ITSELF(-1 * dot(b, c) == -1 / 2_q);
+    PRINTS_ITSELF(dot(b, pow<2>(-1 * c)) == 1 / 3_q);
+    PRINTS_ITSELF(transposed(A) * (-1 * b) == b);
+    BOOST_TEST(latex(dot(b, c * (-1 * c)) == -1 / 3_q) ==
+               "\\sum_{i} b_{i} c_{i} \\bigl(-1 c_{i}\\bigr) = -\\frac{1}{3}");
+    BOOST_TEST(latex(one - -1 * c) == "1 - \\bigl(-1 c_{i}\\bigr)");
+    BOOST_TEST(latex(2 * (3 * c)) == "2 \\cdot 3 c_{i}");
+}
+
+BOOST_AUTO_TEST_CASE(latex_read_back_has_the_values_of_the_expression) {
+    reads_back(dot(b, c));
+    reads_back(dot(b, c * c * (A * c)));
+    reads_back(dot(b, c * (A * c) * (A * (c * (A * one)))));
+    reads_back(dot(b, -1 * c));
+    reads_back(dot(b, -1 / 2_q * c));
+    reads_back(dot(b, c * (-1 * c)));
+    reads_back(dot(b, (-1 * c) * c));
+    reads_back(dot(b, (-1 * c) * (-1 * c)));
+    reads_back(dot(b, c * (-2 * (A * c))));
+    reads_back(dot(b, c * (-2 / 3_q * (A * (-1 * c)))));
+    reads_back(dot(b, c * (A * (-1 * c)) * c));
+    reads_back(dot(b, one - -1 * c));
+    reads_back(dot(b, c - (c - one)));
+    reads_back(dot(b, c - (-1 * c - one)));
+    reads_back(dot(b, c + -1 * c));
+    reads_back(dot(b, pow<2>(-1 * c)));
+    reads_back(dot(b, pow<3>(c - one)));
+    reads_back(dot(b, pow<2>(A * c) * (-1 * c)));
+    reads_back(-1 * dot(b, c));
+    reads_back(2 * dot(b, c) - dot(b, one - c));
+    reads_back(dot(b, c) * dot(b, A * c));
+    reads_back(1 / 2_q * dot(b, -3 * (1 / 2_q * c)));
+    reads_back(dot(-1 * b, c));
+    reads_back(dot(b * (-1 * c), c));
+    reads_back(dot(transposed(A) * (-1 * b), c));
+    reads_back(dot(transposed(A) * (b * c), -1 * c));
+    reads_back(-1 * c);
+    reads_back(A * (-1 * c));
+    reads_back(A * (2 * c));
+    reads_back(c * (2 * one) * (1 / 2_q * one));
+    reads_back(pow<2>(1 / 2_q * one) * c);
+    reads_back(pow<2>(-3 * one) * c);
+    reads_back(-1 * (A * (c - 2 * (A * c))));
+    reads_back(c - -1 / 2_q * (A * c));
+    reads_back(2 * (3 * c) - 1 / 2_q * (1 / 3_q * c));
+    reads_back(dot(b, c) * (-1 * c));
+    reads_back(c * (A * c) - (A * c) * (A * c));
+    reads_back((c - A * c) * (A * c - one) / 2);
 }
 
 BOOST_AUTO_TEST_CASE(latex_is_in_indices) {

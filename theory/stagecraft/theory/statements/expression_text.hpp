@@ -22,7 +22,17 @@ struct formula {
         return strength >= needed ? text : left + text + right;
     }
     std::string latex_at_least(binding needed) const { return at_least(needed, "\\bigl(", "\\bigr)"); }
+    /// Behind something else: a minus sign would be read as a difference.
+    std::string latex_behind(binding needed) const {
+        return text.starts_with('-') ? "\\bigl(" + text + "\\bigr)" : latex_at_least(needed);
+    }
 };
+
+/// Two factors in LaTeX: a number behind another factor has a dot before it.
+inline std::string latex_product(const std::string& left, const std::string& right) {
+    const bool number = right.starts_with("\\frac") || (!right.empty() && right[0] >= '0' && right[0] <= '9');
+    return left + (number ? " \\cdot " : " ") + right;
+}
 
 // Source text: what is printed compiles, up to the _q of quotients. (Member functions, so that they see one
 // another whatever their order.)
@@ -110,10 +120,12 @@ struct place {
 // LaTeX in indices, as the books write it.
 struct in_latex {
     static formula of(const constant& e, const place&) {
-        if (e.value.denominator() == 1) return {e.value.str()};
+        const binding strength = sign(e.value) < 0 || e.value.denominator() != 1 ? multiplicative : atomic;
+        if (e.value.denominator() == 1) return {e.value.str(), strength};
         return {(sign(e.value) < 0 ? "-\\frac{" : "\\frac{") +
-                exact_number(abs(e.value).numerator(), 1).str() + "}{" +
-                exact_number(e.value.denominator(), 1).str() + "}"};
+                    exact_number(abs(e.value).numerator(), 1).str() + "}{" +
+                    exact_number(e.value.denominator(), 1).str() + "}",
+                strength};
     }
     template <class F, class V>
     static formula of(const pairing<F, V>& e, const place& at) {
@@ -121,7 +133,7 @@ struct in_latex {
             return of(e.vector, {"s", at.next});
         } else {
             const place inside = deeper(at);
-            return {"\\sum_{" + inside.index + "} " + product_of(e, inside).text, open_sum};
+            return {"\\sum_{" + inside.index + "} " + product_of(e, inside).latex_behind(open_sum), open_sum};
         }
     }
     template <class V>
@@ -135,7 +147,7 @@ struct in_latex {
     template <class F>
     static formula of(const transposed_application<F>& e, const place& at) {
         const place inside = deeper(at);
-        return {"\\sum_{" + inside.index + "} " + of(e.argument, inside).latex_at_least(multiplicative) +
+        return {"\\sum_{" + inside.index + "} " + of(e.argument, inside).latex_behind(multiplicative) +
                     " a_{" + inside.index + at.index + "}",
                 open_sum};
     }
@@ -149,13 +161,13 @@ struct in_latex {
         if constexpr (std::is_same_v<X, constant>)
             if (e.factor.value == 1) return of(e.argument, at);
         const formula x = of(e.factor, at), y = of(e.argument, at);
-        return {x.latex_at_least(multiplicative) + " " + y.latex_at_least(open_sum),
+        return {latex_product(x.latex_at_least(multiplicative), y.latex_behind(open_sum)),
                 y.strength == open_sum ? open_sum : multiplicative};
     }
     template <class X, class Y, int Sign>
     static formula of(const sum<X, Y, Sign>& e, const place& at) {
         return {of(e.left, at).text + (Sign > 0 ? " + " : " - ") +
-                    of(e.right, at).latex_at_least(Sign > 0 ? additive : open_sum),
+                    of(e.right, at).latex_behind(Sign > 0 ? additive : open_sum),
                 additive};
     }
     // Everything else is a product of factors, perhaps of one or of none.
@@ -174,7 +186,7 @@ struct in_latex {
         if constexpr (std::is_same_v<V, unit_vector>)
             return {sum + entry, open_sum};
         else
-            return {sum + entry + " " + of(argument, inside).latex_at_least(open_sum), open_sum};
+            return {sum + latex_product(entry, of(argument, inside).latex_behind(open_sum)), open_sum};
     }
     static place deeper(const place& at) { return {index_letter(at.next), at.next + 1}; }
 
@@ -189,11 +201,10 @@ struct in_latex {
             const auto& [f, n] = factors[k];
             const bool reaches_to_the_end = k + 1 == factors.size() && n == 1 && f.strength == open_sum;
             if (reaches_to_the_end) all.strength = open_sum;
-            all.text +=
-                (k == 0 ? "" : " ") + latex_power(f.latex_at_least(n > 1                ? atomic
-                                                                   : reaches_to_the_end ? open_sum
-                                                                                        : multiplicative),
-                                                  n);
+            const binding needed = n > 1 ? atomic : reaches_to_the_end ? open_sum : multiplicative;
+            const std::string factor =
+                latex_power(k == 0 ? f.latex_at_least(needed) : f.latex_behind(needed), n);
+            all.text = k == 0 ? factor : latex_product(all.text, factor);
         }
         return all;
     }
