@@ -382,6 +382,48 @@ BOOST_AUTO_TEST_CASE(the_logarithmic_norm_in_an_inner_product_bounds_every_quoti
     BOOST_CHECK_THROW(logarithmic_norm(A, Eigen::Matrix2d{{1, 1}, {0, 1}}), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(on_a_box_an_inner_product_may_be_nearly_singular) {
+    box<2> where;
+    where[0] = where[1] = interval(-1, 1);
+    const auto twisted = [](const auto&, const auto& x, auto& f) {
+        f[0] = -3 * x[0] + x[1];
+        f[1] = x[0] - 3 * x[1];
+    };
+    const auto both_decay = [](const auto&, const auto& x, auto& f) {
+        f[0] = -x[0];
+        f[1] = -x[1];
+    };
+    for (const int k : {10, 40, 60, 300, 700}) {
+        const rational e = tableaux::scaled(rational(1), -k), c = 1 - e;
+        const bool lost = k > 80;
+        for (const auto& G :
+             {matrix(2, {1, c, c, 1}), matrix(2, {1, 0, 0, e}), matrix(2, {e, 0, 0, 1 / e})}) {
+            if (lost && G(0, 1) != 0) {
+                BOOST_CHECK_EXCEPTION(
+                    one_sided_lipschitz_on<2>(both_decay, where, G), std::invalid_argument,
+                    [](const auto& x) {
+                        return std::string(x.what()).starts_with("G: positive definite, but");
+                    });
+                continue;
+            }
+            const auto decays = one_sided_lipschitz_on<2>(both_decay, where, G);
+            BOOST_TEST(decays.verdict.is_proved(), k << ": " << decays.verdict.text());
+            BOOST_TEST((decays.low <= -1 && -1 <= decays.high && decays.high - decays.low < rational(1, 100)),
+                       k);
+        }
+        if (lost) continue;
+        // the matrix has the eigenvectors (1, 1) and (1, -1) of G, so gamma is its larger eigenvalue
+        const auto sym = one_sided_lipschitz_on<2>(twisted, where, matrix(2, {1, c, c, 1}));
+        BOOST_TEST((sym.verdict.is_proved() && sym.low <= -2 && -2 <= sym.high),
+                   k << ": " << sym.verdict.text());
+        // any other: the exact constant of the linear field
+        const auto G = matrix(2, {1, c, c, 1});
+        const auto exact = one_sided_lipschitz<2>(shear, G),
+                   boxed = one_sided_lipschitz_on<2>(shear, where, G);
+        BOOST_TEST((boxed.verdict.is_proved() && boxed.low <= exact.high && exact.low <= boxed.high), k);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(satz_1_6_1_and_2_two_solutions_separate_no_faster_than_e_to_gamma_t) {
     std::mt19937 random(7);
     for (const auto& p : eight_problems()) {

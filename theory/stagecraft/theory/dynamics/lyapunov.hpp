@@ -52,13 +52,13 @@ attraction attraction_radius(F&& f, const state<rational, N>& c, double most = 1
             euclidean(N), 0, 0};
     const auto G = inner_product(B, alpha.high / 2);
     const auto inverse = *tableaux::inverse<rational>(G);
+    const detail::logarithmic_norm_bound<N> norm(G);
     const auto rate = [&](double radius) {  // 0 where nothing is proved
         box<N> x;
         for (int i = 0; i < N; ++i) {
             const double side = (interval(radius) * sqrt(interval(inverse(i, i)))).high();
             x[i] = interval(c[i]) + interval(-side, side);
         }
-        const detail::logarithmic_norm_bound<N> norm(G);
         const auto m = maximise<N>([&](const box<N>& y) { return norm(enclosed_jacobian<N>(f, y)); }, x,
                                    {.absolute = 1e-6, .relative = 0.05, .boxes = 2000});
         return m.high < 0 ? -m.high : 0.0;

@@ -125,72 +125,70 @@ std::optional<std::pair<rational, rational>> refuting_pair(F&& f, const rational
 
 namespace detail {
 
-/// Columns that nearly diagonalise a symmetric matrix in an inner product, C^T G C near 1 and C^T S C near diagonal:
-/// Cholesky's factor of G, then cyclic Jacobi rotations. In doubles; what is proved with C does not rest on it.
+/// One rotation of Jacobi's, T to R^T T R and C to C R, after which T(p, q) is nearly 0.
+template <class Matrix>
+void rotate(Matrix& T, Matrix& C, Eigen::Index p, Eigen::Index q) {
+    const double theta = (T(q, q) - T(p, p)) / (2 * T(p, q));
+    const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::hypot(theta, 1.0));
+    const double c = 1 / std::hypot(t, 1.0), s = t * c;
+    const auto turn = [c, s](double& x, double& y) {
+        const double u = x;
+        x = c * u - s * y;
+        y = s * u + c * y;
+    };
+    for (Eigen::Index k = 0; k < T.rows(); ++k) turn(T(k, p), T(k, q));
+    for (Eigen::Index k = 0; k < T.rows(); ++k) turn(T(p, k), T(q, k));
+    for (Eigen::Index k = 0; k < T.rows(); ++k) turn(C(k, p), C(k, q));
+}
+
+/// Nearly orthonormal columns that nearly diagonalise a symmetric T: cyclic Jacobi rotations, in doubles; what is proved
+/// with them does not rest on it.
 template <int N>
-class nearly_diagonal {
-  public:
-    using matrix = Eigen::Matrix<double, N, N>;
-    explicit nearly_diagonal(const matrix& G) {  // root_ = L^-T, G = L L^T
-        matrix L = matrix::Zero();
-        root_ = matrix::Identity();
-        for (int j = 0; j < N; ++j) {
-            double d = G(j, j);
-            for (int k = 0; k < j; ++k) d -= L(j, k) * L(j, k);
-            L(j, j) = std::sqrt(d);
-            for (int i = j + 1; i < N; ++i) {
-                L(i, j) = G(i, j);
-                for (int k = 0; k < j; ++k) L(i, j) -= L(i, k) * L(j, k);
-                L(i, j) /= L(j, j);
-            }
-        }
-        for (int j = 0; j < N; ++j) {
-            for (int i = N - 1; i >= 0; --i) {
-                for (int k = i + 1; k < N; ++k) root_(i, j) -= L(k, i) * root_(k, j);
-                root_(i, j) /= L(i, i);
-            }
-        }
-    }
-    matrix columns(const matrix& S) const {
-        matrix C = root_, T = root_.transpose().lazyProduct(matrix(S.lazyProduct(root_)));
-        for (int sweep = 0; sweep < 12; ++sweep)
-            for (int p = 0; p < N; ++p)
-                for (int q = p + 1; q < N; ++q)
-                    if (std::abs(T(p, q)) > 1e-17 * (std::abs(T(p, p)) + std::abs(T(q, q))))
-                        rotate(T, C, p, q);
-        return C;
-    }
+Eigen::Matrix<double, N, N> nearly_eigenvectors(Eigen::Matrix<double, N, N> T) {
+    Eigen::Matrix<double, N, N> C = Eigen::Matrix<double, N, N>::Identity();
+    for (int sweep = 0; sweep < 12; ++sweep)
+        for (int p = 0; p < N; ++p)
+            for (int q = p + 1; q < N; ++q)
+                if (std::abs(T(p, q)) > 1e-17 * (std::abs(T(p, p)) + std::abs(T(q, q)))) rotate(T, C, p, q);
+    return C;
+}
 
-  private:
-    static void rotate(matrix& T, matrix& C, int p, int q) {
-        const double theta = (T(q, q) - T(p, p)) / (2 * T(p, q));
-        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::hypot(theta, 1.0));
-        const double c = 1 / std::hypot(t, 1.0), s = t * c;
-        const auto turn = [c, s](double& x, double& y) {
-            const double u = x;
-            x = c * u - s * y;
-            y = s * u + c * y;
-        };
-        for (int k = 0; k < N; ++k) turn(T(k, p), T(k, q));
-        for (int k = 0; k < N; ++k) turn(T(p, k), T(q, k));
-        for (int k = 0; k < N; ++k) turn(C(k, p), C(k, q));
-    }
-    matrix root_;
-};
+/// A rational number near p^-1/2, p > 0 of any size.
+inline rational near_inverse_root(const rational& p) {
+    const int half = tableaux::binary_exponent(p) / 2;
+    const double near_one = tableaux::scaled(p, -2 * half).to<double>();
+    return tableaux::scaled(exactly(1 / std::sqrt(near_one)), -half);
+}
 
-/// Bounds the logarithmic norm of interval matrices in the inner product x^T G y: C transforms the matrix in
-/// the middle and G nearly to diagonal form and 1, Gershgorin's circles do the rest in
-/// intervals.
+/// Bounds the logarithmic norm of interval matrices J in the inner product x^T G y. First x = C y with C = V^T diag(r),
+/// where V G V^T = diag(p), exactly, and r is near p^-1/2: x^T G x becomes sum_k p_k r_k^2 y_k^2, nearly |y|^2, and J
+/// becomes C^-1 J C, which loses digits only as the root of G's condition number does (by the condition that scaling does
+/// not mend; std::invalid_argument where none are left). Then the matrix in the middle is brought nearly to diagonal form, and
+/// Gershgorin's circles do the rest in intervals.
 template <int N>
 class logarithmic_norm_bound {
   public:
-    explicit logarithmic_norm_bound(const dense<rational>& G)
-        : near_(G.unaryExpr([](const rational& q) { return q.to<double>(); })) {
-        for (Eigen::Index i = 0; i < N; ++i)
-            for (Eigen::Index j = 0; j < N; ++j) exact_(i, j) = interval(G(i, j));
+    explicit logarithmic_norm_bound(const dense<rational>& G) {
+        const auto d = tableaux::diagonalise<rational>(G);
+        const auto inverse = *tableaux::inverse<rational>(d.rows);
+        for (Eigen::Index k = 0; k < N; ++k) {
+            const rational r = near_inverse_root(d.pivots[k]);
+            lengths_(k, k) = interval(d.pivots[k] * r * r);
+            for (Eigen::Index i = 0; i < N; ++i) {
+                C_(i, k) = interval(d.rows(k, i) * r);
+                inverse_(k, i) = interval(inverse(i, k) / r);
+            }
+        }
+        const matrix lost = inverse_.lazyProduct(C_);
+        for (int i = 0; i < N; ++i)
+            for (int j = 0; j < N; ++j)
+                if (!((lost(i, j) - (i == j ? 1 : 0)).magnitude() < 1e-4))
+                    throw std::invalid_argument(
+                        "G: positive definite, but too nearly singular for enclosures in doubles: of its "
+                        "condition number less than 1e24 must be left by a scaling of the unknowns");
     }
     interval operator()(const Eigen::Matrix<interval, N, N>& J) const {
-        const matrix S = symmetric(J);
+        const matrix S = symmetric(inverse_.lazyProduct(matrix(J.lazyProduct(C_))));
         Eigen::Matrix<double, N, N> mid;
         for (int i = 0; i < N; ++i) {
             for (int j = 0; j < N; ++j) {
@@ -198,9 +196,9 @@ class logarithmic_norm_bound {
                 mid(i, j) = S(i, j).middle();
             }
         }
-        const matrix C = near_.columns(mid).unaryExpr([](double x) { return interval(x); });
-        const matrix D = C.transpose().lazyProduct(matrix(S.lazyProduct(C))),
-                     E = C.transpose().lazyProduct(matrix(exact_.lazyProduct(C)));
+        const matrix R = nearly_eigenvectors<N>(mid).unaryExpr([](double x) { return interval(x); });
+        const matrix D = R.transpose().lazyProduct(matrix(S.lazyProduct(R))),
+                     E = R.transpose().lazyProduct(matrix(lengths_.lazyProduct(R)));
         int largest = 0;
         for (int i = 1; i < N; ++i)
             if (D(i, i).middle() > D(largest, largest).middle()) largest = i;
@@ -225,14 +223,13 @@ class logarithmic_norm_bound {
   private:
     using matrix = Eigen::Matrix<interval, N, N>;
     matrix symmetric(const matrix& J) const {
-        const matrix GJ = exact_.lazyProduct(J);
         matrix S;
         for (int i = 0; i < N; ++i)
-            for (int j = 0; j < N; ++j) S(i, j) = (GJ(i, j) + GJ(j, i)) * interval(0.5);
+            for (int j = 0; j < N; ++j)
+                S(i, j) = (lengths_(i, i) * J(i, j) + lengths_(j, j) * J(j, i)) * interval(0.5);
         return S;
     }
-    matrix exact_;
-    nearly_diagonal<N> near_;
+    matrix lengths_ = matrix::Zero(), C_, inverse_;
 };
 
 template <>
@@ -253,7 +250,8 @@ std::vector<rational> exact_point(const box<N>& x) {
 
 /// On a convex box, f anything that evaluates in intervals and dual numbers, for all t in `time`: branch and
 /// bound on the logarithmic norm of f' in the inner product x^T G y. Throws std::invalid_argument for a box
-/// or G that are none, and where f' cannot be bounded on the box (a division through zero).
+/// or G that are none, for a G so nearly singular that enclosures in doubles lose it (from a condition of some 1e24 on
+/// that scaling the unknowns does not mend), and where f' cannot be bounded on the box (a division through zero).
 template <int N, class F>
 one_sided_constant one_sided_lipschitz_on(F&& f, const box<N>& where, const dense<rational>& G = euclidean(N),
                                           const search_limits& limits = {},
