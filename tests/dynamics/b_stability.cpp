@@ -237,6 +237,8 @@ BOOST_AUTO_TEST_CASE(bemerkung_1_19_factors_bound_runs_and_exceed_1_for_positive
     BOOST_TEST(euler.verdict.is_proved());
     BOOST_TEST(std::abs(euler.factor - 4.0 / 3) < 1e-6);
     BOOST_TEST(contraction(radau_2, rational(1, 4)).factor > 1.0);
+    const contraction_bound<rational> nothing;  // claims nothing
+    BOOST_TEST((nothing.verdict == verdict::unexamined() && std::isinf(nothing.factor)));
     // beyond l = 1 there is no bound for implicit Euler
     BOOST_TEST(contraction(*tableaux::exact_tableau(family::radau_iia, 1), 2).verdict.is_consistent());
 }

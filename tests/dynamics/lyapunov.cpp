@@ -256,6 +256,49 @@ BOOST_AUTO_TEST_CASE(definition_3_9_the_squared_length_is_a_lyapunov_function_of
     BOOST_TEST(lyapunov_function<2>(degenerate, routh_2).is_refuted());
 }
 
+BOOST_AUTO_TEST_CASE(definition_3_9_a_zero_of_v_off_the_origin_refutes_and_quadratic_forms_are_decided) {
+    const auto decay_2 = [](const auto&, const auto& x, auto& f) {
+        f[0] = -x[0];
+        f[1] = -x[1];
+    };
+    const auto rest = [](const auto&, const auto&, auto& f) { f[0] = 0; };
+    const auto difference = [](const auto& x) { return (x[0] - x[1]) * (x[0] - x[1]); };
+    const auto flat = lyapunov_function<2>(difference, decay_2);
+    BOOST_TEST(flat.is_refuted(), flat.text());
+    BOOST_TEST(flat.reason() == "V = 0 <= 0 at (1, 1)");
+    const auto two_wells = [](const auto& x) { return x[0] * x[0] * (x[0] - 1) * (x[0] - 1); };
+    const auto well = lyapunov_function<1>(two_wells, rest);
+    BOOST_TEST(well.is_refuted(), well.text());
+    BOOST_TEST(well.reason() == "V = 0 <= 0 at (1)");
+    // x^2 - 2xy + (1 + d) y^2 is positive definite for d > 0 only
+    for (const int digits : {1, 9, 40, 300}) {
+        const rational d(tableaux::integer(1),
+                         tableaux::integer(pow(tableaux::integer(10), static_cast<unsigned>(digits))));
+        const auto form = [](const rational& last) {
+            return [last](const auto& x) { return x[0] * x[0] - 2 * x[0] * x[1] + last * x[1] * x[1]; };
+        };
+        BOOST_TEST(lyapunov_function<2>(form(1 + d), decay_2).is_proved(), digits);
+        BOOST_TEST(lyapunov_function<2>(form(1 - d), decay_2).is_refuted(), digits);
+        // beside higher powers the quadratic part is violated near 0
+        const auto with_quartic = [&](const rational& last) {
+            return [form, last](const auto& x) { return form(last)(x) + x[0] * x[0] * x[0] * x[0]; };
+        };
+        if (digits < 10) BOOST_TEST(lyapunov_function<2>(with_quartic(1 - d), decay_2).is_refuted(), digits);
+        BOOST_TEST(!lyapunov_function<2>(with_quartic(1 + d), decay_2).is_refuted(), digits);
+        // dV/dt of |x|^2/2 along x' = (-x + y, y (-1 - d) + x) is minus that form
+        const auto squares = [](const auto& x) { return (x[0] * x[0] + x[1] * x[1]) / 2; };
+        const auto along = [](const rational& last) {
+            return [last](const auto&, const auto& x, auto& f) {
+                f[0] = -x[0] + x[1];
+                f[1] = x[0] - last * x[1];
+            };
+        };
+        BOOST_TEST(lyapunov_function<2>(squares, along(1 + d)).is_proved(), digits);
+        BOOST_TEST(lyapunov_function<2>(squares, along(1)).is_proved(), digits);
+        BOOST_TEST(lyapunov_function<2>(squares, along(1 - d)).is_refuted(), digits);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(definition_3_9_on_a_shell_in_intervals) {
     const auto v = [](const auto& x) { return 7 * x[0] * x[0] - 2 * x[0] * x[1] + 3 * x[1] * x[1]; };  // 12 G
     const auto shell = lyapunov_function_on_shell<2>(v, node, 0.1, 0.4);
@@ -340,4 +383,31 @@ BOOST_AUTO_TEST_CASE(
                           polynomial<rational>{4}};
     BOOST_TEST(root_condition(twice).is_refuted());  // -1 twice
     BOOST_CHECK_THROW(bdf(0), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(the_order_counts_all_weights_also_beyond_the_last_x) {
+    // x_(n+1) - x_n = h (5 f_n + 8 f_(n+1) - f_(n+2))/12: exact for f = 1, t, t^2, not for t^3
+    const multistep ahead{polynomial<rational>{-1, 1},
+                          polynomial<rational>{rational(5, 12), rational(2, 3), rational(-1, 12)}};
+    BOOST_TEST(consistent_method(ahead).is_proved());
+    BOOST_TEST(order(ahead) == 3);
+    BOOST_CHECK_EXCEPTION(root_condition(ahead), std::invalid_argument, [](const auto& e) {
+        return std::string(e.what()).starts_with("sigma: its degree 2 exceeds that of rho, 1");
+    });
+    // Consistency is order 1 at least, whatever the degrees.
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> pick(-2, 2);
+    int consistent = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const polynomial<rational> minus{-1, 1}, factor{pick(random), pick(random)};
+        const multistep m{minus * factor,
+                          polynomial<rational>{pick(random), pick(random), pick(random), pick(random)}};
+        if (m.rho.is_zero()) continue;
+        const bool proved = consistent_method(m).is_proved();
+        BOOST_TEST(proved == (order(m) >= 1));
+        consistent += proved ? 1 : 0;
+    }
+    BOOST_TEST(consistent > 100);
+    BOOST_TEST(order({polynomial<rational>{1, 1}, polynomial<rational>{1}}) == -1);
+    BOOST_CHECK_THROW(order(multistep{}), std::invalid_argument);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <map>
+#include <algorithm>
+#include <numeric>
 #include <optional>
 #include <random>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +18,58 @@ namespace stagecraft::theory {
 
 namespace detail {
 
-/// A rational point with p < 0, looked for among small grid points and random ones.
-inline std::optional<std::vector<rational>> point_below_zero(const multinomial& p, int unknowns) {
+/// The part of p of least degree.
+inline multinomial lowest_part(const multinomial& p) {
+    const auto degree = [](const multinomial::monomial& m) { return std::accumulate(m.begin(), m.end(), 0); };
+    int least = p.degree();
+    for (const auto& [m, a] : p.terms()) least = std::min(least, degree(m));
+    multinomial part;
+    for (const auto& [m, a] : p.terms()) {
+        if (degree(m) != least) continue;
+        multinomial term(a);
+        for (std::size_t i = 0; i < m.size(); ++i)
+            for (int k = 0; k < m[i]; ++k) term *= multinomial::unknown(static_cast<int>(i));
+        part += term;
+    }
+    return part;
+}
+
+/// What is asked of a polynomial p with p(0) = 0.
+enum class sign_asked { not_negative, positive_off_0 };
+
+/// Exact: the direction in which a quadratic form is least, relative to a congruent diagonal form, where that violates
+/// what is asked.
+inline std::optional<std::vector<rational>> violated_by_form(const multinomial& q, int unknowns,
+                                                             sign_asked asked) {
+    dense<rational> Q(unknowns, unknowns);
+    for (int i = 0; i < unknowns; ++i)
+        for (int j = 0; j < unknowns; ++j) Q(i, j) = q.derivative(i).derivative(j).constant();
+    const auto d = tableaux::diagonalise<rational>(Q);
+    for (Eigen::Index k = 0; k < unknowns; ++k) {
+        if (d.pivots[k] > 0 || (d.pivots[k] == 0 && asked == sign_asked::not_negative)) continue;
+        std::vector<rational> x;
+        for (Eigen::Index i = 0; i < unknowns; ++i) x.push_back(d.rows(k, i));
+        return x;
+    }
+    return {};
+}
+
+/// A rational point where p violates what is asked: for a quadratic form an exact decision, else looked for along the
+/// directions of its quadratic part at 0, among small grid points and random ones.
+inline std::optional<std::vector<rational>> violating_point(const multinomial& p, int unknowns,
+                                                            sign_asked asked) {
+    const auto violates = [&](const std::vector<rational>& x) {
+        const rational value = p(x);
+        return value < 0 || (value == 0 && asked == sign_asked::positive_off_0);
+    };
+    if (const auto part = lowest_part(p); part.degree() == 2 || part.is_zero()) {
+        auto x = violated_by_form(part, unknowns, asked);
+        if (p == part) return x;
+        for (int halvings = 0; x && halvings < 60; ++halvings) {
+            if (violates(*x)) return x;
+            for (auto& a : *x) a /= 2;
+        }
+    }
     std::mt19937 random(1);
     std::uniform_int_distribution<int> pick(-20, 20);
     for (const int scale : {10, 1, 100, 1000}) {
@@ -28,10 +78,44 @@ inline std::optional<std::vector<rational>> point_below_zero(const multinomial& 
             for (int i = 0; i < unknowns; ++i)
                 x.emplace_back(tableaux::integer(k == 0 ? (i == 0 ? 1 : 0) : pick(random)),
                                tableaux::integer(scale));
-            if (p(x) < 0) return x;
+            const bool origin = std::all_of(x.begin(), x.end(), [](const rational& a) { return a == 0; });
+            if (!origin && violates(x)) return x;
         }
     }
     return {};
+}
+
+/// The least power of x_i alone in p; 0 where there is none.
+inline int lowest_power(const multinomial& p, int i) {
+    int least = 0;
+    for (const auto& [m, a] : p.terms()) {
+        const int k = multinomial::exponent(m, i);
+        const bool alone = static_cast<int>(m.size()) == i + 1 && std::accumulate(m.begin(), m.end(), 0) == k;
+        if (alone && (least == 0 || k < least)) least = k;
+    }
+    return least;
+}
+
+/// An i for which p on the axis of x_i starts with an odd power or vanishes; -1 where there is none.
+inline int axis_without_even_power(const multinomial& p, int unknowns) {
+    for (int i = 0; i < unknowns; ++i)
+        if (const int k = lowest_power(p, i); k == 0 || k % 2 != 0) return i;
+    return -1;
+}
+
+/// Whether p is proved to be at least epsilon sum_i x_i^(2k_i), 2k_i its lowest power of x_i alone, for some epsilon > 0,
+/// which is more than p > 0 off 0. False says nothing.
+inline bool exceeds_powers(const multinomial& p, int unknowns) {
+    multinomial powers;
+    for (int i = 0; i < unknowns; ++i) {
+        multinomial term(1);
+        for (int k = 0; k < lowest_power(p, i); ++k) term *= multinomial::unknown(i);
+        powers += term;
+    }
+    for (const int bits : {20, 60, 200})
+        if (is_sum_of_squares(p - multinomial(tableaux::scaled(rational(1), -bits)) * powers, unknowns))
+            return true;
+    return false;
 }
 
 inline std::string text_of(const std::vector<rational>& x) {
@@ -56,36 +140,30 @@ multinomial orbital_derivative(V&& v, F&& f) {
 }
 
 /// Whether V is a Lyapunov function of x' = f(x) at 0 (lecture, Definition 3.9), V(x) and f polynomial: V(0)
-/// = 0, V > 0 elsewhere, dV/dt <= 0. proved by Gram matrices (V minus a multiple of its lowest even powers,
-/// and -dV/dt, are sums of squares); refuted with a point where V <= 0 or dV/dt > 0; consistent where neither
-/// was found.
+/// = 0, V > 0 elsewhere, dV/dt <= 0. Decided where V and dV/dt are quadratic forms. Else proved by Gram matrices (V
+/// minus a multiple of its lowest even powers, and -dV/dt, are sums of squares); refuted with a point other than 0 where
+/// V <= 0, or one where dV/dt > 0; consistent where neither was found.
 template <int N, class V, class F>
 verdict lyapunov_function(V&& v, F&& f) {
     state<multinomial, N> x;
     for (int i = 0; i < N; ++i) x[i] = multinomial::unknown(i);
     const multinomial value = v(x), rate = orbital_derivative<N>(v, f);
     if (value.constant() != 0) return verdict::refuted("V(0) = " + value.constant().str());
-    if (const auto p = detail::point_below_zero(-rate, N))
+    using detail::sign_asked;
+    if (const auto p = detail::violating_point(-rate, N, sign_asked::not_negative))
         return verdict::refuted("dV/dt = " + rate(*p).str() + " > 0 at " + detail::text_of(*p));
-    if (const auto p = detail::point_below_zero(value, N))
-        return verdict::refuted("V = " + value(*p).str() + " < 0 at " + detail::text_of(*p));
-    // V >= epsilon sum x_i^(2k), 2k its lowest power of x_i alone, is more than V > 0 except at 0
-    multinomial lowest;
-    for (int i = 0; i < N; ++i) {
-        std::optional<int> power;
-        for (const auto& [m, a] : value.terms()) {
-            const int k = multinomial::exponent(m, i);
-            if (static_cast<int>(m.size()) == i + 1 && std::accumulate(m.begin(), m.end(), 0) == k)
-                power = std::min(power.value_or(k), k);
-        }
-        multinomial term(rational(1, 1'000'000));
-        for (int k = 0; k < power.value_or(0); ++k) term *= multinomial::unknown(i);
-        if (power) lowest += term;
-        if (!power || *power % 2 != 0)
-            return verdict::refuted("V is not positive on the axis of x" + std::to_string(i + 1));
-    }
-    if (detail::is_sum_of_squares(value - lowest, N) && detail::is_sum_of_squares(-rate, N))
-        return verdict::proved("V and -dV/dt = " + (-rate).str() + " are sums of squares");
+    if (const auto p = detail::violating_point(value, N, sign_asked::positive_off_0))
+        return verdict::refuted("V = " + value(*p).str() + " <= 0 at " + detail::text_of(*p));
+    const auto is_form = [](const multinomial& p) { return p == detail::lowest_part(p) && p.degree() == 2; };
+    if (const int odd = detail::axis_without_even_power(value, N); odd >= 0)
+        return verdict::refuted("V is not positive on the axis of x" + std::to_string(odd + 1));
+    const bool positive = is_form(value) || detail::exceeds_powers(value, N);
+    const bool falls = is_form(rate) || detail::is_sum_of_squares(-rate, N);
+    if (positive && falls)
+        return verdict::proved(is_form(value) && is_form(rate)
+                                   ? "V is a positive definite form, -dV/dt = " + (-rate).str() +
+                                         " a semidefinite one"
+                                   : "V and -dV/dt = " + (-rate).str() + " are sums of squares");
     return verdict::consistent("no point found", "no Gram matrix found", "dV/dt = " + rate.str());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,8 +45,13 @@ inline tableaux::half_plane_count count_by_unit_circle(const polynomial<rational
     return count;
 }
 
-/// Dahlquist's root condition: no root of rho outside the unit circle, those on it simple. Exact.
+/// Dahlquist's root condition: no root of rho outside the unit circle, those on it simple. Exact. Throws
+/// std::invalid_argument where rho is zero or sigma has the higher degree.
 inline verdict root_condition(const multistep& m) {
+    if (m.sigma.degree() > m.rho.degree())
+        throw std::invalid_argument("sigma: its degree " + std::to_string(m.sigma.degree()) +
+                                    " exceeds that of rho, " + std::to_string(m.rho.degree()) +
+                                    ": x at the last point does not occur in the method");
     const auto count = count_by_unit_circle(m.rho);
     if (count.right > 0)
         return verdict::refuted(std::to_string(count.right) + " roots of rho outside the unit circle");
@@ -118,11 +124,15 @@ inline multistep adams_moulton(int k) {
             detail::integrated_weights(points, k - 1)};
 }
 
-/// The largest p with sum alpha_j j^q = q sum beta_j j^(q-1) for q = 0 ... p: the order. Exact.
+/// The largest p with sum alpha_j j^q = q sum beta_j j^(q-1) for q = 0 ... p: the order, at least 1 for consistent
+/// methods, -1 where rho(1) != 0. Exact. Throws std::invalid_argument where rho and sigma are zero.
 inline int order(const multistep& m) {
+    if (m.rho.is_zero() && m.sigma.is_zero())
+        throw std::invalid_argument("rho, sigma: must not both be zero");
+    const int last = std::max(m.rho.degree(), m.sigma.degree());
     for (int q = 0;; ++q) {
         rational left = 0, right = 0;
-        for (int j = 0; j <= m.rho.degree(); ++j) {
+        for (int j = 0; j <= last; ++j) {
             rational p = 1;  // j^(q-1), and then j^q
             for (int k = 1; k < q; ++k) p *= j;
             if (q > 0) right += rational(q) * m.sigma[j] * p;

@@ -33,6 +33,9 @@ constexpr std::string_view name(standing s) {
 /// inconclusive, the bound being as large as what it should bound; unexamined before.
 class verdict {
   public:
+    /// Unexamined.
+    verdict() = default;
+
     /// Decided true. `argument` names the theorem or computation that decides it.
     static verdict proved(std::string argument = {}) {
         return {theory::standing::proved, std::move(argument)};
@@ -60,7 +63,7 @@ class verdict {
     }
 
     /// Not looked at.
-    static verdict unexamined() { return {theory::standing::unexamined, {}}; }
+    static verdict unexamined() { return {}; }
 
     theory::standing standing() const { return standing_; }
     bool is_proved() const { return standing_ == theory::standing::proved; }
@@ -86,7 +89,7 @@ class verdict {
   private:
     verdict(theory::standing s, std::string reason) : standing_(s), reason_(std::move(reason)) {}
 
-    theory::standing standing_;
+    theory::standing standing_ = theory::standing::unexamined;
     std::string reason_;
     std::string residual_;
     std::string bound_;
