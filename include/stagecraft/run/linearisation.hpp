@@ -36,6 +36,10 @@ struct factored_step {
     scalar h;
     bool longer;  ///< by half at least than the step before
 };
+// clang deduces no arguments of aggregates before version 17.
+template <class System, class Stages, class Slope, class Norm>
+factored_step(const System&, Stages&, Slope&, const Norm&, typename System::scalar, bool)
+    -> factored_step<System, Stages, Slope, Norm>;
 
 /// The linearisation of the stage equations that Newton's iteration uses: the Jacobian, which the system
 /// holds, and how old it is; for which step size and method its matrices are factored; how well it serves
