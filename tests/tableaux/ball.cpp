@@ -2,11 +2,13 @@
 #define BOOST_TEST_MODULE ball
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <random>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/tableaux/complex_ball.hpp>
 #include <stagecraft/tableaux/correct_rounding.hpp>
+#include <stagecraft/tableaux/range.hpp>
 #include <stagecraft/tableaux/rough_ball.hpp>
 #include <vector>
 
@@ -48,8 +50,31 @@ rational exact(double x) {
     return ball::to_rational(ball::mantissa(m), e - 53);
 }
 
+/// A finite bound, exactly.
+rational bound_of(bound r) {
+    BOOST_REQUIRE(r <= std::numeric_limits<bound>::max());
+    return ball::bound_to_rational(r);
+}
+
 sample draw(rationals& random, int bits) {
     sample x{random(64), ball()};
+    switch (random.word() % 12) {
+        case 0:  // a power of two, and its neighbours in the last of the bits
+            x.value = rational(integer(1) << (random.word() % 200));
+            if (random.word() % 2 == 0)
+                x.value += rational(integer(1), integer(1) << static_cast<unsigned>(bits));
+            break;
+        case 1: {  // far from 1
+            const integer power = integer(1) << (random.word() % 7000);
+            x.value = random.word() % 2 == 0 ? x.value * rational(power) : x.value / rational(power);
+            break;
+        }
+        case 2:
+            x.value = rational(static_cast<int>(random.word() % 3) - 1);
+            break;
+        default:
+            break;
+    }
     x.enclosure = ball(x.value, bits);
     if (random.word() % 3 == 0) {  // a wide ball with the value near its edge
         const bound r = std::ldexp(bound(1 + random.word() % 1000), -static_cast<int>(random.word() % 200));
@@ -61,10 +86,10 @@ sample draw(rationals& random, int bits) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(operations_enclose_the_exact_results) {
+BOOST_AUTO_TEST_CASE(operations_enclose_the_exact_results_of_1e5_operands) {
     rationals random;
     int divided = 0, rooted = 0;
-    for (int trial = 0; trial < 3000; ++trial) {
+    for (int trial = 0; trial < 10'000; ++trial) {
         const int bits = 64 + static_cast<int>(random.word() % 300);
         const sample x = draw(random, bits), y = draw(random, bits);
         BOOST_REQUIRE(x.enclosure.contains(x.value));
@@ -79,6 +104,10 @@ BOOST_AUTO_TEST_CASE(operations_enclose_the_exact_results) {
         BOOST_REQUIRE(x.enclosure.scaled(n).contains(n < 0 ? x.value / rational(integer(1) << -n)
                                                            : x.value * rational(integer(1) << n)));
         BOOST_REQUIRE(x.enclosure.with_bits(64).contains(x.value));
+        if (const auto order = compare(x.enclosure, y.enclosure); order != std::partial_ordering::unordered)
+            BOOST_REQUIRE((order == (x.value <=> y.value)));
+        BOOST_REQUIRE(bound_of(x.enclosure.lower_magnitude()) <= abs(x.value));
+        BOOST_REQUIRE(bound_of(x.enclosure.upper_magnitude()) >= abs(x.value));
         if (certainly_nonzero(y.enclosure)) {
             ++divided;
             BOOST_REQUIRE((x.enclosure / y.enclosure).contains(x.value / y.value));
@@ -90,8 +119,33 @@ BOOST_AUTO_TEST_CASE(operations_enclose_the_exact_results) {
             BOOST_REQUIRE(root.upper() * root.upper() >= x.value);
         }
     }
-    BOOST_TEST(divided > 2000);
-    BOOST_TEST(rooted > 1000);
+    BOOST_TEST(divided > 7000);
+    BOOST_TEST(rooted > 3000);
+}
+
+BOOST_AUTO_TEST_CASE(ranges_contain_the_exact_results_whatever_the_lengths_of_their_ends) {
+    rationals random;
+    const auto around = [&](const rational& q) {
+        if (random.word() % 2 == 0) return range{q, q};
+        const rational off = abs(random(40));
+        return range{q - off, q + off / rational(1 + static_cast<int>(random.word() % 9))};
+    };
+    int rounded = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const int bits = trial % 2 == 0 ? 60 : 900;
+        const rational p = random(bits), q = random(bits);
+        const range x = around(p), y = around(q);
+        BOOST_REQUIRE((x + y).contains(p + q));
+        BOOST_REQUIRE((x - y).contains(p - q));
+        BOOST_REQUIRE((x * y).contains(p * q));
+        if (!y.contains(0)) BOOST_REQUIRE((x / y).contains(p / q));
+        BOOST_REQUIRE((rounded_down(p) <= p && p <= rounded_up(p)));
+        rounded += rounded_down(p) < rounded_up(p) ? 1 : 0;
+        if (p < 0) continue;
+        const range root = sqrt(x);
+        BOOST_REQUIRE((root.lower >= 0 && root.lower * root.lower <= p && p <= root.upper * root.upper));
+    }
+    BOOST_TEST(rounded > 500);
 }
 
 BOOST_AUTO_TEST_CASE(rounding_keeps_the_sign_whatever_the_low_limbs_are) {
@@ -177,16 +231,24 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_enclosed_is_undecided) {
 
 BOOST_AUTO_TEST_CASE(complex_operations_enclose_the_exact_results) {
     rationals random;
-    for (int trial = 0; trial < 300; ++trial) {
+    int divided = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
         const sample a = draw(random, 128), b = draw(random, 128), c = draw(random, 128),
                      d = draw(random, 128);
         const complex_ball x{a.enclosure, b.enclosure}, y{c.enclosure, d.enclosure};
         const complex_ball product = x * y;
         BOOST_REQUIRE(product.re.contains(a.value * c.value - b.value * d.value));
         BOOST_REQUIRE(product.im.contains(a.value * d.value + b.value * c.value));
+        BOOST_REQUIRE((x + y).re.contains(a.value + c.value));
+        BOOST_REQUIRE((x - y).im.contains(b.value - d.value));
+        BOOST_REQUIRE((x * y.re).im.contains(b.value * c.value));
+        const rational size = a.value * a.value + b.value * b.value;
+        const rational least = bound_of(x.lower_magnitude()), most = bound_of(x.upper_magnitude());
+        BOOST_REQUIRE((least * least <= size && size <= most * most));
         if (!certainly_nonzero(c.enclosure) || !certainly_nonzero(c.enclosure * c.enclosure)) continue;
         try {
             const complex_ball q = x / y;
+            ++divided;
             const rational n = c.value * c.value + d.value * d.value;
             BOOST_REQUIRE(q.re.contains((a.value * c.value + b.value * d.value) / n));
             BOOST_REQUIRE(q.im.contains((b.value * c.value - a.value * d.value) / n));
@@ -194,6 +256,7 @@ BOOST_AUTO_TEST_CASE(complex_operations_enclose_the_exact_results) {
             BOOST_REQUIRE(!certainly_nonzero(y.re * y.re + y.im * y.im));
         }
     }
+    BOOST_TEST(divided > 2000);
 }
 
 BOOST_AUTO_TEST_CASE(doubles_are_the_nearest_ones) {

@@ -41,7 +41,8 @@ verdict i_stable(const stability_function<K>& r) {
 }
 
 /// |R(z)| <= 1 for Re z <= 0: I-stable and every pole in the open right half-plane (maximum principle;
-/// Hairer-Wanner II.IV.3; lecture, Definition 2.21). Both are decided exactly.
+/// Hairer-Wanner II.IV.3; lecture, Definition 2.21). Both are decided exactly. A statement about R in lowest terms, as
+/// the definition is: stages of a reducible method, whose P and Q share a factor, can have poles that R has not.
 template <class K>
 verdict a_stable(const stability_function<K>& r) {
     const auto axis = i_stable(r);
