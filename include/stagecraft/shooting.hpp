@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/equations/mesh.hpp>
+#include <stagecraft/bvp/equations/guess.hpp>
 #include <stagecraft/bvp/options.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/integrate.hpp>

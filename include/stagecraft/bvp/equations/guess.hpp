@@ -1,13 +1,84 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
 
-#include <stagecraft/bvp/equations/mesh.hpp>
+#include <stagecraft/bvp/options.hpp>
+#include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/system.hpp>
 
 namespace stagecraft::detail {
+
+/// The first mesh: options.mesh, or options.intervals equal intervals, `usual` where these are 0, with
+/// options.fixed_points among its points.
+template <class Scalar>
+std::vector<Scalar> first_mesh(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b, int usual) {
+    const int intervals = o.intervals > 0 ? o.intervals : std::min(usual, o.max_intervals);
+    std::vector<Scalar> t = o.mesh;
+    if (t.empty()) {
+        t.reserve(static_cast<std::size_t>(intervals) + 1 + o.fixed_points.size());
+        for (int i = 0; i < intervals; ++i) t.push_back(a + (b - a) * Scalar(i) / Scalar(intervals));
+        t.push_back(b);
+    }
+    for (const Scalar& point : o.fixed_points) {
+        const auto at = std::lower_bound(t.begin(), t.end(), point);
+        if (*at != point) t.insert(at, point);
+    }
+    demand_bvp(std::adjacent_find(t.begin(), t.end(), std::greater_equal<Scalar>()) == t.end(),
+               "b - a must be so large that the mesh points differ");
+    return t;
+}
+
+/// A guess as value and slope at t: a constant vector, a function of t, or one with derivative(t).
+template <class Guess>
+concept constant_guess = requires {
+    typename Guess::PlainObject;
+};
+
+template <class Scalar, class Guess>
+auto guess_value(const Guess& guess, const Scalar& t) {
+    if constexpr (constant_guess<Guess>)
+        return typename Guess::PlainObject(guess);
+    else
+        return typename std::decay_t<decltype(guess(t))>::PlainObject(guess(t));
+}
+/// A guess may be this, for solvers in Scalar.
+template <class Guess, class Scalar>
+concept usable_guess = constant_guess<Guess> || requires(const Guess& guess, const Scalar& t) {
+    typename std::decay_t<decltype(guess(t))>::PlainObject;
+    { guess(t) } -> owns_numbers;
+};
+
+/// The same, which must have n components at every t.
+template <class Scalar, class Guess>
+auto guess_value(const Guess& guess, const Scalar& t, Eigen::Index n) {
+    auto value = guess_value(guess, t);
+    if (value.size() != n)
+        throw bad_problem("solve_bvp: guess must have the same number of components at every t");
+    return value;
+}
+template <class Scalar, class Guess>
+auto guess_slope(const Guess& guess, const Scalar& t, const Scalar& h, Eigen::Index n) {
+    using vector = decltype(guess_value(guess, t));
+    if constexpr (constant_guess<Guess>) {
+        return vector(vector::Zero(n));
+    } else if constexpr (requires { guess.derivative(t); }) {
+        static_assert(
+            owns_numbers<decltype(guess.derivative(t))>,
+            "guess.derivative(t) returns an expression of Eigen's, whose operands may be gone: write "
+            "its type, Eigen::Vector2d, say, or .eval()");
+        return vector(guess.derivative(t));
+    } else {
+        const Scalar step = h / 64;
+        return vector((guess_value(guess, Scalar(t + step), n) - guess_value(guess, Scalar(t - step), n)) /
+                      (2 * step));
+    }
+}
 
 /// y of n components at the mesh points of x and its scaled slopes at the nodes c of every interval, from a guess.
 template <class Guess, class Nodes, class Iterate>

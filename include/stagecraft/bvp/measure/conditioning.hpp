@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -100,19 +99,19 @@ typename Matrix::Scalar spectral_norm(const Matrix& a,
     return best;
 }
 
-/// The first condition whose derivative (a row) depends on those before it, in words; empty if none does.
+/// The first condition whose derivative (a row) depends on those before it; -1 if none does.
 template <class Matrix>
-std::string dependent_condition(Matrix rows) {
+int dependent_condition(Matrix rows) {
     using std::sqrt;
     for (Eigen::Index r = 0; r < rows.rows(); ++r) {
         const auto size = sqrt(rows.row(r).squaredNorm());
         for (Eigen::Index k = 0; k < r; ++k) rows.row(r) -= rows.row(r).dot(rows.row(k)) * rows.row(k);
         const auto left = sqrt(rows.row(r).squaredNorm());
         if (!(left > 1000 * std::numeric_limits<typename Matrix::Scalar>::epsilon() * size))
-            return "condition r[" + std::to_string(r) + "] depends on those before it";
+            return static_cast<int>(r);
         rows.row(r) /= left;
     }
-    return {};
+    return -1;
 }
 
 }  // namespace detail
@@ -238,7 +237,7 @@ class conditioning_of {
     }
 
     /// The largest |y_c| at a mesh point by floor + the smallest, of the component c where that is most.
-    scalar spread(const scalar& floor) const {
+    scalar range(const scalar& floor) const {
         scalar most(0);
         for (int c = 0; c < equations_.n(); ++c) {
             const auto sizes = x_.y.row(c).cwiseAbs();

@@ -2,43 +2,52 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
-#include <stagecraft/bvp/equations/mesh.hpp>
-#include <stagecraft/bvp/measure/regularity.hpp>
+#include <stagecraft/bvp/judge/mesh_points.hpp>
+#include <stagecraft/bvp/measure/measurements.hpp>
 
 namespace stagecraft::detail {
 
-/// Is M of a linear problem known on the mesh of x as well, where `finer` are its equations, and its relative condition number
-/// `kappa` but for a factor of 2?
+/// The relative condition number of a linear problem on the mesh of x, whose equations are `own`; infinity where M is not known
+/// there either.
 template <class Equations>
-bool confirms_condition(Equations& finer, typename Equations::iterate x,
-                        std::shared_ptr<const typename Equations::rule> rule,
-                        const typename regularity<Equations>::scalar& floor,
-                        const typename regularity<Equations>::scalar& kappa) {
-    finer.resize(x);
-    if (!finer.linearise(x)) return false;
-    conditioning_of<Equations> conditioning(finer, x);
-    lifting_elimination<Equations> elimination(finer, std::move(rule));
-    if (regularity<Equations>(finer, conditioning, x, elimination).unknown(floor)) return false;
-    const auto found = conditioning.relative(floor);
-    return found < 2 * kappa && kappa < 2 * found;
+auto condition_on(Equations& own, typename Equations::iterate x,
+                  std::shared_ptr<const typename Equations::rule> rule,
+                  const typename measurements<Equations>::scalar& threshold) {
+    using scalar = typename measurements<Equations>::scalar;
+    const scalar unknown = std::numeric_limits<scalar>::infinity();
+    own.resize(x);
+    if (!own.linearise(x)) return unknown;
+    lifting_elimination<Equations> elimination(own, std::move(rule));
+    measurements<Equations> measured(own, x, elimination, threshold);
+    mesh_evidence<scalar> e;
+    e.unknowns = own.n() + own.np(), e.no_mass = std::decay_t<decltype(own.mass())>::identity;
+    for (;;) {
+        const evidence_reader<scalar> r(e);
+        const bool undecided = regularity_judge<scalar>(r).decide(scalar(0)).undecided;
+        const scalar kappa = undecided ? unknown : r(quantity::kappa);
+        if (!r.missing()) return kappa;
+        measured.measure(*r.missing(), e, scalar(0));
+    }
 }
 
 /// The dimension of the kernel of M at x, which is known to be singular: with every interval halved until the mesh shows what
-/// it does to each mode. `at` gives x on another mesh, `own` are equations for it.
+/// it does to each mode. `at` gives x on another mesh, `own` are equations for it; meshes have at most `most` intervals.
 template <class Equations, class At>
 int kernel_dimension(Equations& own, const At& at, typename Equations::iterate x,
                      std::shared_ptr<const typename Equations::rule> rule,
-                     const typename regularity<Equations>::scalar& floor, bool linear, int most) {
+                     const typename measurements<Equations>::scalar& threshold, bool linear, int most) {
+    constexpr int halvings = 8;
     int dimension = 1;
-    for (int pass = 0; pass < 8; ++pass) {
+    for (int pass = 0; pass < halvings; ++pass) {
         own.resize(x);
         if (!own.linearise(x)) break;
-        conditioning_of<Equations> conditioning(own, x);
         lifting_elimination<Equations> elimination(own, rule);
-        const auto found = regularity<Equations>(own, conditioning, x, elimination).kernel(floor, linear);
+        measurements<Equations> measured(own, x, elimination, threshold);
+        const auto found = measured.fundamental().kernel(linear);
         dimension = std::max(found.dimension, 1);
         if (found.certain || 2 * x.intervals() > most) break;
         x = at(halved(x.t));

@@ -103,10 +103,4 @@ typename Column::Scalar spectral_radius(const std::vector<int>& of, const std::v
     return most;
 }
 
-/// The dimension of the kernel of M, and whether the mesh shows it.
-struct kernel_found {
-    int dimension;
-    bool certain;
-};
-
 }  // namespace stagecraft::detail

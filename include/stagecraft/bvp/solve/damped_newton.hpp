@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include <stagecraft/bvp/judge/mesh_evidence.hpp>
+#include <stagecraft/bvp/judge/newton_damping.hpp>
 #include <stagecraft/bvp/result.hpp>
 
 namespace stagecraft {
-
-enum class damped_newton_end { converged, failed, non_finite };
 
 /// How Newton's iteration ended; `remainder` estimates the error left, relative as options.rtol is.
 template <class Scalar>
@@ -18,10 +19,9 @@ struct damped_newton_outcome {
     Scalar remainder;
 };
 
-/// Newton's iteration with affine-invariant damping (Deuflhard 2004, section 3.3: the error-oriented method):
-/// a step is accepted where the simplified correction that follows it is smaller, the full step being tried first (that
-/// finds solutions which cautious predictions of the damping do not), and the factors are kept as
-/// long as these corrections contract by four. A linear problem takes one factorisation and no more, once its Jacobians have
+/// Newton's iteration with affine-invariant damping (judge/newton_damping.hpp): a step is accepted if the simplified
+/// correction that follows it is smaller. The full step is tried first, which finds solutions that cautious predictions of
+/// the damping do not. The factors are kept as long as these corrections contract. A linear problem takes one factorisation and no more, once its Jacobians have
 /// been found to be the same at the end of the first step.
 template <class Equations>
 class damped_newton {
@@ -35,11 +35,11 @@ class damped_newton {
     damped_newton(Equations& equations, bvp_report& counts, const scalar& floor)
         : equations_(equations), counts_(counts), floor_(floor) {}
 
-    /// Improves x until what is left is estimated below `target`. A bold iteration takes a sixteenth of a step even where a larger
-    /// correction follows it: that leads past iterates at which the equations are singular, before which damping ends.
+    /// Improves x until the error left is estimated below `target`, with at most `most` factorisations.
     outcome run(iterate& x, const scalar& target, int most, bool bold = false) {
         using std::sqrt;
-        const scalar rounding = 100 * std::numeric_limits<scalar>::epsilon();
+        constexpr int rounding_errors = 100;  // that a correction may be, without anything left to correct
+        const scalar rounding = rounding_errors * std::numeric_limits<scalar>::epsilon();
         equations_.resize(x);
         for (int step = 0; step < most; ++step) {
             ++counts_.newton_steps;
@@ -51,7 +51,7 @@ class damped_newton {
             const scalar size = norm(d_);
             if (!(size - size == scalar(0))) return {damped_newton_end::failed, size};
             const scalar left = accuracy(x, d_);
-            const bool test = !tested_ && 1000 * left > scalar(1);
+            const bool test = !tested_ && left > scalar(visible_step);
             if (test) {
                 add(x, scalar(1), d_, trial_);
                 linear_ = !equations_.jacobians_differ(trial_);
@@ -62,16 +62,17 @@ class damped_newton {
                 add(x, scalar(1), d_, x);
                 return {damped_newton_end::converged, std::numeric_limits<scalar>::epsilon() * moved_};
             }
-            scalar lambda(1);
-            scalar bar(0);
-            const bool decreased = search(x, size, sqrt(rounding), bold, lambda, bar);
+            damping step_length(size, bold);
+            scalar next(0);
+            const bool decreased = search(x, sqrt(rounding), step_length, next);
             if (!decreased && !(left <= sqrt(rounding))) return {damped_newton_end::failed, left};
-            moved_ = lambda * left;
-            // Corrections that are what rounding leaves do not decrease; they still make the slopes fit y.
-            if (decreased || (lambda == scalar(1) && bar < 2 * size)) std::swap(x, trial_);
+            const bool full = step_length.full();
+            moved_ = step_length.lambda() * left;
+            // Corrections that are rounding errors do not decrease; they still make the slopes fit y.
+            if (decreased || (full && next < 2 * size)) std::swap(x, trial_);
             if (!decreased) return {damped_newton_end::converged, left};
-            if (lambda == scalar(1) && 4 * bar <= size) {
-                const outcome now = keep_factors(x, size, bar, target > rounding ? target : rounding);
+            if (full && damping::keeps_factors(size, next)) {
+                const outcome now = keep_factors(x, size, next, std::max(target, rounding));
                 if (now.end == damped_newton_end::converged) return now;
             }
         }
@@ -85,9 +86,15 @@ class damped_newton {
     bool linear() const { return linear_; }
 
   private:
+    using damping = detail::newton_damping<scalar>;
+    /// A relative step of this size shows whether Jacobians depend on x.
+    static constexpr double visible_step = 1e-3;
+    /// Corrections with the factors of one iterate: with a contraction by four they add five digits.
+    static constexpr int most_kept = 8;
+
     /// x := x + bar with the factors of an earlier iterate while the corrections contract.
     outcome keep_factors(iterate& x, scalar before, scalar bar, const scalar& target) {
-        for (int k = 0; k < 8; ++k) {
+        for (int k = 0; k < most_kept; ++k) {
             const scalar rate = before > scalar(0) ? bar / before : scalar(0), left = accuracy(x, bar_);
             moved_ += left;
             add(x, scalar(1), bar_, x);
@@ -100,7 +107,7 @@ class damped_newton {
             ++counts_.newton_steps;
             before = bar;
             bar = norm(bar_);
-            if (!(4 * bar <= before)) {
+            if (!damping::keeps_factors(before, bar)) {
                 const scalar rest = accuracy(x, bar_);  // rounding errors do not contract
                 if (rest <= target) return {damped_newton_end::converged, rest};
                 break;
@@ -110,26 +117,19 @@ class damped_newton {
     }
 
     /// False where no damped step decreases, or the full one does not and is below `rounding`.
-    bool search(const iterate& x, const scalar& size, const scalar& rounding, bool bold, scalar& lambda,
-                scalar& bar) {
-        const scalar least = scalar(1) / 10000, boldest = scalar(1) / 16;
-        while (lambda >= least) {
-            add(x, lambda, d_, trial_);
+    bool search(const iterate& x, const scalar& rounding, damping& step, scalar& next) {
+        while (!step.gives_up()) {
+            add(x, step.lambda(), d_, trial_);
             if (!equations_.residual(trial_)) {
-                lambda /= 4;
+                step.not_finite();
                 continue;
             }
             solve(x, bar_);
-            bar = norm(bar_);
-            if (bar <= (1 - lambda / 4) * size || (bold && lambda <= boldest)) return true;
-            if (lambda == scalar(1) && accuracy(x, d_) <= rounding) return false;
-            combine(bar_, 1 - lambda, d_, difference_);
-            const scalar change = norm(difference_);
-            const scalar next =
-                change > scalar(0) ? scalar(size * lambda * lambda / (2 * change)) : scalar(0);
-            lambda =
-                next < lambda / 2 ? (next > lambda / 10 ? next : scalar(lambda / 10)) : scalar(lambda / 2);
-            if (bold && lambda < boldest) lambda = boldest;
+            next = norm(bar_);
+            if (step.accepts(next)) return true;
+            if (step.full() && accuracy(x, d_) <= rounding) return false;
+            combine(bar_, 1 - step.lambda(), d_, difference_);
+            step.refused(norm(difference_));
         }
         return false;
     }

@@ -7,7 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <stagecraft/bvp/equations/mesh.hpp>
+#include <stagecraft/bvp/judge/mesh_points.hpp>
+#include <stagecraft/bvp/judge/mesh_refinement.hpp>
 #include <stagecraft/bvp/measure/error_estimate.hpp>
 #include <stagecraft/bvp/measure/missed_phase.hpp>
 #include <stagecraft/bvp/options.hpp>
@@ -25,62 +26,16 @@ class mesh_choice {
                 const bvp_options<Scalar>& o)
         : equations_(equations), estimate_(estimate), x_(x), o_(o) {}
 
-    /// The next mesh. Its density is that of the errors of the collocation polynomial, which go with h^(s+1) and change
-    /// smoothly; its size follows from what every interval contributes to the global error, which goes with h^p, or
-    /// with h^(s+1) where stiffness leaves nothing of superconvergence.
-    /// Where f jumps in few of them and their errors count, these are divided for themselves (`divide`): no mesh
-    /// that is finer elsewhere helps there.
-    std::vector<Scalar> refined(const Scalar& error, const Scalar& floor, bool double_it, bool divide) {
-        using std::abs;
-        using std::pow;
-        const int L = x_.intervals(), n = equations_.n(), s = equations_.s();
-        std::vector<Scalar> part(static_cast<std::size_t>(L)), local(part);
-        Scalar total(0), all(0);
-        int worst = 0;
-        bool superconvergent = true;
-        for (int i = 0; i < L; ++i) {
-            Scalar raised(0);
-            for (int c = 0; c < n; ++c) {
-                const Scalar size = floor + std::max(abs(x_.y(c, i)), abs(x_.y(c, i + 1)));
-                local[i] = std::max(
-                    local[i],
-                    Scalar((estimate_.local(c, i) + abs(estimate_.inner()(c, i)) / 20) / (o_.rtol * size)));
-                raised = std::max(raised, Scalar(estimate_.raised()(c, i) / (o_.rtol * size)));
-            }
-            if (!(local[i] < Scalar(1e30))) local[i] = Scalar(1e30);
-            if (!(raised < Scalar(1e30))) raised = Scalar(1e30);
-            total += local[i];
-            if (local[i] >= local[worst]) worst = i, superconvergent = 10 * local[i] < raised;
-            part[i] = pow(Scalar(std::max(raised, local[i]) + Scalar(1e-12)), Scalar(1) / Scalar(s + 1));
-            all += part[i];
-        }
-        std::vector<int> apart;
-        if (divide) apart = set_apart(local, part, total, all);
-        // No step becomes much longer at once: what hides behind larger errors elsewhere stays resolved. Where the shares
-        // differ by little, the mesh keeps its shape (Ascher-Christiansen-Russell 1981): symmetric methods leave of the
-        // local errors of stiff components what changes from interval to interval, which other steps would enlarge.
-        const bool even = *std::max_element(part.begin(), part.end()) * Scalar(L) < 2 * all;
-        for (Scalar& p : part) p = even ? Scalar(1) : std::max(p, Scalar(all / Scalar(10 * L)));
-        const int order = superconvergent || x_.h(worst) < 5 * reach(worst, 0) ? estimate_.order() : s + 1;
-        const auto density = mesh_density(x_.t, part, Scalar(5));
-        Scalar sum(0), needed(0);
-        for (int i = 0; i < L; ++i) {
-            part[i] = x_.h(i) * (density[i] + density[i + 1]) / 2;
-            sum += part[i];
-        }
-        for (int i = 0; i < L; ++i) needed += local[i] * pow(Scalar(sum / part[i]), Scalar(order));
-        const Scalar gain = error / (o_.rtol * std::max(total, Scalar(1e-20)));
-        const Scalar wanted = pow(Scalar(gain * needed / Scalar(0.25)), Scalar(1) / Scalar(order));
-        const int least = even ? L + 1 : std::max(3, L / 2), most = 4 * L;
-        int intervals = wanted < Scalar(most) ? static_cast<int>(static_cast<double>(wanted)) + 1 : most;
-        intervals = std::clamp(intervals, least, most);
-        if (double_it && apart.empty()) intervals = std::max(intervals, 2 * L);
-        auto mesh = equidistributed(x_.t, density, intervals, o_.fixed_points);
-        const Scalar ratio = std::min(Scalar(2 * error / o_.rtol), Scalar(8));
-        for (const int i : apart)
-            mesh = subdivided(mesh, x_.t[i], x_.t[i + 1],
-                              std::max(2, static_cast<int>(static_cast<double>(ratio))), o_.fixed_points);
-        return mesh;
+    /// The next mesh by the errors (judge/mesh_refinement.hpp). Contributions to the global error go with h^p, or with h^(s+1)
+    /// where stiffness leaves nothing of superconvergence.
+    std::vector<Scalar> refined(const Scalar& error, const Scalar& threshold, bool doubled, bool divide) {
+        const interval_errors<Scalar> e = errors(threshold);
+        const int s = equations_.s(), worst = e.worst();
+        const bool superconvergent =
+            e.superconvergent(worst) || x_.h(worst) < resolving_steps * reach(worst, 0);
+        return refined_mesh(x_.t, e,
+                            {s, superconvergent ? estimate_.order() : s + 1, error, o_.rtol, doubled, divide,
+                             o_.fixed_points});
     }
 
     /// The next mesh where the solution is wrong in its first digit and errors say nothing of where it is hard: the same
@@ -88,7 +43,7 @@ class mesh_choice {
     std::vector<Scalar> spread() {
         using std::abs;
         const int L = x_.intervals(), n = equations_.n(), s = equations_.s();
-        if (missed_phase(equations_, x_, estimate_.order()) > Scalar(1)) return following_turns();
+        if (missed_phase(equations_, x_, estimate_.order()) > Scalar(lost_phase)) return following_turns();
         std::vector<Scalar> part(static_cast<std::size_t>(L)), variation(part);
         for (int i = 0; i < L; ++i) part[i] = Scalar(1) / Scalar(L);
         for (int c = 0; c < n; ++c) {
@@ -102,8 +57,8 @@ class mesh_choice {
             if (!(all > Scalar(0)) || !(all - all == Scalar(0))) continue;
             for (int i = 0; i < L; ++i) part[i] += variation[i] / (all * Scalar(n));
         }
-        return resolving(equidistributed(x_.t, mesh_density(x_.t, part, Scalar(5)), std::max(16, 3 * L / 2),
-                                         o_.fixed_points));
+        return resolving(equidistributed(x_.t, mesh_density(x_.t, part, Scalar(density_ratio)),
+                                         std::max(least_spread, 3 * L / 2), o_.fixed_points));
     }
 
     /// A mesh with points added where layers may be, whether y has them or not: at the ends, and inside.
@@ -138,6 +93,17 @@ class mesh_choice {
     }
 
   private:
+    /// Steps of the length at which the fastest mode is resolved: with fewer in an interval there is superconvergence.
+    static constexpr int resolving_steps = 5;
+    static constexpr int density_ratio = refinement<Scalar>::density_ratio,
+                         longer_than_mean = refinement<Scalar>::longer_than_mean;
+    /// A mesh that follows y has at least so many intervals, and half as many again as the one before.
+    static constexpr int least_spread = 16;
+    /// Modes that a mesh misses by more than this (radian) are what makes its solution wrong.
+    static constexpr int lost_phase = 1;
+    /// An interval may hold two radians of the fastest turn.
+    static constexpr int turn = 2;
+
     /// The next mesh where modes turn faster than this one shows: the same angle for every interval, two radians where
     /// max_intervals are enough for that.
     std::vector<Scalar> following_turns() {
@@ -148,34 +114,35 @@ class mesh_choice {
             part[i] = fastest_turn(middle_jacobian(equations_, x_, i), Scalar(0)).angle;
             all += part[i];
         }
-        for (Scalar& p : part) p = std::max(p, Scalar(all / Scalar(10 * L)));
-        const Scalar wanted = std::min(Scalar(all / 2), Scalar(o_.max_intervals));
+        for (Scalar& p : part) p = std::max(p, Scalar(all / Scalar(longer_than_mean * L)));
+        const Scalar wanted = std::min(Scalar(all / turn), Scalar(o_.max_intervals));
         const int intervals = static_cast<int>(static_cast<double>(wanted));
-        return equidistributed(x_.t, mesh_density(x_.t, part, Scalar(5)), std::max(3 * L / 2, intervals),
-                               o_.fixed_points);
+        return equidistributed(x_.t, mesh_density(x_.t, part, Scalar(density_ratio)),
+                               std::max(3 * L / 2, intervals), o_.fixed_points);
     }
     /// Is the step that resolves the fastest mode longer by what the distance from the end is longer, within a third?
     static bool in_proportion(const Scalar& near_reach, const Scalar& near, const Scalar& far_reach,
                               const Scalar& far) {
         return far > 3 * near / 2 && 3 * far_reach * near > 2 * near_reach * far;
     }
-    /// The intervals in which f jumps, if these are few and their errors count. They are as others from then on.
-    std::vector<int> set_apart(std::vector<Scalar>& local, std::vector<Scalar>& part, const Scalar& total,
-                               Scalar& all) const {
-        const int L = x_.intervals();
-        std::vector<int> apart;
-        Scalar of_jumps(0), other(0);
+    interval_errors<Scalar> errors(const Scalar& threshold) const {
+        using std::abs;
+        const int L = x_.intervals(), n = equations_.n();
+        const Scalar most(1e30);  // whatever an error is, sums stay finite
+        interval_errors<Scalar> e(L);
+        e.jumps = estimate_.jumps();
         for (int i = 0; i < L; ++i) {
-            if (estimate_.jumps()[i])
-                apart.push_back(i), of_jumps += local[i];
-            else
-                other += part[i];
+            for (int c = 0; c < n; ++c) {
+                const Scalar size = threshold + std::max(abs(x_.y(c, i)), abs(x_.y(c, i + 1)));
+                // Errors between mesh points leave their interval only through f_y: they count little.
+                const Scalar local = estimate_.local(c, i) + abs(estimate_.inner()(c, i)) / 20;
+                e.local[i] = std::max(e.local[i], Scalar(local / (o_.rtol * size)));
+                e.removed[i] = std::max(e.removed[i], Scalar(estimate_.raised()(c, i) / (o_.rtol * size)));
+            }
+            if (!(e.local[i] < most)) e.local[i] = most;
+            if (!(e.removed[i] < most)) e.removed[i] = most;
         }
-        const int count = static_cast<int>(apart.size());
-        if (4 * count > L || !(10 * of_jumps > total)) return {};
-        for (const int i : apart) local[i] = Scalar(0), part[i] = other / Scalar(L - count);
-        all = other * Scalar(L) / Scalar(L - count);
-        return apart;
+        return e;
     }
     Scalar node(int k) const {
         const int s = equations_.s();

@@ -5,27 +5,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <stagecraft/bvp/equations/lifting_elimination.hpp>
 #include <stagecraft/bvp/equations/lifting_rule.hpp>
+#include <stagecraft/bvp/judge/kernel_judge.hpp>
 #include <stagecraft/bvp/measure/conditioning.hpp>
 #include <stagecraft/bvp/measure/missed_phase.hpp>
 #include <stagecraft/bvp/measure/modes.hpp>
-#include <stagecraft/bvp/measure/translation.hpp>
 #include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {
 
-/// Says whether M is regular, of which a mesh shows only M_h. With u the fundamental solution that answers most to the
-/// conditions, u + e solves the exact equations with the same conditions, where e is what Green's function makes of the
-/// local errors of u. If M is singular, M_h is its own error, and e = -u. So e well below u means that M is regular; e
-/// like u while the local errors are small, that nothing is known on this mesh; and e like u from rounding errors alone,
-/// that M is singular to rounding. All this is relative to the sizes of the components, whatever their units are.
+/// The fundamental solution u of the linearised problem that answers most to a condition, and what errors make of it: numbers
+/// by which judge/regularity_judge.hpp says whether M is regular. All are relative to the sizes of the components, whatever
+/// their units are.
 template <class Equations>
-class regularity {
+class fundamental_solution {
   public:
     using iterate = typename Equations::iterate;
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
@@ -34,110 +32,120 @@ class regularity {
     using parameters = typename Equations::parameters;
     using rule = typename Equations::rule;
     static constexpr int N = wide::RowsAtCompileTime;
+    /// Local errors that change u by less than this part are small.
+    static constexpr double small_part = 0.1;
 
-    regularity(Equations& equations, conditioning_of<Equations>& conditioning, iterate& x,
-               lifting_elimination<Equations>& elimination)
+    /// Values below `threshold` count as if they were of that size.
+    fundamental_solution(Equations& equations, conditioning_of<Equations>& conditioning, const iterate& x,
+                         lifting_elimination<Equations>& elimination, const scalar& threshold)
         : equations_(equations),
           conditioning_(conditioning),
           x_(x),
           elimination_(elimination),
-          rule_(elimination.lifting()) {}
+          rule_(elimination.lifting()),
+          floor_(threshold) {}
 
-    /// Are the local errors small, and what they make of u not small beside it? `error` is that of x, relative, where f or r
-    /// are nonlinear and M changes with x, else 0.
-    bool unknown(const scalar& floor, const scalar& error = scalar(0)) {
-        turns_ = missed_phase(equations_, x_, rule_.order) > scalar(1) / 1000;
-        choose(floor);
-        resolved_ = true;
-        doubt_.reset();
-        if (answer_ * error > scalar(1) / 100 && !(of_other(error) < scalar(1) / 100)) return true;
-        if (error > scalar(0) &&
-            translation_missed(equations_, conditioning_, x_, floor, error) > scalar(1) / 4)
-            return true;
-        // M could else be singular only by errors of the mesh of some per cent, which are seen in x as well.
-        if (!turns_ && answer_ < scalar(30)) return false;
-        if (!(doubt() < scalar(1) / 4)) return turns_ || resolved_;
-        return x_.p.size() + equations_.n() > 1 && !(answer_ * local_bound() < scalar(1) / 20) &&
-               hides_kernel(floor);
+    /// Its size where the terms of its condition are 1: about 1/|M|.
+    scalar answer() {
+        choose();
+        return answer_;
     }
-    /// The number of modes that M may take to zero as far as this mesh, rounding errors and, of a nonlinear problem, those of x
-    /// show.
-    kernel_found kernel(const scalar& floor, bool linear) {
-        using std::abs;
-        turns_ = missed_phase(equations_, x_, rule_.order) > scalar(1) / 1000;
-        choose(floor);
-        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor);
-        const scalar most = modes.largest(), noise = 1000 * std::numeric_limits<scalar>::epsilon() * most;
-        kernel_found found{0, !turns_};
+    /// What becomes of u, relative to it, where y and p change by `error`, to sides of their own in each eighth.
+    scalar change(const scalar& error) {
+        choose();
+        return of_other(error);
+    }
+    /// A bound of mesh_error(), at the cost of no solve; infinity where h f_y changes much in an interval.
+    scalar error_bound() { return answer() * local_bound(); }
+
+    /// What the local errors of u make of it, and whether these are small (then 1).
+    struct part {
+        scalar size;
+        bool resolved;
+    };
+    part mesh_error() {
+        choose();
+        iterate e;
+        const bool resolved = answer_to_mesh(e);
+        return {resolved ? share(e.y, e.p) : scalar(1), resolved};
+    }
+    /// Of the modes that answer much: with E, what the errors of this mesh make of each, in units of their conditions, 1 + E is
+    /// regular if the spectral radius of |E| is below one. The error of a large mode in one that answers little is large in
+    /// these units, and none the less takes nothing to zero. Infinity where one that turns is not resolved.
+    scalar kernel_radius(bool turns) {
+        choose();
+        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor_);
+        const kernel_judge<scalar> judge{scalar(0), modes.largest(), true, turns};
+        std::vector<int> taken;
+        std::vector<typename modes_of<Equations>::column> made;
+        scalar radius(0);
         for (int k = 0; k < modes.count(); ++k) {
-            if (modes.size(k) < noise || !take(modes, k)) continue;
+            iterate e;
+            if (!judge.may_vanish(modes.size(k))) continue;
+            take(modes, k);
+            if (answer_to_mesh(e))
+                taken.push_back(k), made.push_back(modes.conditions(e.y, e.p).cwiseAbs());
+            else if (turns)
+                radius = std::numeric_limits<scalar>::infinity();  // whatever the others say
+        }
+        chosen_ = false;
+        return radius > scalar(0) || taken.empty() ? radius : spectral_radius(taken, made);
+    }
+    /// How many modes M may take to zero, for all that the mesh shows.
+    kernel_found kernel(bool linear) {
+        choose();
+        const scalar phase = missed_phase(equations_, x_, rule_.order);
+        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor_);
+        const kernel_judge<scalar> judge{std::numeric_limits<scalar>::epsilon(), modes.largest(), linear,
+                                         phase > scalar(regularity_judge<scalar>::visible_phase)};
+        kernel_found found{0, !judge.turns};
+        for (int k = 0; k < modes.count(); ++k) {
+            if (!judge.may_vanish(modes.size(k))) continue;
+            take(modes, k);
             parameters shift(equations_.np());
             const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
-            const bool none = 100 * modes.conditions(e, shift).norm() > scalar(1) ||
-                              (!linear && 1000 * modes.size(k) > most);
             iterate of_mesh;
-            const scalar doubt =
-                none || !answer_to_mesh(of_mesh) ? scalar(1) : modes.conditions(of_mesh.y, of_mesh.p).norm();
-            if (!(doubt < scalar(1) / 4)) ++found.dimension;
-            if (!(doubt < scalar(1) / 20 || abs(doubt - 1) < scalar(1) / 4)) found.certain = false;
+            const bool lost = judge.lost(modes.size(k), modes.conditions(e, shift).norm());
+            judge.count(lost || !answer_to_mesh(of_mesh)
+                            ? scalar(1)
+                            : scalar(modes.conditions(of_mesh.y, of_mesh.p).norm()),
+                        found);
         }
+        chosen_ = false;
         return found;
-    }
-    /// Did unknown() see modes that turn between both ends, neither growing nor decaying by much, by an angle that the mesh
-    /// does not show? What the conditions say of them, it does not show either.
-    bool turns() const { return turns_; }
-    /// Were they small, when unknown() looked?
-    bool resolved() const { return resolved_; }
-
-    /// What the errors of the mesh may be of the M that unknown() has looked at, as a part of it: e beside u, 1 where u
-    /// is not resolved.
-    scalar doubt() {
-        if (!doubt_) doubt_ = find_doubt();
-        return *doubt_;
-    }
-
-    /// Can the errors of differences, from which a nonlinear f has its Jacobian, be all there is of M?
-    bool hidden(const scalar& floor, const scalar& size) {
-        using std::sqrt;
-        if constexpr (!std::decay_t<decltype(equations_.system())>::differences) return false;
-        const scalar epsilon = std::numeric_limits<scalar>::epsilon(), noise = sqrt(epsilon);
-        choose(floor);
-        return answer_ * noise > scalar(1) / 1000 && rounding(floor) * noise / epsilon > scalar(1) / 10 &&
-               nonlinear(size);
     }
 
     /// What one rounding error in every entry makes of u, relative to it.
-    scalar rounding(const scalar& floor) {
-        choose(floor);
+    scalar rounding() {
+        choose();
         parameters shift(equations_.np());
         const wide e = answer_to_rounding(u_.cwiseAbs(), p_.cwiseAbs(), shift);
         return share(e, shift);
     }
 
-    /// Is u large because solutions grow from one end to the other, rounding errors leaving it what it is? M is regular then.
-    bool grows(const scalar& floor) {
+    /// The least size of u at a mesh point over the largest: tiny where it grows from one end to the other. 1 where u is most of
+    /// all a change of p: where nothing fixes an unknown parameter, y may say nothing of it.
+    scalar contrast() {
         using std::abs;
-        using std::sqrt;
-        if (!(rounding(floor) < scalar(1) / 10000)) return false;
-        scalar most(0), least = std::numeric_limits<scalar>::infinity();  // of u at a mesh point
+        choose();
+        scalar most(0), least = std::numeric_limits<scalar>::infinity();
         for (int i = 0; i <= x_.intervals(); ++i) {
             scalar size(0);
             for (int c = 0; c < equations_.n(); ++c) size = std::max(size, scalar(abs(u_(c, i)) / scale_[c]));
             most = std::max(most, size), least = std::min(least, size);
         }
-        // Where nothing fixes an unknown parameter, y may say nothing of it.
         for (Eigen::Index k = 0; k < p_.size(); ++k)
-            if (abs(p_[k]) > (floor + abs(x_.p[k])) * most) return false;
-        return least < sqrt(std::numeric_limits<scalar>::epsilon()) * most;
+            if (abs(p_[k]) > (floor_ + abs(x_.p[k])) * most) return scalar(1);
+        return least / most;
     }
 
-    /// What one rounding error in every entry makes of y, relative to floor + |y|. Values far below floor count as if they
-    /// were as large as they are elsewhere, at most floor: that they are small may be a rounding error itself.
-    scalar rounding_of_y(const scalar& floor) {
+    /// What one rounding error in every entry makes of y, relative to threshold + |y|. Values far below that count as if they
+    /// were as large as they are elsewhere, at most that: that they are small may be a rounding error itself.
+    scalar rounding_of_y() {
         using std::abs;
         wide size = x_.y.cwiseAbs();
         for (int c = 0; c < equations_.n(); ++c) {
-            const scalar least = std::min(scalar(size.row(c).maxCoeff()), floor);
+            const scalar least = std::min(scalar(size.row(c).maxCoeff()), floor_);
             for (int i = 0; i <= x_.intervals(); ++i) size(c, i) = std::max(size(c, i), least);
         }
         parameters shift(equations_.np());
@@ -145,7 +153,7 @@ class regularity {
         scalar worst(0);
         for (int i = 0; i <= x_.intervals(); ++i)
             for (int c = 0; c < equations_.n(); ++c)
-                worst = std::max(worst, scalar(abs(e(c, i)) / (floor + abs(x_.y(c, i)))));
+                worst = std::max(worst, scalar(abs(e(c, i)) / (floor_ + abs(x_.y(c, i)))));
         return worst;
     }
 
@@ -161,23 +169,23 @@ class regularity {
     }
 
     /// One full step of Newton's iteration, without a test of whether it contracts: corrections in the kernel of M are
-    /// rounding errors over epsilon. True where x then solves the equations.
-    bool full_step(const scalar& size) {
+    /// rounding errors over epsilon. True where `full` then solves the equations.
+    bool full_step(const scalar& size, iterate& full) {
         using std::sqrt;
-        iterate d, full = x_;
+        iterate d;
+        full = x_;
         if (!equations_.residual(x_)) return false;
         equations_.solve(x_, d);
         full.y += d.y, full.Z += d.Z, full.p += d.p;
-        if (!equations_.residual(full) ||
-            !(equations_.residual_size() <
-              sqrt(std::numeric_limits<scalar>::epsilon()) * (size + full.y.cwiseAbs().maxCoeff())))
-            return false;
-        x_ = full;
-        return true;
+        return equations_.residual(full) &&
+               equations_.residual_size() <
+                   sqrt(std::numeric_limits<scalar>::epsilon()) * (size + full.y.cwiseAbs().maxCoeff());
     }
 
+    /// The factors or x are others from now on.
+    void forget() { chosen_ = false; }
+
   private:
-    /// What becomes of u, relative to it, where y and p change by `error`, to sides of their own in each eighth.
     scalar of_other(const scalar& error) {
         using std::abs;
         const int n = equations_.n(), np = equations_.np(), L = x_.intervals();
@@ -206,38 +214,10 @@ class regularity {
         return share(e.y, e.p);
     }
 
-    /// u := mode k; false where it answers so little to its conditions that M is regular there.
-    bool take(const modes_of<Equations>& modes, int k) {
-        if (!turns_ && modes.size(k) < scalar(30)) return false;
+    /// u := mode k.
+    void take(const modes_of<Equations>& modes, int k) {
         modes.get(k, u_, p_);
         size_ = u_.cwiseAbs().rowwise().maxCoeff();
-        return true;
-    }
-    /// May the errors of this mesh take M to zero in a combination of the modes that answer much? With E, what they make of
-    /// each, in units of their conditions, 1 + E is regular if the spectral radius of |E| is below one: the error of a
-    /// large mode in one that answers little is large in these units, and none the less takes nothing to zero.
-    bool hides_kernel(const scalar& floor) {
-        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor);
-        const bool resolved = resolved_;
-        std::vector<int> taken;
-        std::vector<typename modes_of<Equations>::column> made;
-        for (int k = 0; k < modes.count(); ++k) {
-            iterate e;
-            if (!take(modes, k)) continue;
-            const bool shown = answer_to_mesh(e);
-            resolved_ = resolved;
-            if (!shown && turns_) return true;
-            if (shown) taken.push_back(k), made.push_back(modes.conditions(e.y, e.p).cwiseAbs());
-        }
-        return !taken.empty() && !(spectral_radius(taken, made) < scalar(1) / 4);
-    }
-    scalar find_doubt() {
-        if (std::decay_t<decltype(equations_.mass())>::identity) {
-            const scalar bound = answer_ * local_bound();
-            if (bound < scalar(1) / 20) return bound;
-        }
-        iterate e;
-        return answer_to_mesh(e) ? share(e.y, e.p) : scalar(1);
     }
     /// e: what the local errors of u make of it; false where these are large.
     bool answer_to_mesh(iterate& e) {
@@ -246,27 +226,27 @@ class regularity {
         const bool usual = elimination_.usual();
         for (int i = 0; i < x_.intervals(); ++i)
             usual ? local_error<usual_nodes>(i, local) : local_error<0>(i, local);
-        resolved_ = share(local) < scalar(1) / 10;
-        if (resolved_) equations_.solve_mesh_values(local, column::Zero(local.rows() + p_.rows()), e);
-        return resolved_;
+        if (!(share(local) < scalar(small_part))) return false;
+        equations_.solve_mesh_values(local, column::Zero(local.rows() + p_.rows()), e);
+        return true;
     }
 
     /// u: the answer to the condition that moves it most, as its terms and the components of y are large; of equal ones, as
     /// symmetric problems have them, the last, whatever rounding makes of them.
-    void choose(const scalar& floor) {
+    void choose() {
         using std::abs;
         using std::sqrt;
+        if (std::exchange(chosen_, true)) return;
         conditioning_.fundamental();
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
         const auto& shifts = conditioning_.parameters();
-        floor_ = floor;
         scale_.resize(n);
         for (int c = 0; c < n; ++c) {
             scale_[c] = scalar(0);
             for (int i = 0; i <= x_.intervals(); ++i)
                 scale_[c] = std::max(scale_[c], scalar(abs(x_.y(c, i))));
-            scale_[c] += floor;
+            scale_[c] += floor_;
         }
         int best = 0;
         answer_ = scalar(0);
@@ -281,7 +261,7 @@ class regularity {
                 most = std::max(most, scalar(largest / scale_[c]));
             }
             for (int j = 0; j < m - n; ++j) {
-                const scalar size = floor + abs(x_.p[j]);
+                const scalar size = floor_ + abs(x_.p[j]);
                 terms += abs(B(k, 2 * n + j)) * size;
                 most = std::max(most, scalar(abs(shifts(j, k)) / size));
             }
@@ -389,7 +369,7 @@ class regularity {
 
     Equations& equations_;
     conditioning_of<Equations>& conditioning_;
-    iterate& x_;
+    const iterate& x_;
     lifting_elimination<Equations>& elimination_;
     const rule& rule_;
     static constexpr int S = Equations::stages > 0 ? Equations::stages : 0,
@@ -401,9 +381,8 @@ class regularity {
     Eigen::Matrix<scalar, N, P> J_;
     parameters p_;
     typename Equations::state size_, scale_;
-    scalar answer_{0}, floor_{1};
-    std::optional<scalar> doubt_;
-    bool resolved_ = false, turns_ = false;
+    scalar answer_{0}, floor_;
+    bool chosen_ = false;
 };
 
 }  // namespace stagecraft::detail

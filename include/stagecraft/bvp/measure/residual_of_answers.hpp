@@ -4,17 +4,16 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 #include <stagecraft/bvp/measure/conditioning.hpp>
 
 namespace stagecraft::detail {
 
-/// What the answer to condition k leaves of its equations, every row beside its largest terms.
+/// The largest residual of the answer to condition k in its own equations, every row beside its largest terms.
 template <class Equations, class Iterate>
-auto left_over(Equations& equations, const conditioning_of<Equations>& conditioning, const Iterate& x,
-               int k) {
+auto residual_of_answer(Equations& equations, const conditioning_of<Equations>& conditioning,
+                        const Iterate& x, int k) {
     using std::abs;
     using scalar = std::decay_t<decltype(x.t[0])>;
     using state = typename Equations::state;
@@ -56,18 +55,18 @@ auto left_over(Equations& equations, const conditioning_of<Equations>& condition
     return worst;
 }
 
-/// Do the answers to the conditions leave their equations, every row beside its largest terms, by more than rounding does?
-/// Of a singular M elimination makes a regular one of its rounding errors, whose answers leave the condition that they
-/// are for as it was. Of an M that only answers much, in whatever units, they do not.
+/// The largest of these of all answers. Of a singular M elimination makes a regular one of its rounding errors, whose answers
+/// leave the condition that they are for as it was: about 1. It is rounding errors of an M that only answers much, in whatever
+/// units.
 template <class Equations, class Iterate>
-bool answers_contradict(Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x) {
-    using std::sqrt;
-    using scalar = std::decay_t<decltype(x.t[0])>;
+auto largest_residual(Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x) {
+    std::decay_t<decltype(x.t[0])> worst(0);
     conditioning.fundamental();
-    for (int k = 0; k < equations.n() + equations.np(); ++k)
-        if (!(left_over(equations, conditioning, x, k) < sqrt(std::numeric_limits<scalar>::epsilon())))
-            return true;
-    return false;
+    for (int k = 0; k < equations.n() + equations.np(); ++k) {
+        const auto here = residual_of_answer(equations, conditioning, x, k);
+        if (!(here <= worst)) worst = here;
+    }
+    return worst;
 }
 
 }  // namespace stagecraft::detail
