@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stagecraft/bvp/judge/kernel_judge.hpp>
+#include <stagecraft/bvp/judge/lifting_pass.hpp>
 #include <stagecraft/bvp/judge/mesh_judge.hpp>
 #include <stagecraft/bvp/judge/mesh_refinement.hpp>
 #include <stagecraft/bvp/judge/newton_damping.hpp>
@@ -503,4 +504,11 @@ BOOST_AUTO_TEST_CASE(mesh_points_are_graded_towards_a_layer_from_both_sides) {
         BOOST_TEST(step <= std::max(2.1 * distance, 1e-3));
     }
     BOOST_TEST(halved(even_mesh(3)).size() == 7u);
+}
+
+BOOST_AUTO_TEST_CASE(error_estimate_lifts_again_where_the_error_left_between_mesh_points_counts) {
+    BOOST_TEST(lifts_again(1e-3, 1e-3, 1.0, 1e-8));
+    BOOST_TEST(!lifts_again(1e-9, 1e-9, 1.0, 1e-8));  // beside the tolerance
+    BOOST_TEST(!lifts_again(1e-3, 1e-1, 1.0, 1e-8));  // beside the error at the mesh point
+    BOOST_TEST(!lifts_again(1e-3, 1e-3, 1e6, 1e-8));  // of a large y
 }

@@ -5,7 +5,7 @@
 
 namespace stagecraft {
 
-/// What a point of a path is. Beside regular points: where the parameter turns back, where two paths cross, and on
+/// The kind of a point of a path. Beside regular points: where the parameter turns back, where two paths cross, and on
 /// paths of periodic orbits where a multiplier passes -1 or a pair of complex ones the unit circle, and the equilibrium to
 /// which the orbits shrink in the end (orbit_continuation).
 enum class point_kind { regular, fold, branch_point, period_doubling, torus, hopf };
@@ -17,7 +17,7 @@ constexpr const char* name(point_kind k) {
     return names[static_cast<int>(k)];
 }
 
-/// What continuation and orbit_continuation may be told.
+/// The options of continuation and orbit_continuation.
 template <class Scalar>
 struct continuation_options {
     Scalar from{0};               ///< the parameter of the first point

@@ -25,7 +25,7 @@ struct orbit_guess {
     scalar begin{0}, period{0};
 };
 
-/// What periodic_orbit may be told; see bvp_options.
+/// The options of periodic_orbit; see bvp_options.
 template <class Scalar>
 struct orbit_options {
     Scalar rtol = Scalar(1) / 1000000;
@@ -81,7 +81,7 @@ struct orbit_conditions {
     }
 };
 
-/// What fixes the phase: a component with its value, or a normal on f at the guess; zero at an equilibrium.
+/// The condition on the phase: a component with its value, or a normal on f at the guess; zero at an equilibrium.
 template <class Rhs, class Vector, class Scalar>
 orbit_conditions<Vector> phase_of(Rhs& f, const orbit_guess<Vector>& guess, const orbit_options<Scalar>& o) {
     const Vector at = guess.y(guess.begin);
@@ -130,7 +130,7 @@ auto mesh_of_steps(const orbit_guess<Vector>& guess, int least, int most) {
         const scalar s = (time - guess.begin) / guess.period;
         if (s > t.back() && s < scalar(1)) t.push_back(s);
     }
-    // What begin and end cut off is no step.
+    // The parts of steps that begin and end cut off are no steps.
     if (t.size() > 2 && 2 * (t[1] - t[0]) < t[2] - t[1]) t.erase(t.begin() + 1);
     if (t.size() > 2 && 2 * (scalar(1) - t.back()) < t.back() - t[t.size() - 2]) t.pop_back();
     t.push_back(scalar(1));
@@ -190,7 +190,7 @@ bvp_status judge_orbit(const solution<Vector>& y, const typename Vector::Scalar&
     return bvp_status::success;
 }
 
-/// What judge_orbit has found wrong, in words.
+/// The verdict of judge_orbit in words.
 constexpr const char* words_of(bvp_status judged) {
     return judged == bvp_status::equilibrium ? "the orbit is a point"
                                              : "the period is a multiple of the smallest one";

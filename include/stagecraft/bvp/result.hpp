@@ -29,7 +29,7 @@ requires std::is_same_v<decltype(Result::status), bvp_status> std::basic_ostream
     return out;
 }
 
-/// What a solution cost. f and jacobians are counted per evaluation at a point, f_jacobian as in report.hpp;
+/// The cost of a solution. f and jacobians are counted per evaluation at a point, f_jacobian as in report.hpp;
 /// a factorisation or a solve is one of the whole system.
 struct bvp_report {
     int meshes = 0;
@@ -76,7 +76,7 @@ struct bvp_conditioning {
     Scalar sigma{0};   ///< kappa1 / gamma1: large where the problem has layers (Cash-Mazzia 2005)
 };
 
-/// What solve_bvp returns. y(t) is continuous and, like p, within the tolerance where status is success.
+/// The result of solve_bvp. y(t) is continuous and, like p, within the tolerance where status is success.
 template <class Vector, class Parameters>
 struct bvp_result {
     using scalar = typename Vector::Scalar;
@@ -96,7 +96,7 @@ struct bvp_result {
 
 namespace detail {
 
-/// What is said of an f that was not finite at t. Is t an end of the interval, where not every method evaluates f?
+/// The message about an f that was not finite at t. Is t an end of the interval, where not every method evaluates f?
 template <class Scalar>
 std::string not_finite_at(const Scalar& t, bool end) {
     std::ostringstream text;

@@ -21,7 +21,7 @@ namespace detail {
 struct not_of_second_order {};
 }  // namespace detail
 
-/// What Newton's iteration works on: the mesh, y at its points, the scaled slopes Z = h y' at the s nodes of
+/// An iterate of Newton's iteration: the mesh, y at its points, the scaled slopes Z = h y' at the s nodes of
 /// every interval (n x s each, side by side) and the parameters. Corrections have the same form.
 template <class Scalar, int N, int P>
 struct bvp_iterate {

@@ -132,7 +132,7 @@ class lifting_elimination {
     /// Where the factors of interval i are kept.
     int slot(int i) const { return kept_ > 1 ? i : 0; }
 
-    /// What is eliminated of g, in x: with the factors of interval i, or with new ones.
+    /// The components of g that are eliminated, in x: with the factors of interval i, or with new ones.
     template <int Nodes, class Panel, class Columns>
     void eliminate(const Panel& p, int i, const scalar& h, const scalar* hJ, const Columns& d) {
         const int size = p.rows(), k = slot(i);

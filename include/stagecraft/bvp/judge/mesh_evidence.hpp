@@ -22,7 +22,7 @@ namespace detail {
 /// All are relative to the sizes of the components of y and p, whatever their units. Answers to yes or no are 1 or 0.
 enum class quantity {
     // of x
-    unresolved,  ///< the last Legendre coefficient of the slopes, integrated: what x can be wrong by between mesh points
+    unresolved,      ///< the last Legendre coefficient of the slopes, integrated: about the error inside
     evaluable,       ///< is f finite where the error is estimated?
     error,           ///< the estimated error of x in the tolerance's norm, infinity where `evaluable` is 0
     jumps,           ///< does f seem to jump in an interval?
@@ -31,12 +31,12 @@ enum class quantity {
     // of the modes of the linearised problem
     missed_phase,  ///< the angle, over the whole interval, that the mesh misses of modes that turn and do not decay
     answer,        ///< the largest answer of y and p to the terms of a condition, about 1/|M|
-    change,        ///< what an error of x makes of u, as a part of u: for nonlinear f or r
-    translation,  ///< the part of y' that the answers to its conditions miss (measure/translation.hpp)
-    error_bound,  ///< a bound of mesh_error from the size of h f_y alone, infinity where that changes much
-    mesh_error,  ///< what the local errors of u make of it: M_h is off by that part, 1 where u is not resolved
-    resolved,    ///< are the local errors of u small? Known where mesh_error is
-    kernel_radius,  ///< the spectral radius of what the mesh makes of the modes that answer much; infinity if unresolved
+    change,        ///< the part by which u changes with the error of x: for nonlinear f or r
+    translation,    ///< the part of y' that the answers to its conditions miss (measure/translation.hpp)
+    error_bound,    ///< a bound of mesh_error from the size of h f_y alone, infinity where that changes much
+    mesh_error,     ///< the part by which local errors change u, and M_h is wrong; 1 where u is not resolved
+    resolved,       ///< are the local errors of u small? Known where mesh_error is
+    kernel_radius,  ///< the spectral radius of the errors of the modes that answer much; infinity if unresolved
     singular_end,  ///< is an end of [a, b] a regular singular point?
     // of the condition of the problem
     kappa,         ///< the relative condition number
@@ -51,15 +51,15 @@ enum class quantity {
     full_size,  ///< max |y| after a full step of Newton's iteration; infinity if that does not solve the equations
     full_norm,  ///< exact_norm after that step; negative where it cannot be linearised there
     // of rounding errors
-    rounding,       ///< what one rounding error of the conditions makes of y and p
-    rounding_of_u,  ///< what one rounding error in every entry of the equations makes of u
+    rounding,       ///< the change of y and p by one rounding error of the conditions
+    rounding_of_u,  ///< the change of u by one rounding error in every entry of the equations
     rounding_of_y,  ///< the same of y and p
     range,          ///< the largest |y_c| over the least, for the component where that is most
     count
 };
 
-/// What is known of a mesh and of the solution x of the collocation equations on it, as numbers. What always is known are
-/// members; what costs something to measure is known or not.
+/// A mesh and the solution x of the collocation equations on it, in numbers. Members are known from the start; quantities
+/// cost something and are measured when a judge reads them.
 template <class Scalar>
 struct mesh_evidence {
     damped_newton_end newton = damped_newton_end::converged;
@@ -108,7 +108,7 @@ class evidence_reader {
     mutable std::optional<quantity> missing_;
 };
 
-/// What the judge may be told: the options that decide.
+/// The options on which verdicts depend.
 template <class Scalar>
 struct mesh_limits {
     Scalar rtol, epsilon;
@@ -116,7 +116,7 @@ struct mesh_limits {
     bool adapt = true;
 };
 
-/// What comes next.
+/// The next step of a search.
 enum class mesh_act {
     measure,      ///< a number is missing
     finish,       ///< the run ends, with `status`

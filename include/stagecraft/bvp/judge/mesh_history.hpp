@@ -8,7 +8,7 @@
 
 namespace stagecraft::detail {
 
-/// What the meshes so far have shown. The least error, and the meshes in a row that did not halve it: these double the mesh, so
+/// The meshes so far, in numbers. The least error, and the meshes in a row that did not halve it: these double the mesh, so
 /// that the search ends by max_intervals even where the error is nothing but rounding and goes up and down.
 template <class Scalar>
 struct mesh_history {

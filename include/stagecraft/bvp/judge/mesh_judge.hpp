@@ -162,7 +162,7 @@ class mesh_judge {
         return r->linear && r(quantity::error) < rounding_errors * r(quantity::rounding_of_y);
     }
 
-    /// What is known of the condition of the problem, where x is within the tolerance.
+    /// The condition of the problem, looked at where x is within the tolerance.
     struct condition {
         bool settled = false;    ///< M is regular, and the condition number known as well as it has to be
         bool vanishing = false;  ///< M may be singular: it is not known, or has become ever smaller

@@ -10,7 +10,7 @@
 
 namespace stagecraft::detail {
 
-/// What every interval of a mesh contributes to the error, in units of the tolerance.
+/// The contribution of every interval of a mesh to the error, in units of the tolerance.
 template <class Scalar>
 struct interval_errors {
     std::vector<Scalar> local;    ///< local errors of the solution

@@ -20,9 +20,9 @@ class singularity_judge {
     static constexpr int lost_digits = 1000;
     /// u is a solution if rounding errors change it by less than this part.
     static constexpr double part_of_u = 1e-4;
-    /// What rounding errors come to is estimated with all signs in favour: so many times that is a bound of an error.
+    /// Estimated with all signs in favour, the sum of rounding errors may be a hundredth of what it is.
     static constexpr int signs_in_favour = 100;
-    /// Every rounding error counts as large as it may be: what they come to is mostly less than a tenth of that.
+    /// Every rounding error counts as large as it may be: their sum is mostly less than a tenth of that.
     static constexpr int mostly_less = 10;
     /// The condition of a family's members differs by more than this from iterate to iterate, as M is as singular as
     /// an iterate is close to the family.
@@ -46,7 +46,7 @@ class singularity_judge {
         return verdict::end(bvp_status::singular, cause());
     }
 
-    /// How the run ends if an error that stays is what rounding leaves, and no mesh will make it less.
+    /// How the run ends if an error that stays is made of rounding errors, and no mesh will make it less.
     std::optional<verdict> hopeless(const Scalar& error) const {
         if (const auto end = singular()) return end;
         const bool nonlinear = of_iterate();
@@ -91,7 +91,7 @@ class singularity_judge {
     static verdict by_rounding() {
         return verdict::end(bvp_status::ill_conditioned, "rounding errors exceed the tolerance");
     }
-    /// What makes M singular, in words; empty if it is not.
+    /// The cause of a singular M, in words; empty if M is regular.
     std::string words() const { return looks_singular() ? cause() : std::string(); }
 
   private:

@@ -163,7 +163,7 @@ class conditioning_of {
     /// The answer of y at the mesh points to condition k: column k of Phi.
     const wide& response(int k) const { return phi_[k]; }
 
-    /// What the conditions do to the parameters: dp = P d, n_p x (n + n_p).
+    /// P, n_p x (n + n_p): a change d of the conditions moves the parameters by P d.
     const Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>& parameters() const { return parameters_; }
 
     /// The largest spectral norm of the Phi(t_i) and of P, the conditions being scaled to coefficients of at most 1: their
@@ -184,27 +184,28 @@ class conditioning_of {
         return most;
     }
 
-    /// The largest entry of |Phi(t)| and |P|, every row relative to floor + the size of that component of y or p, and the
+    /// The largest entry of |Phi(t)| and |P|, every row relative to threshold + the size of that component of y or p, and the
     /// conditions scaled as in norm().
-    scalar relative(const scalar& floor) const {
+    scalar relative(const scalar& threshold) const {
         using std::abs;
         scalar kappa(0);
         const column sizes = largest_coefficients();
         for (Eigen::Index j = 0; j < parameters_.rows(); ++j)
             for (Eigen::Index k = 0; k < parameters_.cols(); ++k)
-                kappa = std::max(kappa, scalar(sizes[k] * abs(parameters_(j, k)) / (floor + abs(x_.p[j]))));
+                kappa =
+                    std::max(kappa, scalar(sizes[k] * abs(parameters_(j, k)) / (threshold + abs(x_.p[j]))));
         for (int c = 0; c < equations_.n(); ++c) {
-            const scalar size = floor + x_.y.row(c).cwiseAbs().maxCoeff();
+            const scalar size = threshold + x_.y.row(c).cwiseAbs().maxCoeff();
             for (Eigen::Index k = 0; k < sizes.size(); ++k)
                 kappa = std::max(kappa, scalar(sizes[k] * phi_[k].row(c).cwiseAbs().maxCoeff() / size));
         }
         return kappa;
     }
 
-    /// What one rounding error makes of y, relative to floor + |y|, where that is worst (at a mesh point or a
+    /// The effect of one rounding error on y, relative to threshold + |y|, where that is worst (at a mesh point or a
     /// zero of y), and of p: epsilon times the largest terms that a condition can have on this solution, carried on
     /// by Phi and P.
-    scalar rounding(const scalar& floor) const {
+    scalar rounding(const scalar& threshold) const {
         using std::abs;
         const int n = equations_.n(), m = n + equations_.np();
         const auto& B = equations_.conditions();
@@ -225,23 +226,24 @@ class conditioning_of {
         scalar worst(0);
         for (int i = 0; i <= L; ++i)
             for (int c = 0; c < n; ++c) {
-                const scalar here = error(c, i) / (floor + abs(x_.y(c, i)));
+                const scalar here = error(c, i) / (threshold + abs(x_.y(c, i)));
                 if (!(here <= worst)) worst = here;
             }
-        for (int j = 0; j < m - n; ++j) worst = std::max(worst, scalar(shift[j] / (floor + abs(x_.p[j]))));
+        for (int j = 0; j < m - n; ++j)
+            worst = std::max(worst, scalar(shift[j] / (threshold + abs(x_.p[j]))));
         for (int i = 0; i < L; ++i)
             for (int c = 0; c < n; ++c)
                 if ((x_.y(c, i) < scalar(0)) != (x_.y(c, i + 1) < scalar(0)))
-                    worst = std::max(worst, scalar(std::max(error(c, i), error(c, i + 1)) / floor));
+                    worst = std::max(worst, scalar(std::max(error(c, i), error(c, i + 1)) / threshold));
         return worst;
     }
 
-    /// The largest |y_c| at a mesh point by floor + the smallest, of the component c where that is most.
-    scalar range(const scalar& floor) const {
+    /// The largest |y_c| at a mesh point by threshold + the smallest, of the component c where that is most.
+    scalar range(const scalar& threshold) const {
         scalar most(0);
         for (int c = 0; c < equations_.n(); ++c) {
             const auto sizes = x_.y.row(c).cwiseAbs();
-            most = std::max(most, scalar(sizes.maxCoeff() / (floor + sizes.minCoeff())));
+            most = std::max(most, scalar(sizes.maxCoeff() / (threshold + sizes.minCoeff())));
         }
         return most;
     }
@@ -328,11 +330,11 @@ class conditioning_of {
         }
         int row = static_cast<int>(std::max_element(norms.begin(), norms.end()) - norms.begin());
         for (int round = 0; round < 4; ++round) {
-            const wide across = green_row(row);
+            const wide row_blocks = green_row(row);
             scalar integral(0), largest(0);
             int at = 0;
             for (int j = 0; j < L; ++j) {
-                const scalar norm = norm_at(row, j, across.middleCols(j * n, n));
+                const scalar norm = norm_at(row, j, row_blocks.middleCols(j * n, n));
                 integral += x_.h(j) * norm;
                 if (norm > largest) largest = norm, at = j;
             }

@@ -10,6 +10,7 @@
 #include <stagecraft/bvp/equations/lifting_elimination.hpp>
 #include <stagecraft/bvp/equations/lifting_rule.hpp>
 #include <stagecraft/bvp/equations/on_mesh.hpp>
+#include <stagecraft/bvp/judge/lifting_pass.hpp>
 #include <stagecraft/bvp/measure/hidden_jumps.hpp>
 #include <stagecraft/linear/almost_block_diagonal.hpp>
 #include <stagecraft/observe/solution.hpp>
@@ -25,10 +26,10 @@ namespace stagecraft {
 ///     delta_i = w(t_{i+1}) - y_{i+1}        is the local error of the mesh values,
 ///
 /// and the global error E of the mesh values, with its slopes between them, is one more solve with the factors at
-/// hand, driven by delta and by what is left of the conditions. The returned solution is w less this error plus the
+/// hand, driven by delta and by the residuals of the conditions. The returned solution is w less this error plus the
 /// line from E_i to E_{i+1}: continuous (the aim of Enright-Muir 1999), and no worse inside an interval than at its
 /// ends. (w less a line that removes delta_i would be: where solutions grow by e^{|h f_y|}, delta_i is that much larger
-/// than E_i and E_{i+1}.) What is left of the defect of w is measured at two points where it is large.
+/// than E_i and E_{i+1}.) The defect of w is measured at two points where it is large.
 template <class Equations>
 class error_estimate {
   public:
@@ -51,15 +52,15 @@ class error_estimate {
     int nodes() const { return rule_.nodes(); }
     int order() const { return rule_.order; }
 
-    /// False where f is not finite at one of its points (place()). Errors relative to floor + |y| are looked at
+    /// False where f is not finite at one of its points (place()). Errors relative to threshold + |y| are looked at
     /// as closely as `negligible` asks for, or only once.
-    bool run(const iterate& x, const scalar& floor, const scalar& negligible, bool closely = true) {
+    bool run(const iterate& x, const scalar& threshold, const scalar& negligible, bool closely = true) {
         const int L = x.intervals(), n = equations_.n(), m = nodes();
-        floor_ = floor, negligible_ = negligible, passes_ = closely ? 2 : 1;
+        threshold_ = threshold, negligible_ = negligible, passes_ = closely ? 2 : 1;
         slopes_.resize(n, m * L);
         delta_.resize(n, L);
         inner_.resize(n, L);
-        raised_.resize(n, L);
+        removed_.resize(n, L);
         left_over_.resize(n, 2 * L);
         scale_.resize(n, 2 * L);
         d_.resize(n, m), g_.resize(n, m), moved_.resize(m);
@@ -72,8 +73,8 @@ class error_estimate {
             if (!(usual ? lift<usual_nodes>(x, i) : lift<0>(x, i))) return false;
         if constexpr (std::decay_t<decltype(equations_.mass())>::identity)
             detail::add_hidden_jumps(rule_, equations_, x, known_, slopes_, left_over_, delta_, marks_);
-        jumps_ = detail::find_jumps(rule_, equations_, x, slopes_, inner_, scalar(negligible * floor / 10),
-                                    unseen_, marks_);
+        jumps_ = detail::find_jumps(rule_, equations_, x, slopes_, inner_,
+                                    scalar(negligible * threshold / 10), unseen_, marks_);
         solve(x);
         for (int i = 0; i < L; ++i) usual ? straighten<usual_nodes>(x, i) : straighten<0>(x, i);
         return true;
@@ -85,8 +86,10 @@ class error_estimate {
         using std::abs;
         return abs(delta_(c, i)) + unseen_(c, i);
     }
-    const wide& inner() const { return inner_; }    ///< local errors between them
-    const wide& raised() const { return raised_; }  ///< what the lifting has removed between them: max |e|
+    const wide& inner() const { return inner_; }  ///< local errors between them
+    const wide& removed() const {
+        return removed_;
+    }  ///< max |e|: errors between them that lifting has removed
     /// The global error of y_c at mesh point i, and of the parameters.
     scalar global(int c, int i) const {
         using std::abs;
@@ -99,7 +102,7 @@ class error_estimate {
     }
     /// For every interval, does f seem to jump in it or at its ends?
     const std::vector<char>& jumps() const { return marks_; }
-    /// Is what is known that of a mesh of so many intervals?
+    /// Was the last estimate made on a mesh of so many intervals?
     bool knows(int intervals) const { return delta_.cols() == intervals; }
     /// The largest error of the global one and the local one in interval i, component c.
     scalar bound(int i, int c) const {
@@ -107,7 +110,7 @@ class error_estimate {
         const scalar l = global(c, i), r = global(c, i + 1);
         return (l > r ? l : r) + abs(inner_(c, i));
     }
-    /// The largest of |error| / (floor + |y|) there: the line between the global errors, and the local error, which is
+    /// The largest of |error| / (threshold + |y|) there: the line between the global errors, and the local error, which is
     /// zero at both ends (so that it costs nothing where y is zero at a mesh point), beside y at the ends and nodes,
     /// y being taken as straight from one to the next.
     scalar relative(const iterate& x, int i, int c) const {
@@ -120,7 +123,7 @@ class error_estimate {
             const scalar line = abs((1 - theta) * error_.y(c, i) + theta * error_.y(c, i + 1)) +
                                 (1 - theta) * by_jumps(c, i) + theta * by_jumps(c, i + 1);
             const scalar local = inside * std::min(scalar(1), scalar(steep * theta * (1 - theta)));
-            return scalar((line + local) / (floor_ + size));
+            return scalar((line + local) / (threshold_ + size));
         };
         scalar at(0), y = x.y(c, i), worst = over(at, abs(y));
         for (int j = 0; j <= s; ++j) {
@@ -137,7 +140,7 @@ class error_estimate {
         return worst;
     }
 
-    /// The largest |y' - f(t, y)| / (floor + |f|) of the returned solution, at the two points of every interval.
+    /// The largest |y' - f(t, y)| / (threshold + |f|) of the returned solution, at the two points of every interval.
     scalar defect(const iterate& x) const {
         using std::abs;
         const int n = equations_.n(), s = equations_.s(), np = equations_.np(), width = n + np;
@@ -163,8 +166,8 @@ class error_estimate {
         return worst;
     }
 
-    /// From here on the returned solution means the collocation polynomial: where the errors are no longer small,
-    /// what was to correct them is a worse start for the next mesh than nothing.
+    /// From here on the returned solution means the collocation polynomial. Where the errors are not small, it is a better
+    /// start for the next mesh than the corrected solution.
     void unlift(const iterate& x) {
         slopes_.resize(equations_.n(), nodes() * x.intervals()), moved_.resize(nodes());
         for (int i = 0; i < x.intervals(); ++i) collocation_slopes<0>(x, x, i, &slopes_(0, i * nodes()));
@@ -216,19 +219,19 @@ class error_estimate {
         }
     }
 
-    /// Once, and again where the interpolated Jacobians leave a defect that counts beside delta and the tolerance.
+    /// Once, and again where the interpolated Jacobians leave a defect that counts (judge/lifting_pass.hpp).
     template <int Nodes>
     bool lift(const iterate& x, int i) {
         using std::abs;
         const int m = nodes_of<Nodes>(), n = equations_.n();
         scalar *W = &slopes_(0, i * m), *delta = &delta_(0, i);
         collocation_slopes<Nodes>(x, x, i, W);
-        for (int c = 0; c < n; ++c) raised_(c, i) = scalar(0);
+        for (int c = 0; c < n; ++c) removed_(c, i) = scalar(0);
         for (int pass = 0; pass < passes_; ++pass) {
             if (!defects<Nodes>(x, i)) return false;
             if (elimination_.small() || !elimination_.template sweep<Nodes>(i, x.h(i), d_, g_))
                 elimination_.template solve<Nodes>(i, x.h(i), d_, g_);
-            raise<Nodes>(i);
+            find_removed<Nodes>(i);
             for (int k = 0; k < n * m; ++k) W[k] -= g_.data()[k];
             detail::combine<N, Nodes>(rule_.gauss.b.data(), m, W, n, delta, n);
             scalar jump(0);
@@ -239,9 +242,9 @@ class error_estimate {
             if (!check<Nodes>(x, i)) return false;
             bool counts = false;
             for (int c = 0; c < n; ++c)
-                counts |=
-                    inner_(c, i) > negligible_ * (floor_ + std::min(abs(x.y(c, i)), abs(x.y(c, i + 1)))) &&
-                    20 * inner_(c, i) > jump;
+                counts |= detail::lifts_again(
+                    inner_(c, i), jump, scalar(threshold_ + std::min(abs(x.y(c, i)), abs(x.y(c, i + 1)))),
+                    negligible_);
             if (!counts) break;
         }
         return true;
@@ -255,7 +258,7 @@ class error_estimate {
         for (int c = 0; c < n; ++c) stage_[c] += x.y(c, i);
     }
 
-    /// d = M w' - f(t, w), scaled by h, at the nodes; of q' = v nothing but rounding is left.
+    /// d = M w' - f(t, w), scaled by h, at the nodes; q' = v holds but for rounding errors.
     template <int Nodes>
     bool defects(const iterate& x, int i) {
         const int n = equations_.n(), m = nodes_of<Nodes>();
@@ -274,18 +277,18 @@ class error_estimate {
         return true;
     }
 
-    /// The largest integrals of g at the nodes: what the lifting removes.
+    /// The largest integrals of g at the nodes: the error that lifting removes.
     template <int Nodes>
-    void raise(int i) {
+    void find_removed(int i) {
         using std::abs;
         const int n = equations_.n(), m = nodes_of<Nodes>();
-        scalar* raised = &raised_(0, i);
-        for (int c = 0; c < n; ++c) most_[c] = raised[c];
+        scalar* removed = &removed_(0, i);
+        for (int c = 0; c < n; ++c) most_[c] = removed[c];
         for (int k = 0; k < m; ++k) {
             detail::combine<N, Nodes>(rule_.integrals.data() + k * m, m, g_.data(), n, own_.data(), n);
             for (int c = 0; c < n; ++c) most_[c] = std::max(most_[c], scalar(abs(own_[c])));
         }
-        for (int c = 0; c < n; ++c) raised[c] = most_[c];
+        for (int c = 0; c < n; ++c) removed[c] = most_[c];
     }
 
     /// The defect of w off its nodes, as local error: (I - r h f_y)^-1 r h d, r being the reach of the point.
@@ -304,7 +307,7 @@ class error_estimate {
             detail::combine<N, Nodes>(at.value.data(), m, W, n, own_.data(), n);
             for (int c = 0; c < n; ++c) {
                 off_[c] = -h * f[c];
-                scale_(c, 2 * i + k) = h * (floor_ + abs(f[c]));
+                scale_(c, 2 * i + k) = h * (threshold_ + abs(f[c]));
             }
             add_mass_times(equations_.mass(), scalar(1), own_.data(), off_.data(), n);
             scalar largest(0);
@@ -312,7 +315,7 @@ class error_estimate {
                 left_over_(c, 2 * i + k) = off_[c];
                 largest = std::max(largest, scalar(abs(off_[c])));
             }
-            if (largest > negligible_ * floor_ / 1000) {
+            if (largest > negligible_ * threshold_ / 1000) {
                 detail::combine<NN, S>(at.lagrange.data(), s, equations_.jacobians(i).data(), width * n,
                                        small_.data(), n * n);
                 for (int l = 0; l < n * n; ++l) small_.data()[l] *= -at.reach * h;
@@ -374,13 +377,13 @@ class error_estimate {
     std::vector<scalar> known_;
     std::vector<int> swaps_;
     std::vector<char> marks_;
-    wide slopes_, delta_, inner_, raised_, unseen_, left_over_, scale_, d_, g_, minus_;
+    wide slopes_, delta_, inner_, removed_, unseen_, left_over_, scale_, d_, g_, minus_;
     state stage_, own_, off_, most_;
     Eigen::Matrix<scalar, N, N> small_;
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> moved_;
     column ends_;
     iterate error_, by_jumps_;
-    scalar floor_{0}, negligible_{0}, place_{0};
+    scalar threshold_{0}, negligible_{0}, place_{0};
     int passes_ = 2;
     bool jumps_ = false;
 };

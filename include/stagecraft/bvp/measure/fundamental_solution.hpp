@@ -19,7 +19,7 @@
 
 namespace stagecraft::detail {
 
-/// The fundamental solution u of the linearised problem that answers most to a condition, and what errors make of it: numbers
+/// The fundamental solution u of the linearised problem that answers most to a condition, and how errors change it: numbers
 /// by which judge/regularity_judge.hpp says whether M is regular. All are relative to the sizes of the components, whatever
 /// their units are.
 template <class Equations>
@@ -43,14 +43,14 @@ class fundamental_solution {
           x_(x),
           elimination_(elimination),
           rule_(elimination.lifting()),
-          floor_(threshold) {}
+          threshold_(threshold) {}
 
     /// Its size where the terms of its condition are 1: about 1/|M|.
     scalar answer() {
         choose();
         return answer_;
     }
-    /// What becomes of u, relative to it, where y and p change by `error`, to sides of their own in each eighth.
+    /// The relative change of u if y and p change by `error`, with a sign of its own in each eighth of the interval.
     scalar change(const scalar& error) {
         choose();
         return of_other(error);
@@ -58,7 +58,7 @@ class fundamental_solution {
     /// A bound of mesh_error(), at the cost of no solve; infinity where h f_y changes much in an interval.
     scalar error_bound() { return answer() * local_bound(); }
 
-    /// What the local errors of u make of it, and whether these are small (then 1).
+    /// The relative change of u by its local errors; 1 if these are not small (not resolved).
     struct part {
         scalar size;
         bool resolved;
@@ -69,12 +69,12 @@ class fundamental_solution {
         const bool resolved = answer_to_mesh(e);
         return {resolved ? share(e.y, e.p) : scalar(1), resolved};
     }
-    /// Of the modes that answer much: with E, what the errors of this mesh make of each, in units of their conditions, 1 + E is
-    /// regular if the spectral radius of |E| is below one. The error of a large mode in one that answers little is large in
+    /// The spectral radius of |E| for the modes that answer much, E being the answers of the modes to the errors of this mesh,
+    /// in units of their conditions: 1 + E is regular if it is below one. The error of a large mode in one that answers little is large in
     /// these units, and none the less takes nothing to zero. Infinity where one that turns is not resolved.
     scalar kernel_radius(bool turns) {
         choose();
-        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor_);
+        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, threshold_);
         const kernel_judge<scalar> judge{scalar(0), modes.largest(), true, turns};
         std::vector<int> taken;
         std::vector<typename modes_of<Equations>::column> made;
@@ -95,7 +95,7 @@ class fundamental_solution {
     kernel_found kernel(bool linear) {
         choose();
         const scalar phase = missed_phase(equations_, x_, rule_.order);
-        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, floor_);
+        const modes_of<Equations> modes(equations_, conditioning_, x_, scale_, threshold_);
         const kernel_judge<scalar> judge{std::numeric_limits<scalar>::epsilon(), modes.largest(), linear,
                                          phase > scalar(regularity_judge<scalar>::visible_phase)};
         kernel_found found{0, !judge.turns};
@@ -115,7 +115,7 @@ class fundamental_solution {
         return found;
     }
 
-    /// What one rounding error in every entry makes of u, relative to it.
+    /// The relative change of u by one rounding error in every entry.
     scalar rounding() {
         choose();
         parameters shift(equations_.np());
@@ -135,17 +135,17 @@ class fundamental_solution {
             most = std::max(most, size), least = std::min(least, size);
         }
         for (Eigen::Index k = 0; k < p_.size(); ++k)
-            if (abs(p_[k]) > (floor_ + abs(x_.p[k])) * most) return scalar(1);
+            if (abs(p_[k]) > (threshold_ + abs(x_.p[k])) * most) return scalar(1);
         return least / most;
     }
 
-    /// What one rounding error in every entry makes of y, relative to threshold + |y|. Values far below that count as if they
+    /// The change of y by one rounding error in every entry, relative to threshold + |y|. Values far below that count as if they
     /// were as large as they are elsewhere, at most that: that they are small may be a rounding error itself.
     scalar rounding_of_y() {
         using std::abs;
         wide size = x_.y.cwiseAbs();
         for (int c = 0; c < equations_.n(); ++c) {
-            const scalar least = std::min(scalar(size.row(c).maxCoeff()), floor_);
+            const scalar least = std::min(scalar(size.row(c).maxCoeff()), threshold_);
             for (int i = 0; i <= x_.intervals(); ++i) size(c, i) = std::max(size(c, i), least);
         }
         parameters shift(equations_.np());
@@ -153,7 +153,7 @@ class fundamental_solution {
         scalar worst(0);
         for (int i = 0; i <= x_.intervals(); ++i)
             for (int c = 0; c < equations_.n(); ++c)
-                worst = std::max(worst, scalar(abs(e(c, i)) / (floor_ + abs(x_.y(c, i)))));
+                worst = std::max(worst, scalar(abs(e(c, i)) / (threshold_ + abs(x_.y(c, i)))));
         return worst;
     }
 
@@ -219,7 +219,7 @@ class fundamental_solution {
         modes.get(k, u_, p_);
         size_ = u_.cwiseAbs().rowwise().maxCoeff();
     }
-    /// e: what the local errors of u make of it; false where these are large.
+    /// e: the answer of the problem to the local errors of u; false where these are large.
     bool answer_to_mesh(iterate& e) {
         wide local(equations_.n(), x_.intervals());
         elimination_.begin(x_);
@@ -246,7 +246,7 @@ class fundamental_solution {
             scale_[c] = scalar(0);
             for (int i = 0; i <= x_.intervals(); ++i)
                 scale_[c] = std::max(scale_[c], scalar(abs(x_.y(c, i))));
-            scale_[c] += floor_;
+            scale_[c] += threshold_;
         }
         int best = 0;
         answer_ = scalar(0);
@@ -261,7 +261,7 @@ class fundamental_solution {
                 most = std::max(most, scalar(largest / scale_[c]));
             }
             for (int j = 0; j < m - n; ++j) {
-                const scalar size = floor_ + abs(x_.p[j]);
+                const scalar size = threshold_ + abs(x_.p[j]);
                 terms += abs(B(k, 2 * n + j)) * size;
                 most = std::max(most, scalar(abs(shifts(j, k)) / size));
             }
@@ -324,7 +324,7 @@ class fundamental_solution {
         scalar most(0), whole(0);
         compare(e, most, whole);
         for (Eigen::Index j = 0; j < p.size(); ++j) {
-            const scalar size = floor_ + abs(x_.p[j]);
+            const scalar size = threshold_ + abs(x_.p[j]);
             most = std::max(most, scalar(abs(p[j]) / size));
             whole = std::max(whole, scalar(abs(p_[j]) / size));
         }
@@ -381,7 +381,7 @@ class fundamental_solution {
     Eigen::Matrix<scalar, N, P> J_;
     parameters p_;
     typename Equations::state size_, scale_;
-    scalar answer_{0}, floor_;
+    scalar answer_{0}, threshold_;
     bool chosen_ = false;
 };
 

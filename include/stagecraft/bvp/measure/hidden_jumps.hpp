@@ -11,7 +11,7 @@
 
 namespace stagecraft::detail {
 
-/// Adds to `delta`, the local errors, what jumps of f near mesh points do that no evaluation of f sees. Between the last
+/// Adds the effect of jumps of f near mesh points, which no evaluation of f sees, to the local errors `delta`. Between the last
 /// evaluation in an interval and the first one in the next f may jump unseen, and meshes refined around a jump end with it
 /// there. The slope of w then jumps at the mesh point, and the local errors are at most that jump times the lengths on
 /// either side. The slopes of a smooth solution differ there as well, by defects, of which P_m says how large they are at
@@ -48,10 +48,10 @@ void add_hidden_jumps(const Rule& rule, const Equations& equations, const Iterat
     }
 }
 
-/// What jumps of f inside intervals may add to the local errors `delta`, unseen as both rules may miss the same of them: in
-/// proportion to `inner`, what is seen of a jump between the nodes. There is one where that is not small beside the last
-/// coefficients of the slopes, as it is of smooth solutions; where h f_y is large it is that of fast modes. Errors in q' = v
-/// are those of v. False where there is none.
+/// Writes to `jumps` an upper bound of the part of a jump of f inside an interval that both quadratures miss: in proportion to
+/// `inner`, the error seen between the nodes. f jumps where that is not small beside the last coefficients of the slopes, as
+/// it is for smooth solutions; where h f_y is large it comes from fast modes. Errors in q' = v are those of v. False if
+/// there is no jump.
 template <class Rule, class Equations, class Iterate, class Wide>
 bool find_jumps(const Rule& rule, const Equations& equations, const Iterate& x, const Wide& slopes,
                 const Wide& inner, const std::decay_t<decltype(rule.first)>& negligible, Wide& jumps,

@@ -13,10 +13,10 @@
 
 namespace stagecraft::detail {
 
-/// The largest estimated error of x relative to floor + |y|, and of p likewise; the absolute ones are written to `out`.
+/// The largest estimated error of x relative to threshold + |y|, and of p likewise; the absolute ones are written to `out`.
 template <class Equations, class Vector>
 auto largest_errors(const error_estimate<Equations>& estimate, const typename Equations::iterate& x,
-                    const typename Vector::Scalar& floor, bvp_error<Vector>& out) {
+                    const typename Vector::Scalar& threshold, bvp_error<Vector>& out) {
     using scalar = typename Vector::Scalar;
     using std::abs;
     const int n = static_cast<int>(x.y.rows());
@@ -27,14 +27,14 @@ auto largest_errors(const error_estimate<Equations>& estimate, const typename Eq
         for (int c = 0; c < n; ++c) {
             const scalar bound = estimate.bound(i, c) + eps * abs(x.y(c, i));
             if (bound > out.components[c]) out.components[c] = bound;
-            if (bound <= (worst - eps) * floor) continue;  // nor is it larger relative to floor + |y|
+            if (bound <= (worst - eps) * threshold) continue;  // nor is it larger relative to threshold + |y|
             const scalar relative = estimate.relative(x, i, c) + eps;
             if (!(relative <= worst))
                 worst = relative == relative ? relative : std::numeric_limits<scalar>::infinity();
         }
     out.parameters = estimate.of_parameters();
     for (Eigen::Index k = 0; k < x.p.size(); ++k)
-        worst = std::max(worst, scalar(out.parameters[k] / (floor + abs(x.p[k]))));
+        worst = std::max(worst, scalar(out.parameters[k] / (threshold + abs(x.p[k]))));
     return worst;
 }
 
@@ -62,10 +62,10 @@ bool slow_beside(const Iterate& x, System& system, int s) {
     return true;
 }
 
-/// What an interval does not resolve, as the slopes show before any estimate: the integral of the last term of their
-/// Legendre series (by the method's own quadrature), largest relative to floor + |y|.
+/// An estimate of the error between mesh points that costs nothing: the integral of the last term of the Legendre series of
+/// the slopes (by the method's own quadrature), largest relative to threshold + |y|.
 template <class Equations, class Scalar>
-Scalar unresolved(const Equations& equations, const typename Equations::iterate& x, const Scalar& floor) {
+Scalar unresolved(const Equations& equations, const typename Equations::iterate& x, const Scalar& threshold) {
     using std::abs;
     const auto& method = equations.method();
     const int s = equations.s();
@@ -80,7 +80,7 @@ Scalar unresolved(const Equations& equations, const typename Equations::iterate&
         for (Eigen::Index c = 0; c < x.y.rows(); ++c) {
             Scalar last(0);
             for (int j = 0; j < s; ++j) last += weights[j] * x.Z(c, i * s + j);
-            const Scalar size = floor + std::max(abs(x.y(c, i)), abs(x.y(c, i + 1)));
+            const Scalar size = threshold + std::max(abs(x.y(c, i)), abs(x.y(c, i + 1)));
             if (!(abs(last) <= worst * size)) worst = abs(last) / size;
         }
     return worst;
@@ -88,10 +88,10 @@ Scalar unresolved(const Equations& equations, const typename Equations::iterate&
 
 /// Can x be within the tolerance, as far as that says? Errors at mesh points are at best the squares of those between.
 template <class Equations, class Scalar>
-bool resolves(const Equations& equations, const typename Equations::iterate& x, const Scalar& floor,
+bool resolves(const Equations& equations, const typename Equations::iterate& x, const Scalar& threshold,
               const Scalar& rtol) {
     using std::sqrt;
-    return unresolved(equations, x, floor) <= sqrt(rtol);
+    return unresolved(equations, x, threshold) <= sqrt(rtol);
 }
 
 }  // namespace stagecraft::detail

@@ -23,13 +23,13 @@ class modes_of {
     /// `sizes` are those of the components of y.
     template <class Iterate>
     modes_of(const Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x,
-             const typename Equations::state& sizes, const scalar& floor)
+             const typename Equations::state& sizes, const scalar& threshold)
         : sizes_(sizes), sizes_of_p_(x.p.cwiseAbs()) {
         using std::abs;
         conditioning.fundamental();
         const int n = equations.n(), m = n + equations.np(), points = x.intervals() + 1;
         const auto& B = equations.conditions();
-        sizes_of_p_.array() += floor;
+        sizes_of_p_.array() += threshold;
         all_.resize(n * points + m - n, m);
         for (int k = 0; k < m; ++k) {
             scalar terms(0);
@@ -53,7 +53,7 @@ class modes_of {
             for (Eigen::Index c = 0; c < n; ++c) y(c, i) = sizes_[c] * all_(i * n + c, k);
         for (Eigen::Index j = 0; j < np; ++j) p[j] = sizes_of_p_[j] * all_(n * points + j, k);
     }
-    /// The conditions to which e is the answer, those of the modes being 1: the part of M that makes e of a mode.
+    /// The conditions to which e is the answer, in units of those of the modes.
     template <class Parameters>
     column conditions(const wide& e, const Parameters& p) const {
         const column v = scaled(e, p);

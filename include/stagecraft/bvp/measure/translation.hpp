@@ -30,7 +30,7 @@ bool is_autonomous(Equations& equations, const Iterate& x) {
 /// on t, where mass() stands before y', and where `error`, that of x, leaves nothing of y'.
 template <class Equations, class Iterate, class Scalar>
 Scalar translation_missed(Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x,
-                          const Scalar& floor, const Scalar& error) {
+                          const Scalar& threshold, const Scalar& error) {
     using std::abs;
     if (!std::decay_t<decltype(equations.mass())>::identity || !is_autonomous(equations, x)) return Scalar(0);
     const int n = equations.n(), np = equations.np(), L = x.intervals();
@@ -38,7 +38,7 @@ Scalar translation_missed(Equations& equations, conditioning_of<Equations>& cond
     for (int i = 0; i <= L; ++i) v.col(i) = equations.slope((x.t[0] + x.t[1]) / 2, x.y.col(i), x.p);
     if (!(v.sum() - v.sum() == Scalar(0))) return Scalar(0);
     typename Equations::state scale(n);
-    for (int c = 0; c < n; ++c) scale[c] = floor + x.y.row(c).cwiseAbs().maxCoeff();
+    for (int c = 0; c < n; ++c) scale[c] = threshold + x.y.row(c).cwiseAbs().maxCoeff();
     const auto size = [&] {  // of v beside y
         Scalar most(0);
         for (int i = 0; i <= L; ++i)

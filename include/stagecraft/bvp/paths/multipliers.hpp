@@ -57,7 +57,7 @@ std::vector<std::complex<typename Matrix::Scalar>> product_eigenvalues(const std
             for (int i = end; i < n; ++i)
                 if (abs(turn(i, j)) > noise) end = i + 1;
         const int m = end - k;
-        // What the other blocks would add is rounding errors times larger eigenvalues.
+        // The other blocks would add nothing but rounding errors times larger eigenvalues.
         const dense block = turn.block(k, k, m, m) * product.block(k, k, m, m);
         if (m == 1) {
             values.emplace_back(block(0, 0));

@@ -114,7 +114,7 @@ class path_follower {
         const bool solved = solve(further, extrapolated<Vector>{now.y, before.y, factor}, p, mesh, out);
         out.arclength = now.arclength + step;
         if (!solved) return false;
-        // Else the step was too bold: on a circle the chord leaves both tangents by half of the angle between these.
+        // Else the step was too long: on a circle the chord leaves both tangents by half of the angle between these.
         const column chord = (out.x - now.x).normalized();
         const Scalar turn(0.5), half_turn(0.866);
         return now.tangent.dot(out.tangent) > turn && now.tangent.dot(chord) > half_turn &&
@@ -240,7 +240,7 @@ class path_follower {
               original_(path.problem_.f, whole_, path.n_, static_cast<int>(near.p.size()), ignored_) {
             const auto kernel = near.traces.largest();
             kernel.conditions.head(kernel.conditions.size() - 1).cwiseAbs().maxCoeff(&r_.replaced);
-            r_.across = (kernel.x - near.tangent.dot(kernel.x) * near.tangent).normalized();
+            r_.kernel = (kernel.x - near.tangent.dot(kernel.x) * near.tangent).normalized();
         }
         bool move(const pair& at) {
             r_.step = at[0], r_.amount = at[1];

@@ -24,7 +24,7 @@ struct path_conditions {
     column from, along;
     Scalar step{0};
     int replaced = -1;
-    column across{};
+    column kernel{};  ///< a direction, along which (y(a), y(b), p) lies `amount` away
     Scalar amount{0};
 
     template <class Y, class P, class R>
@@ -34,7 +34,7 @@ struct path_conditions {
         auto& last = out[left.size() + p.size() - 1];
         if (last == last) throw bad_problem("continuation: the conditions must write n numbers, not more");
         last = distance(along, left, right, p) - step;
-        if (replaced >= 0) out[replaced] = distance(across, left, right, p) - amount;
+        if (replaced >= 0) out[replaced] = distance(kernel, left, right, p) - amount;
     }
 
   private:

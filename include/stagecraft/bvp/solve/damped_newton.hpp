@@ -32,8 +32,8 @@ class damped_newton {
     using system = std::decay_t<decltype(std::declval<Equations&>().system())>;
     static constexpr bool differences = system::differences || system::conditions_by_differences;
 
-    damped_newton(Equations& equations, bvp_report& counts, const scalar& floor)
-        : equations_(equations), counts_(counts), floor_(floor) {}
+    damped_newton(Equations& equations, bvp_report& counts, const scalar& threshold)
+        : equations_(equations), counts_(counts), threshold_(threshold) {}
 
     /// Improves x until the error left is estimated below `target`, with at most `most` factorisations.
     outcome run(iterate& x, const scalar& target, int most, bool bold = false) {
@@ -144,7 +144,7 @@ class damped_newton {
     void weigh(const iterate& x) {
         weights_.resize(x.y.rows());
         for (Eigen::Index c = 0; c < x.y.rows(); ++c)
-            weights_[c] = scalar(1) / (floor_ + x.y.row(c).cwiseAbs().maxCoeff());
+            weights_[c] = scalar(1) / (threshold_ + x.y.row(c).cwiseAbs().maxCoeff());
         scale_p_ = x.p.cwiseAbs();
     }
     scalar norm(const iterate& d) const {
@@ -155,7 +155,7 @@ class damped_newton {
             sum += weights_[c] * weights_[c] * (d.y.row(c).squaredNorm() + d.Z.row(c).squaredNorm());
         sum /= scalar(d.y.size() + d.Z.size());
         for (Eigen::Index k = 0; k < d.p.size(); ++k) {
-            const scalar e = d.p[k] / (floor_ + scale_p_[k]);
+            const scalar e = d.p[k] / (threshold_ + scale_p_[k]);
             sum += e * e;
         }
         return sqrt(sum);
@@ -165,9 +165,9 @@ class damped_newton {
         scalar worst(0);
         for (Eigen::Index i = 0; i < d.y.cols(); ++i)
             for (Eigen::Index c = 0; c < d.y.rows(); ++c)
-                worst = std::max(worst, scalar(abs(d.y(c, i)) / (floor_ + abs(x.y(c, i)))));
+                worst = std::max(worst, scalar(abs(d.y(c, i)) / (threshold_ + abs(x.y(c, i)))));
         for (Eigen::Index k = 0; k < d.p.size(); ++k)
-            worst = std::max(worst, scalar(abs(d.p[k]) / (floor_ + abs(x.p[k]))));
+            worst = std::max(worst, scalar(abs(d.p[k]) / (threshold_ + abs(x.p[k]))));
         return worst;
     }
     static void add(const iterate& x, const scalar& factor, const iterate& d, iterate& out) {
@@ -184,7 +184,7 @@ class damped_newton {
 
     Equations& equations_;
     bvp_report& counts_;
-    scalar floor_, moved_{0};
+    scalar threshold_, moved_{0};
     /// The first step that moved x found the same Jacobians where it led to: steps are taken without a test, as the error
     /// estimate evaluates f and r and sees what they leave.
     bool linear_ = false, tested_ = false;

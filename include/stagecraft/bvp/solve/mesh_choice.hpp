@@ -137,7 +137,7 @@ class mesh_choice {
                 // Errors between mesh points leave their interval only through f_y: they count little.
                 const Scalar local = estimate_.local(c, i) + abs(estimate_.inner()(c, i)) / 20;
                 e.local[i] = std::max(e.local[i], Scalar(local / (o_.rtol * size)));
-                e.removed[i] = std::max(e.removed[i], Scalar(estimate_.raised()(c, i) / (o_.rtol * size)));
+                e.removed[i] = std::max(e.removed[i], Scalar(estimate_.removed()(c, i) / (o_.rtol * size)));
             }
             if (!(e.local[i] < most)) e.local[i] = most;
             if (!(e.removed[i] < most)) e.removed[i] = most;

@@ -220,6 +220,8 @@ class bvp_solver {
     /// The errors of x, and what Newton's iteration has left, which is to be a tenth of that.
     bool estimate() {
         constexpr int most_passes = 3;
+        constexpr int of_tolerance = 20, of_error = 10;  // parts that the remainder may have of them
+        constexpr int safety = 4;                        // of Newton's own estimate of the remainder
         // Errors far above the tolerance need not be known as well as what is accepted.
         bool closely = !o_.adapt || resolves(equations_, x_, threshold_, o_.rtol);
         for (int pass = 1;; ++pass) {
@@ -228,10 +230,10 @@ class bvp_solver {
                 if (!estimate_.run(x_, threshold_, negligible(), closely)) return false;
                 error_ = largest_errors(estimate_, x_, threshold_, result_.error);
             } while (error_ <= o_.rtol && !std::exchange(closely, true));
-            const Scalar wanted = std::max(Scalar(o_.rtol / 20), Scalar(error_ / 10));
+            const Scalar wanted = std::max(Scalar(o_.rtol / of_tolerance), Scalar(error_ / of_error));
             if (remainder_ <= wanted || pass == most_passes) break;
             measured_.forget();
-            outcome_ = newton_.run(x_, wanted / 4, o_.newton_iterations);
+            outcome_ = newton_.run(x_, wanted / safety, o_.newton_iterations);
             if (!converged()) break;
             remainder_ = outcome_.remainder;
         }
