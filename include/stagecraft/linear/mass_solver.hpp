@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -34,7 +35,9 @@ class mass_solver {
                 for (const auto& e : system.mass().entries()) reciprocal_[e.row] = Scalar(1) / e.value;
                 return static_cast<int>(system.mass().entries().size()) == n;
             }
+            size_ = n;
             block_.emplace(n);
+            if constexpr (iterates) mass_.emplace(system.mass());
             return factor_shifted(*block_, system.mass(), system.zeros(), Scalar(1)) &&
                    well_conditioned(system);
         }
@@ -43,11 +46,39 @@ class mass_solver {
 
     /// x := M^-1 x, on n contiguous numbers.
     void solve(Scalar* x) {
-        if (block_) block_->solve(x);
+        if constexpr (iterates) {
+            if (block_) solve_again(x);
+        } else if (block_) {
+            block_->solve(x);
+        }
         for (std::size_t i = 0; i < reciprocal_.size(); ++i) x[i] *= reciprocal_[i];
     }
 
   private:
+    using block = typename unstructured<Blocks>::type::real;
+    static constexpr bool iterates = inexact_blocks<typename unstructured<Blocks>::type, Scalar>;
+
+    /// A block that iterates leaves a part of r, which no Newton iteration sees here: until only rounding is left, NaN where
+    /// that does not come.
+    void solve_again(Scalar* x) {
+        using vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+        Eigen::Map<vector> sum(x, size_);
+        vector rest = sum, part(size_);
+        const Scalar whole = rest.norm();
+        sum.setZero();
+        Scalar left = whole, before = 4 * whole;
+        while (2 * left <= before && left > std::numeric_limits<Scalar>::epsilon() * whole) {
+            part = rest;
+            block_->solve(part.data());
+            sum += part;
+            add_mass_times(*mass_, Scalar(-1), part.data(), rest.data(), size_);
+            before = left;
+            left = rest.norm();
+        }
+        if (!(left <= 1000 * std::numeric_limits<Scalar>::epsilon() * whole))
+            sum.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+    }
+
     /// What M^-1 makes of a vector without special direction, compared with what M makes of it at most.
     template <class System>
     bool well_conditioned(const System& system) {
@@ -66,7 +97,9 @@ class mass_solver {
     }
 
     std::vector<Scalar> reciprocal_;
-    std::optional<typename unstructured<Blocks>::type::real> block_;
+    std::optional<block> block_;
+    std::optional<entry_mass<Scalar>> mass_;  // where the block iterates
+    int size_ = 0;
 };
 
 }  // namespace stagecraft
