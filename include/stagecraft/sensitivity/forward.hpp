@@ -53,8 +53,9 @@ auto run_with_sensitivities(const Method& method, const Problem& problem, const 
 ///
 /// The steps are such that the errors of y and of S are within their tolerances, in column k of S rtol |S_ik| + atol_i /
 /// |p_k| (sensitivity_options; as CVODES does with errconS). Without that (.control = false) they are those of y alone:
-/// where y is at rest they are long whatever S does. Components of index 2 and 3 are controlled in y alone, and with
-/// options.fixed_step nothing is.
+/// where y is at rest they are long whatever S does. Problems with index() of 2 or 3 are
+/// controlled in y alone, and with options.fixed_step nothing is. Where S starts off the slow solutions of a stiff problem (S0 =
+/// 1, say) its transients are resolved, as those of y are.
 ///
 /// The derivatives are exact: of an f that is generic by automatic differentiation, along the directions of S where the
 /// problem brings a jacobian(), sparsity() or bandwidth(), which serve the iteration alone and may be approximate. Where

@@ -51,14 +51,12 @@ class forward_steps {
           weights_(y0),
           error_(y0),
           left_(y0),
-          raised_(Vector::Ones(y0.size())),
-          controlled_(s.control && o.fixed_step == scalar(0)) {
+          controlled_(s.control && o.fixed_step == scalar(0) && at_.evaluations().largest_index() < 2) {
         using std::abs;
         for (Eigen::Index k = 0; k < scale_.size(); ++k)
             scale_[k] = s.scale.size() > 0          ? s.scale[k]
                         : problem.p[k] == scalar(0) ? scalar(1)
                                                     : scalar(abs(problem.p[k]));
-        at_.evaluations().for_each_raised([&](int i, int) { raised_[i] = scalar(0); });
     }
 
     const matrix& S() const { return S_; }
@@ -72,8 +70,8 @@ class forward_steps {
     auto& derivatives() { return at_; }
 
     /// The error of S in an attempt whose stage equations are solved, in tolerances: by the estimate that the method makes
-    /// of y, in each column, of which the largest counts. Components of index 2 and 3 are left to the control of y, as their
-    /// estimates contain what earlier steps have left in the constraints, and with another history than y's.
+    /// of y, in each column, of which the largest counts. Not of problems of index 2 and 3: their estimates contain what
+    /// earlier steps have left in the constraints, in S with another history than in y, and short steps make that worse.
     template <class System, class Method, class Step>
     scalar error(System& system, Method& method, const Step& step) {
         if (!controlled_) return scalar(0);
@@ -98,7 +96,7 @@ class forward_steps {
                 method.estimate(system, step.h, left_, column, error_);
                 one = method.error_size(system, column, ratio, error_, solves, size);
                 if (one < scalar(1)) break;
-                column_ = S_.col(k) + error_.cwiseProduct(raised_);
+                column_ = S_.col(k) + error_;
             }
             if (!(one <= largest)) largest = one;
         }
@@ -172,7 +170,7 @@ class forward_steps {
         const auto& o = at_.given_options();
         for (Eigen::Index i = 0; i < S_.rows(); ++i) {
             const scalar a = abs(S_(i, k)), b = abs(S1_(i, k));
-            weights_[i] = raised_[i] / (absolute_tolerance(o, i) / scale_[k] + o.rtol * (a < b ? b : a));
+            weights_[i] = scalar(1) / (absolute_tolerance(o, i) / scale_[k] + o.rtol * (a < b ? b : a));
         }
     }
     scalar refused() {
@@ -183,8 +181,7 @@ class forward_steps {
     forward_derivatives<Problem, Vector> at_;
     matrix S_, S0_, S1_;  // at the end, at the beginning of the last step, and at the end of what is tried
     parameters scale_;
-    Vector column_, weights_, error_, left_,
-        raised_;  // raised_: zero for components of index 2 and 3, else one
+    Vector column_, weights_, error_, left_;
     Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Eigen::Dynamic> Z_, one_;  // s stages a column of S
     bool controlled_, solved_ = false, unsolved_ = false;
     scalar solved_t_{0}, solved_h_{0};
