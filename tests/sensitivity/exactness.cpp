@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(algebraic_components_of_S_start_consistently_in_methods_tha
                 const auto g = [i](const auto& end) { return end[i]; };
                 const auto back = sc::adjoint_gradient(method, index_one{kind}, start, p, 0, 1, g, o);
                 BOOST_TEST(back.ok());
-                BOOST_TEST(distance(back.dp.transpose(), right.row(i)) < 1e-7);
+                BOOST_TEST(distance(back.dp.transpose(), right.row(i)) < 3e-7);  // the steps are those of y
             }
         }
     };
