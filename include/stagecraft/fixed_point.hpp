@@ -82,8 +82,6 @@ class fixed_point_step : public step_defaults<Space> {
     bool stiffly_accurate() const { return is_.stiffly_accurate; }
     bool has_stage_order_two() const { return stagecraft::has_stage_order_two(v_.method); }
     static constexpr bool implicit() { return false; }
-    /// There are no matrices to look for growth in (judge/guards/growth_watch.hpp).
-    static constexpr bool knows_determinant = false;
 
     template <class System>
     static bool factor(const System&, const Scalar&) {

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <stagecraft/linear/dense_lu.hpp>
+#include <stagecraft/linear/linear_solver.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/small_inverse.hpp>
 #include <stagecraft/linear/split_lu.hpp>
@@ -12,9 +13,7 @@
 namespace stagecraft {
 
 /// The linear solvers for shift * M - J with dense J, chosen by size and scalar: explicit inverse to n = 4,
-/// LU with compile-time loops to n = 16 and for wide scalars, blocked LU else. A solver set is
-/// anything with these two member types; a real block has entries(), factor(), solve(x), a complex one
-/// real_entries(), imaginary_entries(), factor(), solve(re, im).
+/// LU with compile-time loops to n = 16 and for wide scalars, blocked LU else. A model of linear_solver.
 template <class Scalar, int N>
 struct dense_blocks {
     static constexpr bool built_in = std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>;
@@ -47,21 +46,7 @@ struct unstructured<Blocks> {
     using type = typename Blocks::whole;
 };
 
-/// Solvers that iterate: solve_leaving(part, x) may leave that part of a right-hand side.
-template <class Blocks, class Scalar>
-concept inexact_blocks = requires(typename Blocks::real& block, Scalar* x, Scalar part) {
-    block.solve_leaving(part, x);
-};
-
-/// Those whose every solve is an iteration; others say whether they iterate().
-template <class Blocks, class Scalar>
-concept iterative_blocks =
-    inexact_blocks<Blocks, Scalar> && !requires(const typename Blocks::complex& block) {
-    block.iterates();
-};
-
-/// Factors shift M - J of a dense block; false if singular or not finite. The solvers of other structures
-/// (banded_blocks, sparse_blocks) have a member factor_shifted instead.
+/// Factors shift M - J in a block; false if singular or not finite.
 template <class Block, class Mass, class Matrix, class Scalar>
 bool factor_shifted(Block& block, const Mass& mass, const Matrix& J, const Scalar& shift) {
     if constexpr (requires { block.factor_shifted(mass, J, shift); }) {

@@ -50,16 +50,8 @@ concept has_sparsity = requires(Problem& p, std::remove_cvref_t<decltype(p.spars
     pattern.makeCompressed();
 };
 
-/// Optional: a member type `linear_solver` names the solvers for shift M - J to use instead of the built-in
-/// ones: a type with members `real` and `complex`, each constructible from n, with factor_shifted(mass, J,
-/// shift) or factor_shifted(mass, J, re, im) returning false for a singular or non-finite matrix, and
-/// solve(x) or solve(re, im) in place on n contiguous numbers. Solvers that iterate may have solve_leaving(part, x) and
-/// solve_leaving(part, re, im) as well: then the last solves of Newton's iteration are told which part of their
-/// right-hand side they may leave, 0 for as little as usual. With usual_part(), what a solve leaves as usual, the first
-/// ones are told as well: more than that for the systems of a step that count for less than the others. A complex solver
-/// that iterates with some matrices only says so by iterates(). One that iterates and fails fills the solution with NaN, on
-/// all processes, and says why by last_solve() (linear/linear_solve.hpp): the step is refused then. Static functions of the type, factor_all(reals, complexes,
-/// mass, J, shifts) and solve_all(reals, complexes, x, n), factor all systems of a step together and solve with them.
+/// Optional: a member type `linear_solver` names the solvers for shift M - J to use instead of the built-in ones, a model of
+/// the concept linear_solver (linear/linear_solver.hpp, which says what solvers that iterate may have besides).
 template <class Problem>
 concept has_linear_solver = requires {
     typename Problem::linear_solver::real;

@@ -132,6 +132,11 @@ class system
     static constexpr bool automatic =
         !analytic && !structured && automatically_differentiable<Problem, scalar, size_at_compile_time>;
     static constexpr bool finite_difference = !analytic && !automatic;
+    static_assert(linear_solver<blocks, mass_type, matrix, scalar>,
+                  "Problem::linear_solver: its types real and complex need a constructor from int, "
+                  "factor_shifted(M, J, "
+                  "shift) and solve(x), factor_shifted(M, J, re, im) and solve(re, im) "
+                  "(linear/linear_solver.hpp); bool is what factor_shifted returns");
 
     system(Problem& problem, const Vector& y0, report<scalar>& r)
         : problem_(problem),

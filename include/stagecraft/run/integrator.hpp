@@ -160,6 +160,7 @@ class integrator {
     using norm_type = tolerance_norm<Vector, typename system_type::sums_type, system_type::may_be_raised>;
     using guards_type =
         decltype(detail::guards_in<system_type>(std::declval<typename detail::guards_of<Method>::type>()));
+    static constexpr bool several_methods = (method_count<Method>) > 1;
     enum class progress { again, accepted, given_up };
 
     template <class F>
@@ -190,12 +191,14 @@ class integrator {
             if (!fixed) demand_free_steps(m, system_.largest_index(), options_.continuous);
             const scalar smooth = m.estimate_ratio(options_.rtol);
             judge_.prepare(k, smooth);
-            if constexpr (method_count < Method >> 1)
+            if constexpr (several_methods) {
+                static_assert(variable_order_method<step_type, system_type>);
                 judge_.prepare(
                     k,
                     {m.count(), m.estimate_power(), least_ratio_of_index(smooth, system_.largest_index()),
                      m.stages().work(system_.total_size())},
                     options_.rtol);
+            }
         });
     }
 

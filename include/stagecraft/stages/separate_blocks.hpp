@@ -33,9 +33,7 @@ class separate_blocks {
             for (auto& block : real_) block.ignore_zeros();
             for (auto& block : complex_) block.ignore_zeros();
         }
-        if constexpr (requires {
-                          Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
-                      })
+        if constexpr (factors_all<Blocks, typename System::mass_type, typename System::matrix, Scalar>)
             return Blocks::factor_all(real_, complex_, system.mass(), system.jacobian(), shift);
         else
             return factor_each(system, shift);
@@ -45,7 +43,7 @@ class separate_blocks {
     static constexpr bool inexact = inexact_blocks<Blocks, Scalar>;
     /// Solvers that may iterate say whether they do, as long as the factors are the same.
     bool iterates() const {
-        if constexpr (requires(const typename Blocks::complex& block) { block.iterates(); })
+        if constexpr (may_iterate<typename Blocks::complex>)
             return std::any_of(complex_.begin(), complex_.end(), [](const auto& b) { return b.iterates(); });
         else
             return inexact;
@@ -62,13 +60,12 @@ class separate_blocks {
     void solve(const System& system, Scalar* x) {
         if constexpr (may_be_sparse)
             if (pairs_.factored()) return pairs_.solve(x);
-        if constexpr (requires { Blocks::solve_all(real_, complex_, x, n_); })
-            return Blocks::solve_all(real_, complex_, x, n_);
+        if constexpr (solves_all<Blocks, Scalar>) return Blocks::solve_all(real_, complex_, x, n_);
         each(system, x, [](auto& block, auto*... parts) { block.solve(parts...); });
     }
     /// The same, where the largest right-hand side may be solved up to `part` of it (0: as usual), and each other one up
-    /// to as much, a quarter of its own at most; sizes[k] is what that of block k counts for. As usual: a tenth at most,
-    /// as a solver leaves less than it may of the large ones, and of the small ones not, which then decide what comes next.
+    /// to as much, a quarter of its own at most; sizes[k] is what that of block k counts for. As usual: a tenth at most.
+    /// Small right-hand sides get the tight bound too: otherwise their residuals dominate the next iteration.
     template <class System>
     void solve_leaving(const System& system, Scalar* x, const Scalar& part,
                        const std::vector<Scalar>& sizes) requires inexact {
@@ -77,7 +74,7 @@ class separate_blocks {
         auto size = sizes.begin();
         each(system, x, [&](auto& block, auto*... parts) {
             Scalar own = part;
-            if constexpr (requires { block.usual_part(); })
+            if constexpr (tells_usual_part<std::remove_reference_t<decltype(block)>>)
                 if (part == Scalar(0)) own = Scalar(block.usual_part());
             own *= largest / *size++;
             block.solve_leaving(own < most ? own : most, parts...);
@@ -107,12 +104,11 @@ class separate_blocks {
     }
 
     /// What the systems of a step cost, as one of them knows since it was factored; zeros before.
-    auto work() const requires requires(const typename Blocks::complex& block) { block.work(); }
-    { return complex_.empty() ? real_.front().work() : complex_.front().work(); }
+    auto work() const requires tells_work<typename Blocks::complex> {
+        return complex_.empty() ? real_.front().work() : complex_.front().work();
+    }
 
-    static constexpr bool knows_determinant = requires(typename Blocks::real & block) {
-        block.negative_determinant();
-    };
+    static constexpr bool knows_determinant = tells_determinant<typename Blocks::real>;
     /// Sign of det(gamma_1/h M - J), 0 where no eigenvalue of A^-1 is real.
     int determinant_sign() requires knows_determinant {
         if constexpr (may_be_sparse)

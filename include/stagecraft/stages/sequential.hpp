@@ -79,9 +79,7 @@ class sequential_stages {
         });
     }
 
-    static constexpr bool knows_determinant = requires(typename Blocks::real & block) {
-        block.negative_determinant();
-    };
+    static constexpr bool knows_determinant = tells_determinant<typename Blocks::real>;
     /// Sign of det(M/(h a) - J) as last factored, a being the first non-zero diagonal entry.
     int determinant_sign() requires knows_determinant {
         return blocks_.front().negative_determinant() ? -1 : 1;

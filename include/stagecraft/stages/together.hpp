@@ -26,7 +26,8 @@ void solve_together(const System& system, const Block& block, F&& f) {
         system.keep(f);
     else
         f();
-    if constexpr (requires { system.took(block.last_solve()); }) system.took(block.last_solve());
+    if constexpr (tells_last_solve<Block> && requires { system.took(block.last_solve()); })
+        system.took(block.last_solve());
 }
 
 /// What linear solvers that iterate have left of their right-hand sides: `part` at least, 0 where none iterates. A solver
@@ -39,7 +40,7 @@ struct left_by_solvers {
 
     template <class Block>
     void add(const Block& block) {
-        if constexpr (requires { block.last_solve().iterations + block.usual_part(); }) {
+        if constexpr (tells_last_solve<Block> && tells_usual_part<Block>) {
             const int taken = block.last_solve().iterations;
             if (taken == 0) return;
             if (part < Scalar(block.usual_part())) part = Scalar(block.usual_part());

@@ -116,7 +116,7 @@ class transformed_stages {
         } else if constexpr (requires { Blocks::work(1); }) {
             return {{}, Blocks::work(system.total_size())};
         } else {
-            if constexpr (requires { blocks_.work(); }) {
+            if constexpr (tells_work<blocks_type>) {
                 const step_work<Scalar> known = blocks_.work();
                 if (known.per_stage.iteration > Scalar(0)) return known;
             }
@@ -127,7 +127,7 @@ class transformed_stages {
     /// What factoring costs, in iterations, where the blocks know it since they were factored; else 0.
     template <class System>
     Scalar factorisation_cost(const System& system) const {
-        if constexpr (requires { blocks_.work(); }) {
+        if constexpr (tells_work<blocks_type>) {
             const block_work<Scalar> one = blocks_.work().per_stage;
             return one.step / (Scalar(15) + 3 * Scalar(system.total_size()) + one.iteration);
         } else {

@@ -54,8 +54,7 @@ struct run_demands {
 ///     reduced; size(x, reduced) measures a vector; up to four solves, which it counts.
 ///   - m.finish(t, y, h, y1, now): the step is accepted, now := its continuous solution; s^2 n.
 ///
-/// Everything else may be left to step_defaults, from which a model derives. A method for variable_order has
-/// decay(now, norm) and, in its stages, work(system) besides.
+/// Everything else may be left to step_defaults, from which a model derives; its docstrings say what it means.
 template <class Step, class System>
 concept one_step_method = requires(
     Step& m, const Step& c, System& system, const run_demands& demands, const typename Step::vector& x,
@@ -81,6 +80,44 @@ concept one_step_method = requires(
     m.finish(h, x, h, x, now);
     { m.estimate(system, h, x, now, out) } -> std::same_as<int>;
     { m.error_size(system, now, h, x, solves, size) } -> std::convertible_to<typename Step::vector::Scalar>;
+    // What step_defaults has for all.
+    { c.iterates() } -> std::same_as<bool>;
+    { c.needs_left_value(true) } -> std::same_as<bool>;
+    { c.needs_right_value() } -> std::same_as<bool>;
+    { c.ends_with_value() } -> std::same_as<bool>;
+    m.begin(x);
+    m.end(x);
+    m.end_without_value(h, x, x);
+    m.accepted();
+    m.replaced();
+    { c.forgets() } -> std::same_as<bool>;
+    { c.estimates_from_start() } -> std::same_as<bool>;
+    { m.estimate_again(system, h, x, h, now, out, out) } -> std::same_as<int>;
+    { m.estimate_right(system, h, x, now, out) } -> std::same_as<int>;
+    { m.solve_for_defect(system, h, out) } -> std::same_as<int>;
+    m.compare_with_start(system, now, h, out);
+    m.without_start(system, now, out);
+    { m.right_ratio(h) } -> std::convertible_to<typename Step::vector::Scalar>;
+    { m.jump_ratio(h) } -> std::convertible_to<typename Step::vector::Scalar>;
+    { c.knows_output_error() } -> std::same_as<bool>;
+    { m.output_error(now, norm) } -> std::convertible_to<typename Step::vector::Scalar>;
+    { c.sees_constant_slope(now) } -> std::same_as<bool>;
+    { c.blind_spot_count() } -> std::same_as<int>;
+    { c.blind_spot_power() } -> std::same_as<int>;
+    { c.knows_slopes() } -> std::same_as<bool>;
+    c.weigh_slopes(0, h, out);
+    { m.damp(system, out) } -> std::same_as<bool>;
+};
+
+/// What the choice among several methods asks besides: how fast the Legendre coefficients of the stage polynomial fall, and
+/// what a step costs without its linear systems and they by themselves (judge/order.hpp).
+template <class Step, class System>
+concept variable_order_method = one_step_method<Step, System> &&
+    requires(Step& m, System& system, const typename Step::output& now,
+             const weighted_root_mean_square<typename Step::vector>& norm) {
+    { m.decay(now, norm) } -> std::convertible_to<typename Step::vector::Scalar>;
+    m.stages().work(1).iteration;
+    m.stages().linear_work(system).per_stage;
 };
 
 /// What a method need not say. A model hides what it knows better.

@@ -17,6 +17,15 @@
 
 namespace stagecraft {
 
+/// What is asked of the stages of a method: det(shift M - J) of the real system that was factored last, by its
+/// sign, 0 where there is none, and its shift.
+template <class Stages>
+concept tells_growth = requires(Stages& stages) {
+    requires Stages::knows_determinant;
+    { stages.determinant_sign() } -> std::same_as<int>;
+    stages.growth_shift();
+};
+
 /// Detects growth that a step would pass over. Let gamma be the real pole of R(z), or the real part of its
 /// poles nearest the real axis. A mode y' = lambda y with h lambda > gamma is damped by the method although
 /// the solution grows by e^gamma and more in this step, and no error estimate shows it while the mode is
@@ -41,7 +50,7 @@ class growth_watch {
     /// has something to begin with: slope() is f at the left end, asked for where there is a growing mode.
     template <class System, class Stages, class Slope>
     bool sees(const System& system, Stages& stages, Slope&& slope) {
-        if constexpr (!System::structured && System::sums_type::complete && Stages::knows_determinant) {
+        if constexpr (!System::structured && System::sums_type::complete && tells_growth<Stages>) {
             const Scalar shift = stages.growth_shift();
             if (shift == Scalar(0) || !has_growing_mode(system, shift, stages.determinant_sign(), {}))
                 return false;
@@ -119,8 +128,8 @@ class growth_watch {
         return weighted_norm(Eigen::Map<const Weights>(x, n), weights, n);
     }
 
-    /// Leaves w := (a M - J)^-1 f in the workplace, and the factors. This is f / a without most of what y's distance
-    /// from a slow solution, less than the tolerance, puts into fast components of f. So along a solution that moves
+    /// Leaves w := (a M - J)^-1 f in the workplace, and the factors: f / a with the fast components damped, which only reflect
+    /// errors below the tolerance. So along a solution that moves
     /// w exceeds the tolerance, however small f over the rate of its fast components is: then nothing is looked for.
     template <class System, class Vector>
     [[gnu::cold]] bool is_quiet(const System& system, const Vector& f, const Scalar& size_of_f,
