@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE enclosures
 #include <boost/test/unit_test.hpp>
+#include <random>
+#include <set>
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 #include <stagecraft/tableaux/transformed.hpp>
@@ -264,6 +266,24 @@ BOOST_AUTO_TEST_CASE(nodes_next_to_the_ends_and_to_one_another_are_enclosed) {
             BOOST_REQUIRE(t.b.size() == 2);
             BOOST_TEST(t.b(0) == b.to<double>(), digits);
         }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(random_rational_nodes_are_the_nodes_of_the_exact_tableau) {
+    std::mt19937 random(6);
+    for (int k = 0; k < 300; ++k) {
+        std::set<rational> given;
+        if (k % 3 != 0) given.insert(k % 2);  // often an end
+        const int s = 1 + static_cast<int>(random() % 5), most = 2 + static_cast<int>(random() % 30);
+        while (static_cast<int>(given.size()) < s && static_cast<int>(given.size()) < most) {
+            const int d = 1 + static_cast<int>(random() % static_cast<unsigned>(most));
+            given.insert(rational(static_cast<int>(random() % static_cast<unsigned>(d + 1)), d));
+        }
+        const auto w = nodal_polynomial::from_nodes({given.begin(), given.end()});
+        const auto t = exact_tableau(w, construction::collocation);
+        BOOST_REQUIRE((t && t->c.size() == static_cast<Eigen::Index>(given.size())));
+        Eigen::Index i = 0;
+        for (const rational& c : given) BOOST_TEST((t->c[i++] == quadratic(c)), k);
     }
 }
 

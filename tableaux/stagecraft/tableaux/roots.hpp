@@ -136,10 +136,10 @@ struct start {
 struct separated {
     std::vector<isolated_root<rational>> roots;
     int apart = 0;
-    explicit separated(const polynomial<rational>& w) : roots(isolate_real_roots(w)) {
-        std::erase_if(roots, [](const auto& r) {
-            return r.high <= 0 || r.low >= 1 || (r.exact() && (r.low == 0 || r.low == 1));
-        });
+    explicit separated(polynomial<rational> w) {
+        for (const int end : {0, 1})
+            if (w(rational(end)) == 0) w = w / polynomial<rational>{-end, 1};
+        roots = isolate_real_roots(w);
         for (int fine = 100;; fine *= 2) {
             for (auto& r : roots) r = refine(w, r, scaled(rational(1), -fine));
             apart = 1;
