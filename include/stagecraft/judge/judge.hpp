@@ -20,6 +20,8 @@ namespace stagecraft {
 template <class Scalar, int Methods, class Guards>
 class judge {
   public:
+    static constexpr bool several_methods = (Methods > 1);
+
     judge(const options<Scalar>& o, const Scalar& t0, Guards guards)
         : controller_(o.control), guards_(std::move(guards)) {
         each([&](auto& guard) { guard.start(o, t0); });

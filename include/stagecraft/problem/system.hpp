@@ -339,8 +339,7 @@ class system
 
     /// The largest index flag: 1, 2 or 3. Above 1 the norms depend on the step size.
     int largest_index() const { return has_index<Problem> ? largest_index_ : 1; }
-    /// Errors within the tolerance are no smooth function of the step in the stages: those of index 2 and 3, and those
-    /// that linear solvers leave which only iterate.
+    /// Extrapolated stages may be noisy: with index 2 and 3, and with linear solvers that iterate.
     bool rough_stages() const { return iterative_blocks<blocks, scalar> || largest_index() > 1; }
 
     /// The error of what the problem carries along, more than y (sensitivities), where that of y is `error` < 1: of a
@@ -351,6 +350,15 @@ class system
             return problem_.further_error(*this, method, step);
         else
             return scalar(0);
+    }
+
+    /// bad_problem if f0 = f(t0, y0) is not what second_order_components promises.
+    void demand_second_order([[maybe_unused]] const Vector& f0, [[maybe_unused]] const Vector& y) const {
+        if constexpr (has_second_order_components<Problem>)
+            for (int i = 0, m = position_components<Problem>(n_); i < m; ++i)
+                if (!(f0[i] == y[m + i]))
+                    throw bad_problem(
+                        "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
     }
 
     bool constant_jacobian() {

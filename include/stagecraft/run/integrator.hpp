@@ -22,6 +22,7 @@
 #include <stagecraft/run/linearisation.hpp>
 #include <stagecraft/run/measured_step.hpp>
 #include <stagecraft/run/newton_room.hpp>
+#include <stagecraft/run/prepare_method.hpp>
 #include <stagecraft/run/solve_from_guess.hpp>
 #include <stagecraft/run/step_plan.hpp>
 #include <stagecraft/run/tolerance_norm.hpp>
@@ -68,7 +69,11 @@ class integrator {
         report_.set_tolerances(o);
         h_ = plan_.equal().h;
         if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
-        for (int k = 0; k < method_count<Method>; ++k) prepare_method(k);
+        for (int k = 0; k < method_count<Method>; ++k)
+            detail::visit_at(steps_, k, [&](auto& m) {
+                prepare_method(m, k, system_, options_, run_demands{plan_.fixed(), keeps_output_, o.jumps},
+                               judge_);
+            });
     }
     integrator(const integrator&) = delete;
     integrator& operator=(const integrator&) = delete;
@@ -160,7 +165,6 @@ class integrator {
     using norm_type = tolerance_norm<Vector, typename system_type::sums_type, system_type::may_be_raised>;
     using guards_type =
         decltype(detail::guards_in<system_type>(std::declval<typename detail::guards_of<Method>::type>()));
-    static constexpr bool several_methods = (method_count<Method>) > 1;
     enum class progress { again, accepted, given_up };
 
     template <class F>
@@ -182,26 +186,6 @@ class integrator {
         return progress::given_up;
     }
 
-    void prepare_method(int k) {
-        detail::visit_at(steps_, k, [&](auto& m) {
-            using step_type = std::decay_t<decltype(m)>;
-            static_assert(one_step_method<step_type, system_type>);
-            const bool fixed = plan_.fixed();
-            m.prepare(system_, {fixed, keeps_output_, options_.jumps});
-            if (!fixed) demand_free_steps(m, system_.largest_index(), options_.continuous);
-            const scalar smooth = m.estimate_ratio(options_.rtol);
-            judge_.prepare(k, smooth);
-            if constexpr (several_methods) {
-                static_assert(variable_order_method<step_type, system_type>);
-                judge_.prepare(
-                    k,
-                    {m.count(), m.estimate_power(), least_ratio_of_index(smooth, system_.largest_index()),
-                     m.stages().work(system_.total_size())},
-                    options_.rtol);
-            }
-        });
-    }
-
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
     bool start() {
         using std::abs;
@@ -212,11 +196,7 @@ class integrator {
             const Vector& f0 = f_.left(system_, t_, y_);
             const scalar size = weighted_norm(f0, norm_.of_state(), n_, norm_.sums());
             if (!(size - size == scalar(0))) return give_up(status::non_finite) == progress::accepted;
-            if constexpr (has_second_order_components<Problem>)
-                for (int i = 0, m = position_components<Problem>(n_); i < m; ++i)
-                    if (!(f0[i] == y_[m + i]))
-                        throw bad_problem(
-                            "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
+            system_.demand_second_order(f0, y_);
         }
         started_ = true;
         if (plan_.fixed()) return true;
@@ -291,7 +271,12 @@ class integrator {
                                                         output_type& now) {
         newton_outcome<scalar> newton;
         newton_limits<scalar> limits{};
-        if (method.iterates()) limits = newton_limits_for(method.coupled_stages_count(), h);
+        if (method.iterates()) {
+            const bool affine = report_.steps > 0 && linear_.constant(system_) &&
+                                linear_.factored_within(h, options_.rtol / 100);
+            limits = newton_room(options_, method.coupled_stages_count(), system_.largest_index(),
+                                 system_type::mass_type::identity, refused_.by_newton, affine);
+        }
         if (linear == linear_state::factored) {
             newton = solve_from_guess(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h, norm_,
                                       limits, now, report_.solves);
@@ -409,13 +394,6 @@ class integrator {
     /// True if the polynomial of the last step is to start the iteration.
     bool extrapolates() const {
         return has_output_ && (system_.rough_stages() ? extrapolation_.trusted() : refused_.all < 2);
-    }
-
-    newton_limits<scalar> newton_limits_for(int s, const scalar& h) {
-        const bool affine =
-            report_.steps > 0 && linear_.constant(system_) && linear_.factored_within(h, options_.rtol / 100);
-        return newton_room(options_, s, system_.largest_index(), system_type::mass_type::identity,
-                           refused_.by_newton, affine);
     }
 
     [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;

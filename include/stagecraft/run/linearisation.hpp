@@ -205,7 +205,7 @@ class linearisation {
     /// As the Jacobian gets older theta grows, and with it the number of iterations: of those that the next step
     /// needs a new Jacobian saves all but log(2 theta) / log(theta when new), if theta doubles. It is due when they
     /// make a tenth of its factorisation. (By the work alone it could wait longer; but what the iterations leave
-    /// grows as well, and errors were seen to be five times as large.) Nothing is kept beyond 1/4.
+    /// grows as well, and errors become five times as large.) Nothing is kept beyond 1/4.
     bool is_worth_keeping(int iterations, const scalar& cost) const {
         using std::log;
         if (!(cost > scalar(0)) || theta_ > scalar(1) / 4) return false;

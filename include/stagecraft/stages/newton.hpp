@@ -19,9 +19,8 @@ struct newton_outcome {
 /// What the iteration is told: it stops when the error left in Z is below `factor` in the weighted norm, in
 /// which the tolerance is 1. `floor` is the size of an increment that is only rounding; below `noise` an
 /// iteration that no longer contracts has reached rounding as well. The contraction is measured in every
-/// step, so at least two iterations are made. Trusting the contraction of the step before would save one of
-/// them, but was seen to cost Robertson's problem three digits, because the errors left over all have the
-/// same sign.
+/// step, so at least two iterations are made. The contraction of the step before
+/// would save one of them, at the cost of three digits on Robertson's problem: the errors left over all have the same sign.
 template <class Scalar>
 struct newton_limits {
     Scalar factor, floor, noise;
@@ -94,8 +93,8 @@ class newton_monitor {
             theta = k == 1 ? rate : Scalar(sqrt(rate * (theta < least ? least : theta)));
             if (size <= limits_.noise && rate > Scalar(1) / 4) return end(newton_end::converged);
             if (theta < Scalar(99) / 100) {
-                // The first contraction from a guess that was far off tells of the way back, not of where it has led:
-                // it is not enough where the last increment is larger than so many tolerances.
+                // After a bad guess the first rate measures the return to the basin, not the rate near the solution: alone
+                // it is not believed where the last increment is larger than so many tolerances.
                 const Scalar once = limits_.factor / Scalar(limits_.most_at_once);
                 Scalar believed = !contracted_ && theta < once ? once : theta;
                 if (believed < part_left_) believed = part_left_;
