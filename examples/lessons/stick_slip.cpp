@@ -6,7 +6,7 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
-#include <stagecraft/mechanics/regularised.hpp>
+#include <stagecraft/mechanics/regularisation/regularised.hpp>
 #include <stagecraft/observe/event.hpp>
 
 using namespace stagecraft;

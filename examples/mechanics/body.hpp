@@ -8,7 +8,7 @@
 #include <stagecraft/dae/projection.hpp>
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/invariants.hpp>
-#include <stagecraft/mechanics/regularised_position.hpp>
+#include <stagecraft/mechanics/regularisation/regularised_position.hpp>
 #include <string>
 #include <utility>
 #include <vector>

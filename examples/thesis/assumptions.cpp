@@ -4,7 +4,7 @@
 #include <stagecraft/dae/hessenberg.hpp>
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/model_assumptions.hpp>
-#include <stagecraft/mechanics/regularisation_conditions.hpp>
+#include <stagecraft/mechanics/regularisation/regularisation_conditions.hpp>
 
 #include <problems/rolling_disc/disc.hpp>
 #include <problems/thesis/limits.hpp>

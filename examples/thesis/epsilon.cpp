@@ -118,7 +118,7 @@ outcome regularisation_error() {
     // Over eps, or the curves hide each other: where they are level the slope is 1.
     figure fk{"fig_4_16", "4.16 Distance in q, q' over ε, other κ", "ε", "maximum over t / ε", true, true,
               {}};
-    // For kappa < 1 the error is eps Y (mechanics/regularisation_error.hpp).
+    // For kappa < 1 the error is eps Y (mechanics/regularisation/regularisation_error.hpp).
     double predicted = 0;
     std::vector<double> times;
     for (int k = 1; k <= grid; ++k) times.push_back(static_cast<double>(k) / grid);

@@ -3,8 +3,8 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/mechanics/asymptotic_expansion.hpp>
-#include <stagecraft/mechanics/regularisation_error.hpp>
+#include <stagecraft/mechanics/regularisation/asymptotic_expansion.hpp>
+#include <stagecraft/mechanics/regularisation/regularisation_error.hpp>
 
 #include <problems/rolling_disc/disc.hpp>
 

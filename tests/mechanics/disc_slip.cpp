@@ -6,7 +6,7 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
-#include <stagecraft/mechanics/regularised.hpp>
+#include <stagecraft/mechanics/regularisation/regularised.hpp>
 #include <stagecraft/observe/event.hpp>
 
 #include <problems/rolling_disc/disc.hpp>

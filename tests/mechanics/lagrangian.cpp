@@ -11,7 +11,7 @@
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/invariants.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
-#include <stagecraft/mechanics/regularised_position.hpp>
+#include <stagecraft/mechanics/regularisation/regularised_position.hpp>
 
 #include <problems/rolling_disc/disc.hpp>
 #include <problems/thesis/any_problem.hpp>

@@ -5,7 +5,7 @@
 #include <complex>
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
-#include <stagecraft/mechanics/regularised.hpp>
+#include <stagecraft/mechanics/regularisation/regularised.hpp>
 
 #include <problems/thesis/nonholonomic.hpp>
 #include <problems/thesis/solve.hpp>

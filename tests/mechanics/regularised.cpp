@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/mechanics/regularisation_conditions.hpp>
+#include <stagecraft/mechanics/regularisation/regularisation_conditions.hpp>
 #include <string>
 #include <vector>
 

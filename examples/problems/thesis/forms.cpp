@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <stagecraft/mechanics/regularisation_error.hpp>
-#include <stagecraft/mechanics/regularised.hpp>
+#include <stagecraft/mechanics/regularisation/regularisation_error.hpp>
+#include <stagecraft/mechanics/regularisation/regularised.hpp>
 #include <stdexcept>
 #include <type_traits>
 

@@ -27,7 +27,7 @@ struct setup_of {
 };
 using setup = setup_of<double>;
 
-/// The four ways to write the regularised disc (mechanics/regularised.hpp).
+/// The four ways to write the regularised disc (mechanics/regularisation/regularised.hpp).
 enum class form { mass_matrix, multiplier, creep, transformed };
 const char* name(form f);
 

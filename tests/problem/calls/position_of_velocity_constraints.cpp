@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: take regularised(model, eps, kappa, c, d)
 // lines: 8
-#include <stagecraft/mechanics/regularised_position.hpp>
+#include <stagecraft/mechanics/regularisation/regularised_position.hpp>
 
 #include "skate.hpp"
 

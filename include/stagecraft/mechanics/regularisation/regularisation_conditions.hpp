@@ -6,7 +6,7 @@
 #include <string>
 
 #include <stagecraft/linear/logarithmic_norm.hpp>
-#include <stagecraft/mechanics/regularised.hpp>
+#include <stagecraft/mechanics/regularisation/regularised.hpp>
 
 namespace stagecraft {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <stagecraft/mechanics/regularised.hpp>
+#include <stagecraft/mechanics/regularisation/regularised.hpp>
 
 namespace stagecraft {
 

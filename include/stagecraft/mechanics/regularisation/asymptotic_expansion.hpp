@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include <stagecraft/mechanics/erased_run.hpp>
-#include <stagecraft/mechanics/singular_perturbation.hpp>
+#include <stagecraft/mechanics/regularisation/erased_run.hpp>
+#include <stagecraft/mechanics/regularisation/singular_perturbation.hpp>
 
 namespace stagecraft {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/mechanics/erased_run.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
+#include <stagecraft/mechanics/regularisation/erased_run.hpp>
 
 namespace stagecraft {
 
