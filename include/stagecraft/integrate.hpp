@@ -132,7 +132,7 @@ struct call_of_integrate {
 ///          compile time or at run time. (2) A variable_order set, which chooses among such methods. (3) Any
 ///          tableau: the stages of explicit and of diagonally implicit methods are solved one by one, those of
 ///          the others together, in real and complex blocks where A has a basis of eigenvectors. Adaptive
-///          steps of a tableau need its b_embedded (or tableau/step_doubling.hpp).
+///          steps of a tableau need its b_embedded (or method/step_doubling.hpp).
 /// problem  Anything that can be called as problem(t, y, f) and writes f, or as problem(t, y) and returns it (then a
 ///          copy of it is called). Optional members are detected:
 ///          jacobian(t, y, J), mass(), index(), constant_jacobian(), second_order_components, bandwidth(),

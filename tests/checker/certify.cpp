@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 #include <stagecraft/coefficients/radau_iia.hpp>
-#include <stagecraft/tableau/tree_table.hpp>
+#include <stagecraft/method/tree_table.hpp>
 #include <stagecraft/tableaux/entry.hpp>
 #include <stagecraft/tableaux/rational.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>

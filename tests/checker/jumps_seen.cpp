@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/tableau/blind_spots.hpp>
+#include <stagecraft/method/blind_spots.hpp>
 #include <stagecraft/theory/judging/find_suspects.hpp>
 #include <stagecraft/theory/judging/jumps_seen.hpp>
 #include <string>

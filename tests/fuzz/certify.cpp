@@ -17,7 +17,7 @@
 #include <optional>
 #include <random>
 #include <sstream>
-#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <string>
 #include <variant>

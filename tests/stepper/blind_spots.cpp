@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/tableau/blind_spots.hpp>
-#include <stagecraft/tableau/step_doubling.hpp>
+#include <stagecraft/method/blind_spots.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 
 #include "../catalogue.hpp"
 

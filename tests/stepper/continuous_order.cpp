@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/method/continuous_weights.hpp>
+#include <stagecraft/method/structure.hpp>
 #include <stagecraft/observe/solution.hpp>
-#include <stagecraft/tableau/continuous_weights.hpp>
-#include <stagecraft/tableau/structure.hpp>
 #include <string>
 
 // What lies between the ends of the steps of methods given by a tableau.

@@ -10,7 +10,7 @@
 #include <stagecraft/coefficients/lobatto_iiib.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/tableau/step_doubling.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 #include <stdexcept>
 #include <string>
 

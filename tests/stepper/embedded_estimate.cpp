@@ -6,8 +6,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/tableau/embedded_estimate.hpp>
-#include <stagecraft/tableau/step_doubling.hpp>
+#include <stagecraft/method/embedded_estimate.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -9,8 +9,8 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/judge/inverse_root.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
-#include <stagecraft/tableau/step_doubling.hpp>
+#include <stagecraft/method/order_conditions.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 #include <stdexcept>
 
 namespace sc = stagecraft;

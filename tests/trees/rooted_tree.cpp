@@ -3,8 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <set>
-#include <stagecraft/tableau/rooted_tree.hpp>
-#include <stagecraft/tableau/tree_table.hpp>
+#include <stagecraft/method/rooted_tree.hpp>
+#include <stagecraft/method/tree_table.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -6,10 +6,10 @@
 #include <stagecraft/judge/evidence.hpp>
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/mass_kernel.hpp>
+#include <stagecraft/method/blind_spots.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/run/end_slope.hpp>
 #include <stagecraft/stages/newton.hpp>
-#include <stagecraft/tableau/blind_spots.hpp>
 
 namespace stagecraft {
 

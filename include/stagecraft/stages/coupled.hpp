@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <stagecraft/linear/norms.hpp>
+#include <stagecraft/method/structure.hpp>
 #include <stagecraft/stages/coupled_systems.hpp>
 #include <stagecraft/stages/newton.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
-#include <stagecraft/tableau/structure.hpp>
 #include <stagecraft/work.hpp>
 
 namespace stagecraft {

@@ -10,13 +10,13 @@
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/linear/mass_kernel.hpp>
 #include <stagecraft/linear/norms.hpp>
+#include <stagecraft/method/collocation_functionals.hpp>
+#include <stagecraft/method/order_conditions.hpp>
+#include <stagecraft/method/remembered.hpp>
+#include <stagecraft/method/structure.hpp>
 #include <stagecraft/stages/transformed.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_extrapolation.hpp>
-#include <stagecraft/tableau/collocation_functionals.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
-#include <stagecraft/tableau/remembered.hpp>
-#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 

@@ -209,7 +209,7 @@ class step_defaults {
 
     /// What an estimate of 1 stands for across a jump of f, `smooth` where there is none.
     static const scalar& jump_ratio(const scalar& smooth) { return smooth; }
-    /// How many combinations of the slopes see jumps that the estimate does not (tableau/blind_spots.hpp), and the power
+    /// How many combinations of the slopes see jumps that the estimate does not (method/blind_spots.hpp), and the power
     /// of h by which they fall where f is smooth.
     static constexpr int blind_spot_count() { return 0; }
     static constexpr int blind_spot_power() { return 0; }

@@ -8,7 +8,7 @@
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/linear/combinations.hpp>
-#include <stagecraft/tableau/collocation_functionals.hpp>
+#include <stagecraft/method/collocation_functionals.hpp>
 
 namespace stagecraft {
 

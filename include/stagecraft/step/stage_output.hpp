@@ -5,17 +5,17 @@
 #include <cmath>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/method/continuous_weights.hpp>
+#include <stagecraft/method/order_conditions.hpp>
+#include <stagecraft/method/structure.hpp>
 #include <stagecraft/stages/stage_slopes.hpp>
-#include <stagecraft/tableau/continuous_weights.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
-#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 
 /// The continuous solution of a method given by its tableau, brought to the form dense_output evaluates:
 ///   - the collocation polynomial of degree s where B(s) and C(s) hold with distinct nodes;
 ///   - else y + h sum b_j(theta) k_j with b(0) = 0, b(1) = b of the highest order q <= p that the slopes
-///     allow, in polynomials of degree max(q, 3) (tableau/continuous_weights.hpp): 4 for Dormand-Prince 5(4),
+///     allow, in polynomials of degree max(q, 3) (method/continuous_weights.hpp): 4 for Dormand-Prince 5(4),
 ///     6 for Dormand-Prince 8(5,3), 3 for the classical method. Where the first stage is explicit and the
 ///     slope at the right end is known too, that of the last stage (last row of A equal to b) or f(t1, y1),
 ///     which an explicit method asks for in its next step anyway, the slopes at the ends are these, so that u

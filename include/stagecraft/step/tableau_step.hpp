@@ -6,15 +6,15 @@
 #include <stdexcept>
 
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/method/blind_spots.hpp>
+#include <stagecraft/method/embedded_estimate.hpp>
+#include <stagecraft/method/remembered.hpp>
+#include <stagecraft/method/structure.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/stages/coupled.hpp>
 #include <stagecraft/stages/sequential.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_output.hpp>
-#include <stagecraft/tableau/blind_spots.hpp>
-#include <stagecraft/tableau/embedded_estimate.hpp>
-#include <stagecraft/tableau/remembered.hpp>
-#include <stagecraft/tableau/structure.hpp>
 
 namespace stagecraft {
 
@@ -28,7 +28,7 @@ namespace stagecraft {
 /// in stiff components and extends it to algebraic ones (Hairer-Wanner II.IV.8; embedded_estimate.hpp). A
 /// method has no estimate, and runs with fixed steps only, if it has no embedded weights or these see no
 /// error of a quadrature. Jumps of f between certain nodes that they do not see are seen by other
-/// combinations of the slopes (tableau/blind_spots.hpp).
+/// combinations of the slopes (method/blind_spots.hpp).
 ///
 /// A singular M is possible if A is regular, or if the method is stiffly accurate and A is regular without
 /// its first stage, which is the left end.
@@ -68,7 +68,7 @@ class tableau_step : public step_defaults<Space> {
         if (!fixed && known_.power == 0)
             throw std::invalid_argument(
                 "integrate: method has no embedded weights to estimate errors with; use "
-                "options.fixed_step, or step_doubling(method) of tableau/step_doubling.hpp");
+                "options.fixed_step, or step_doubling(method) of method/step_doubling.hpp");
         if constexpr (System::opaque || !has_entries<typename System::mass_type>)
             if (!is_.lower && !coupled_.splits())
                 throw std::invalid_argument(

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "stagecraft/tableau/order_conditions.hpp"
+#include "stagecraft/method/order_conditions.hpp"
 #include "stagecraft/tableaux/simplifying.hpp"
 
 namespace stagecraft::tableaux {

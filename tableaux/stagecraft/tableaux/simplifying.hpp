@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "stagecraft/method/simplifying_assumptions.hpp"
 #include "stagecraft/tableau.hpp"
-#include "stagecraft/tableau/simplifying_assumptions.hpp"
 #include "stagecraft/tableaux/small_solve.hpp"
 
 namespace stagecraft::tableaux {

@@ -3,7 +3,7 @@
 // lines: 11
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/integrate.hpp>
-#include <stagecraft/tableau/step_doubling.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 
 using Eigen::Vector2d, stagecraft::gauss;
 

@@ -7,9 +7,9 @@
 
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/row_panel.hpp>
+#include <stagecraft/method/legendre_rule.hpp>
+#include <stagecraft/method/remembered.hpp>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableau/legendre_rule.hpp>
-#include <stagecraft/tableau/remembered.hpp>
 
 namespace stagecraft::detail {
 

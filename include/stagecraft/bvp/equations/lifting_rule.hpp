@@ -8,9 +8,9 @@
 
 #include <stagecraft/bvp/options.hpp>
 #include <stagecraft/dense_output.hpp>
+#include <stagecraft/method/legendre_rule.hpp>
+#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableau/legendre_rule.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft::detail {
 

@@ -9,7 +9,7 @@
 
 #include <stagecraft/bvp/measure/error_estimate.hpp>
 #include <stagecraft/bvp/result.hpp>
-#include <stagecraft/tableau/legendre_rule.hpp>
+#include <stagecraft/method/legendre_rule.hpp>
 
 namespace stagecraft::detail {
 

@@ -17,7 +17,7 @@ namespace stagecraft {
 ///   - The error may be taken as smaller than its estimate (collocation_step::estimate_ratio), or an embedded
 ///     pair may show only a part of a jump: `smoothness` says when that must not be relied on.
 ///   - A pair may show nothing of certain jumps: combinations of the slopes at its blind spots
-///     (tableau/blind_spots.hpp) are then watched by a jump_watch. That costs one combination of the slopes per spot
+///     (method/blind_spots.hpp) are then watched by a jump_watch. That costs one combination of the slopes per spot
 ///     and step, and for each suspicion one step that is taken in two halves.
 ///   - The jumps that have been found bound the steps that follow (jump_spacing). Before the first one, where a
 ///     component of y' has been constant, steps at most double: one that a clock switches looks like that, and a

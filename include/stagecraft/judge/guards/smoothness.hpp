@@ -6,7 +6,7 @@ namespace stagecraft {
 /// Decides whether the solution may be taken as smooth. Only then does an estimate of order q stand for an
 /// error of order p + 1 (collocation_step::estimate_ratio). Across a jump of f or of a derivative both are as
 /// large as the jump, and the estimate of an embedded pair is only a part of the error
-/// (tableau/blind_spots.hpp). A jump shows as an estimate far beyond the one predicted from the step before, or
+/// (method/blind_spots.hpp). A jump shows as an estimate far beyond the one predicted from the step before, or
 /// as one that is still too large after the step has been reduced by the factor that suffices for a smooth
 /// solution. From then on the tolerance is applied to what the estimate shows of a jump, until ten steps in a
 /// row have met it.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "stagecraft/tableau/order_conditions.hpp"
+#include "stagecraft/method/order_conditions.hpp"
 #include "stagecraft/theory/dae/index2_conditions.hpp"
 #include "stagecraft/theory/stability/algebraic_stability.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <numbers>
-#include <stagecraft/tableau/simplifying_assumptions.hpp>
+#include <stagecraft/method/simplifying_assumptions.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/dae/dae_order.hpp>
 #include <stagecraft/theory/judging/order_finding.hpp>

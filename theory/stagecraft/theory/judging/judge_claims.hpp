@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stagecraft/tableau/simplifying_assumptions.hpp>
+#include <stagecraft/method/simplifying_assumptions.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/jumps_seen.hpp>

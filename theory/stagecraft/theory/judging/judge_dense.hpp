@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/tableaux/tableau_file.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/judge_claims.hpp>

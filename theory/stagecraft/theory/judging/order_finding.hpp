@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/models/matrix_model.hpp>
 #include <stagecraft/theory/statements/certainty.hpp>

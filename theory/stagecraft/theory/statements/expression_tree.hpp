@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/tableau/rooted_tree.hpp>
+#include <stagecraft/method/rooted_tree.hpp>
 #include <stagecraft/theory/statements/expression.hpp>
 
 namespace stagecraft::theory {

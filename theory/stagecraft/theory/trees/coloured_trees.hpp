@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
-#include <stagecraft/tableau/tree_table.hpp>
+#include <stagecraft/method/tree_table.hpp>
 #include <stagecraft/tableaux/partitioned_file.hpp>
 #include <string>
 #include <utility>

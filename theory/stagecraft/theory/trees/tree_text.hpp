@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <stagecraft/tableau/rooted_tree.hpp>
+#include <stagecraft/method/rooted_tree.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

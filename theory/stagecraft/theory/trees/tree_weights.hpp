@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/tableau/tree_table.hpp>
+#include <stagecraft/method/tree_table.hpp>
 #include <stagecraft/theory/models/stage_algebra.hpp>
 
 #include <algorithm>

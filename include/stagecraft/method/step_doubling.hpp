@@ -3,9 +3,9 @@
 
 #include <stdexcept>
 
+#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/named_member.hpp>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft {
 

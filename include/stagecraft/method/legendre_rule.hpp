@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <stagecraft/tableau/legendre_values.hpp>
+#include <stagecraft/method/legendre_values.hpp>
 
 namespace stagecraft {
 

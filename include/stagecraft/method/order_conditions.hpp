@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/method/simplifying_assumptions.hpp>
+#include <stagecraft/method/tree_table.hpp>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableau/simplifying_assumptions.hpp>
-#include <stagecraft/tableau/tree_table.hpp>
 
 namespace stagecraft {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
 
 namespace stagecraft {
 

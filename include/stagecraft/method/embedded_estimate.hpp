@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <stagecraft/linear/split_lu.hpp>
-#include <stagecraft/tableau/order_conditions.hpp>
-#include <stagecraft/tableau/structure.hpp>
+#include <stagecraft/method/order_conditions.hpp>
+#include <stagecraft/method/structure.hpp>
 
 namespace stagecraft {
 

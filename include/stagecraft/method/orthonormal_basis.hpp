@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <stagecraft/tableau/order_conditions.hpp>
+#include <stagecraft/method/order_conditions.hpp>
 
 namespace stagecraft::detail {
 

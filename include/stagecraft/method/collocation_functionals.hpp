@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/method/legendre_values.hpp>
 #include <stagecraft/tableau.hpp>
-#include <stagecraft/tableau/legendre_values.hpp>
 
 // Linear functionals of the stage polynomial u, given by z_i = u(c_i h) - y: weights, one per stage, distinct
 // nodes.

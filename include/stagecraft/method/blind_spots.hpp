@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include <stagecraft/tableau/order_conditions.hpp>
-#include <stagecraft/tableau/orthonormal_basis.hpp>
-#include <stagecraft/tableau/structure.hpp>
+#include <stagecraft/method/order_conditions.hpp>
+#include <stagecraft/method/orthonormal_basis.hpp>
+#include <stagecraft/method/structure.hpp>
 
 namespace stagecraft {
 

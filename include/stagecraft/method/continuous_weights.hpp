@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include <stagecraft/tableau/order_conditions.hpp>
-#include <stagecraft/tableau/orthonormal_basis.hpp>
+#include <stagecraft/method/order_conditions.hpp>
+#include <stagecraft/method/orthonormal_basis.hpp>
 
 namespace stagecraft {
 
