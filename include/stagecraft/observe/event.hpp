@@ -385,8 +385,7 @@ event_watch<Vector> events(event_function<Functions>... list) {
         "passes zero, y[0] - 1 for y[0] > 1");
     constexpr bool objects = [] {
         if constexpr (callable && numbers)
-            return (detail::owns_numbers<std::invoke_result_t<Functions&, const scalar&, const Vector&>> &&
-                    ...);
+            return (detail::owned_or_none<Functions&, const scalar&, const Vector&> && ...);
         else
             return true;
     }();
