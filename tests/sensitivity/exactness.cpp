@@ -419,7 +419,7 @@ BOOST_AUTO_TEST_CASE(S_jumps_where_the_solution_or_its_equation_does) {
         BOOST_TEST(distance(both.events[1].dy.row(0), Eigen::RowVector2d(-1, 2)) < tol);
         // Where g passes zero without a slope, its time has no derivative.
         const auto touch = sc::sensitivities_with_events(radau, hybrid{2}, Vector2d(-1, 0), Vector2d(3, 0.7),
-                                                         0, 2, std::tuple(without_slope), o);
+                                                         0, 2, without_slope, o);
         BOOST_TEST((touch.status == sc::status::function_threw));
         BOOST_CHECK_THROW(std::rethrow_exception(touch.exception), std::domain_error);
     }

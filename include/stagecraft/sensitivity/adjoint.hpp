@@ -43,7 +43,7 @@ struct gradients_result : result<Vector> {
 
 /// What adjoint_gradient() may be told beyond the options of the run.
 struct gradient_options {
-    bool estimate = true;  ///< of the gradient's error; costs twice the rest
+    bool estimate = true;  ///< of the gradient's error; costs two to three times the rest
 };
 
 namespace detail {
@@ -133,7 +133,7 @@ auto adjoint_gradients(const Method& method, const Problem& problem, const Vecto
 ///
 /// Memory: the square root of the number of steps, twice, in checkpoints and in steps, which are made again from them, bit by
 /// bit; the tapes of one step; never an n x m matrix. Costs the run twice, and for every step s calls of f on tape, a Jacobian,
-/// a factorisation and some ten solves a functional; thrice that with the estimate. Where the run
+/// a factorisation and some ten solves a functional; three to four times that with the estimate. Where the run
 /// does not end with success there is no gradient (zeros); status::newton_failed if a step's linear equations are not
 /// solved, status::wrong_derivative as in sensitivities(). std::invalid_argument as integrate().
 template <class Method, class Problem, class DerivedY, class DerivedP, class Functional>

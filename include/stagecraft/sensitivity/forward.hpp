@@ -105,8 +105,8 @@ auto sensitivities(
         return sensitivity_result<vector, typename sensitivity_options<vector, parameters>::matrix>{};
 }
 
-/// The same across events, at which S jumps: by saltation (Galan-Feehery-Barton 1999). Several, as a std::tuple of
-/// what sensitivity_event() returns. At an event of number e, at time tau with g(tau, y(tau), p) = 0,
+/// The same across events, at which S jumps (Galan-Feehery-Barton 1999); `events` is a sensitivity_event() or a std::tuple of
+/// several. At an event of number e, at time tau with g(tau, y(tau), p) = 0,
 ///
 ///     dtau/dp = -(g_y S + g_p) / (g_t + g_y f),    S := d/dp y_after - f_after dtau/dp,
 ///
@@ -117,22 +117,37 @@ auto sensitivities(
 /// tau is found on the continuous solution (observe/event.hpp), and the step up to it made anew, so that y and S have the
 /// accuracy of the ends of steps there. For y' = f alone (no mass()). A grazing event, whose time has no derivative, ends
 /// the run with status::function_threw and a std::domain_error.
-template <class Method, class Problem, class DerivedY, class DerivedP, class... Events,
+template <class Method, class Problem, class DerivedY, class DerivedP, class Events,
           class Observer = no_observer>
 requires detail::run_with_parameters<Method, Problem, typename DerivedY::PlainObject,
                                      typename DerivedP::PlainObject>
 auto sensitivities_with_events(
     const Method& method, const Problem& problem, const Eigen::MatrixBase<DerivedY>& y0,
     const Eigen::MatrixBase<DerivedP>& p, std::type_identity_t<typename DerivedY::Scalar> t0,
-    std::type_identity_t<typename DerivedY::Scalar> t1, const std::tuple<Events...>& events,
+    std::type_identity_t<typename DerivedY::Scalar> t1, const Events& events,
     const options<typename DerivedY::Scalar>& o = {},
     const std::type_identity_t<
         sensitivity_options<typename DerivedY::PlainObject, typename DerivedP::PlainObject>>& s = {},
     Observer&& observer = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
-    return detail::run_with_sensitivities(method, problem, vector(y0), parameters(p), t0, t1, o, s, events,
-                                          observer);
+    constexpr bool differentiable = detail::parameter_derivatives<Problem, vector, parameters>::automatic;
+    static_assert(
+        differentiable,
+        "sensitivities_with_events: problem(t, y, p, f) must be generic in its scalar (const auto& t, "
+        "const auto& y, const auto& p, auto& f)");
+    constexpr bool good = detail::are_events<Events>;
+    static_assert(good,
+                  "sensitivities_with_events: events are sensitivity_event(g, options, jump, change), or a "
+                  "std::tuple of several");
+    if constexpr (!differentiable || !good)
+        return sensitivity_result<vector, typename sensitivity_options<vector, parameters>::matrix>{};
+    else if constexpr (detail::is_state_event<Events>)
+        return detail::run_with_sensitivities(method, problem, vector(y0), parameters(p), t0, t1, o, s,
+                                              std::tuple(events), observer);
+    else
+        return detail::run_with_sensitivities(method, problem, vector(y0), parameters(p), t0, t1, o, s,
+                                              events, observer);
 }
 
 /// The same with S0, or zero, alone.

@@ -62,6 +62,15 @@ struct event_derivative {
 
 namespace detail {
 
+template <class T>
+inline constexpr bool is_state_event = false;
+template <class G, class Jump, class Change>
+inline constexpr bool is_state_event<state_event<G, Jump, Change>> = true;
+template <class T>
+inline constexpr bool are_events = is_state_event<T>;
+template <class... T>
+inline constexpr bool are_events<std::tuple<T...>> = sizeof...(T) > 0 && (is_state_event<T> && ...);
+
 /// What finds the events of a tuple, at these parameters; nothing where there are none.
 template <class Problem, class Parameters, class Vector, class... Events>
 auto watch_for(const Problem&, const Parameters& p, const std::tuple<Events...>& list, const Vector&) {
