@@ -227,6 +227,22 @@ BOOST_AUTO_TEST_CASE(satz_3_7_and_3_8_all_of_1e4_starts_in_the_proved_ball_conve
     BOOST_TEST(message([&] { attraction_radius<2>(node, away); }).starts_with("c: "));
 }
 
+BOOST_AUTO_TEST_CASE(rational_constants_serve_in_balls_and_shells_as_on_the_whole_space) {
+    const rational third(1, 3);
+    const auto f = [&](const auto&, const auto& x, auto& out) {
+        out[0] = (x[0] * x[0] - third) * x[0] * third;
+    };
+    const auto a = attraction_radius<1>(f, state<rational, 1>(rational(0)));
+    BOOST_TEST(a.verdict.is_proved());  // f' = x^2 - 1/9 < 0 for |x| < 1/3
+    BOOST_TEST((a.euclidean_radius() > 0.3 && a.euclidean_radius() <= 1.0 / 3));
+    const auto v = [&](const auto& x) { return third * x[0] * x[0]; };
+    BOOST_TEST(lyapunov_function_on_shell<1>(v, f, 0.01, 0.5).is_proved());
+    BOOST_TEST(lyapunov_function<1>(v, [&](const auto&, const auto& x, auto& out) {
+                   out[0] = -third * x[0];
+               }).is_proved());
+    BOOST_TEST(lyapunov_function<1>(v, f).is_refuted());
+}
+
 BOOST_AUTO_TEST_CASE(satz_3_8_with_alpha_0_both_routh_systems_share_their_linear_part_and_differ) {
     for (const auto& a :
          {attraction_radius<2>(routh_1, origin<2>()), attraction_radius<2>(routh_2, origin<2>())}) {

@@ -180,14 +180,14 @@ dissipativity_constants<N> dissipativity_within(F&& f, const rational& beta, dou
             "an unbounded time)");
     const rational alpha = detail::not_negative(exactly(m.high));
     if (m.complete)
-        return {verdict::proved("within the radius: alpha = " + std::to_string(m.high)),
+        return {verdict::proved("within the radius: alpha = " + shortest(m.high)),
                 alpha,
                 beta,
                 centre,
                 false,
                 radius};
-    return {verdict::consistent("alpha between " + std::to_string(m.low) + " and " + std::to_string(m.high),
-                                "width " + std::to_string(limits.relative), "the limit of boxes was reached"),
+    return {verdict::consistent("alpha between " + shortest(m.low) + " and " + shortest(m.high),
+                                "width " + shortest(limits.relative), "the limit of boxes was reached"),
             alpha,
             beta,
             centre,

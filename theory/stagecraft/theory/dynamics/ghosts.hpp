@@ -103,8 +103,7 @@ struct split_zeros {
         std::string where;
         for (const auto& root : tableaux::isolate_real_roots(excluded)) {
             const auto r = refine(excluded, root, rational(1, 1LL << 50));
-            where +=
-                (where.empty() ? "" : ", ") + (r.exact() ? r.low.str() : std::to_string(r.low.to<double>()));
+            where += (where.empty() ? "" : ", ") + (r.exact() ? r.low.str() : shortest(r.low.to<double>()));
         }
         const std::string all =
             "all real zeros of a polynomial of degree " + std::to_string(defined.degree());

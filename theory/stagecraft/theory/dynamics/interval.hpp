@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -239,9 +240,14 @@ inline interval log(const interval& a) {
     return {detail::log_at(a.low()).low(), detail::log_at(a.high()).high()};
 }
 
+/// The shortest decimal that is read as x again: what is proved of x is not rounded away.
+inline std::string shortest(double x) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, x).ptr};
+}
 /// "[low, high]".
 inline std::string to_string(const interval& a) {
-    return "[" + std::to_string(a.low()) + ", " + std::to_string(a.high()) + "]";
+    return "[" + shortest(a.low()) + ", " + shortest(a.high()) + "]";
 }
 
 }  // namespace stagecraft::theory

@@ -73,9 +73,8 @@ attraction attraction_radius(F&& f, const state<rational, N>& c, double most = 1
     } else {
         radius = next;
     }
-    return {
-        verdict::proved("contractive on the ball of radius " + std::to_string(radius) + " in the norm of G"),
-        G, radius, rate(radius)};
+    return {verdict::proved("contractive on the ball of radius " + shortest(radius) + " in the norm of G"), G,
+            radius, rate(radius)};
 }
 
 }  // namespace stagecraft::theory

@@ -191,10 +191,10 @@ verdict lyapunov_function_on_shell(V&& v, F&& f, double inner, double outer,
         return interval(std::max(down.low(), rate.low()), std::max(down.high(), rate.high()));
     };
     const auto m = maximise<N>(both, cube<N>(origin<N>(), outer), limits);
-    if (m.high < 0) return verdict::proved("V > 0 and dV/dt <= " + std::to_string(m.high) + " on the shell");
+    if (m.high < 0) return verdict::proved("V > 0 and dV/dt <= " + shortest(m.high) + " on the shell");
     if (m.low > 0)
-        return verdict::refuted("V < 0 or dV/dt > 0, " + std::to_string(m.low) + ", at a point of the shell");
-    return verdict::consistent("between " + std::to_string(m.low) + " and " + std::to_string(m.high), "0",
+        return verdict::refuted("V < 0 or dV/dt > 0, " + shortest(m.low) + ", at a point of the shell");
+    return verdict::consistent("between " + shortest(m.low) + " and " + shortest(m.high), "0",
                                "not decided on the shell");
 }
 

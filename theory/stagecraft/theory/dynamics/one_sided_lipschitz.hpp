@@ -38,8 +38,8 @@ inline std::string text(const std::vector<rational>& x) {
 
 inline one_sided_constant found(const std::string& where, supremum s, std::vector<rational> point) {
     const std::string value = s.low == s.high ? s.low.str()
-                                              : "between " + std::to_string(s.low.to<double>()) + " and " +
-                                                    std::to_string(s.high.to<double>());
+                                              : "between " + shortest(interval(s.low).low()) + " and " +
+                                                    shortest(interval(s.high).high());
     const std::string at = point.empty() ? "approached at infinity" : "attained at " + text(point);
     return {verdict::proved(where + ": " + value + ", " + at), s.low, s.high, std::move(point)};
 }
@@ -266,8 +266,8 @@ one_sided_constant one_sided_lipschitz_on(F&& f, const box<N>& where, const dens
             "dependence on an unbounded time)");
     const auto low = exactly(m.low), high = exactly(m.high);
     if (m.complete) return detail::found("on the box", {low, high, {}}, detail::exact_point<N>(m.point));
-    return {verdict::consistent("gamma between " + std::to_string(m.low) + " and " + std::to_string(m.high),
-                                "width " + std::to_string(limits.relative), "the limit of boxes was reached"),
+    return {verdict::consistent("gamma between " + shortest(m.low) + " and " + shortest(m.high),
+                                "width " + shortest(limits.relative), "the limit of boxes was reached"),
             low, high, detail::exact_point<N>(m.point)};
 }
 
