@@ -16,6 +16,7 @@ namespace stagecraft::detail {
 /// J and M as the solvers of stage equations take them.
 template <class Matrix, class Mass>
 struct matrix_pair {
+    using matrix = Matrix;
     using mass_type = Mass;
     Matrix J;
     Mass M;
