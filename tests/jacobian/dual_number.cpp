@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/jacobian/reverse_functions.hpp>
 
 using namespace stagecraft;
 using wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
@@ -66,6 +67,29 @@ BOOST_AUTO_TEST_CASE(derivatives_agree_with_differences_in_100_digits) {
                        boost::test_tools::tolerance(1e-13));
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_reverse_mode_agrees_with_differences_in_100_digits) {
+    const double x = 1.25, y = 0.75;
+    tape<double> operations;
+    operations.start(2);
+    const auto r =
+        functions(reverse_number<double>(x, &operations, 0), reverse_number<double>(y, &operations, 1));
+    const auto by_x = difference(x, y, 1, 0), by_y = difference(x, y, 0, 1),
+               value = functions(wide(x), wide(y));
+    const auto near = boost::test_tools::tolerance(1e-13);
+    for (int i = 0; i < size; ++i) {
+        operations.clear_adjoints();
+        operations.seed(r[i].number(), 1);
+        operations.sweep();
+        BOOST_TEST(r[i].value() == static_cast<double>(value[i]), near);
+        BOOST_TEST(operations.adjoint(0) == static_cast<double>(by_x[i]), near);
+        BOOST_TEST(operations.adjoint(1) == static_cast<double>(by_y[i]), near);
+    }
+    // What is computed from plain numbers alone is on no tape, and has no adjoints to give.
+    const reverse_number<double> constant = sqrt(reverse_number<double>(2)) + 1;
+    BOOST_TEST(constant.number() < 0);
+    BOOST_TEST(constant.value() == std::sqrt(2.0) + 1);
 }
 
 BOOST_AUTO_TEST_CASE(second_derivatives_are_dual_numbers_of_dual_numbers) {

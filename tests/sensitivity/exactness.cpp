@@ -209,6 +209,65 @@ BOOST_AUTO_TEST_CASE(matrices_that_disagree_with_f_end_the_run) {
 
 namespace {
 
+// f = A g(y) + B p^2, g with kinks, jumps and steep slopes, and noise in f.
+struct rough {
+    MatrixXd A, B;
+    int kind;
+    double noise;
+    VectorXd g(const VectorXd& y) const {
+        if (kind == 0) return (3 * y).array().sin();
+        if (kind == 1) return (y.array() - 0.3).abs();
+        if (kind == 2) return (5 * y).array().exp();
+        return (20 * y).array().floor() / 20;
+    }
+    VectorXd slope(const VectorXd& y) const {
+        if (kind == 0) return 3 * (3 * y).array().cos();
+        if (kind == 1) return (y.array() < 0.3).select(VectorXd::Constant(y.size(), -1), 1);
+        if (kind == 2) return 5 * (5 * y).array().exp();
+        return VectorXd::Zero(y.size());
+    }
+    void operator()(double, const VectorXd& y, const VectorXd& p, VectorXd& f) const {
+        f = A * g(y) + B * p.cwiseAbs2();
+        for (int i = 0; i < f.size(); ++i) f[i] *= 1 + noise * std::sin(1e12 * (y.sum() + i));
+    }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(right_matrices_are_not_refuted_and_wrong_ones_mostly_are) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    const auto any = [&](int n, int m) {
+        return MatrixXd(MatrixXd::NullaryExpr(n, m, [&] { return normal(random); }));
+    };
+    int missing = 0, seen = 0;
+    for (int run = 0; run < 2000; ++run) {
+        const int n = 2 + run % 5, m = 1 + run % 3;
+        const rough f{any(n, n), any(n, m), run % 4, run % 3 == 0 ? 1e-10 : 0};
+        VectorXd y = any(n, 1);
+        const VectorXd p = any(m, 1);
+        if (run % 7 == 0) y[0] = 0.3;  // at a kink
+        const sc::at_parameters<rough, VectorXd> problem(f, p);
+        MatrixXd J = f.A * f.slope(y).asDiagonal();
+        const MatrixXd F = 2 * f.B * p.asDiagonal();
+        sc::derivative_check<double> check(y, p);
+        BOOST_TEST(check(problem, 0.0, y, J, F, sc::options<double>()).empty());
+        const int i = run % n, j = (run + 1) % n;
+        if (!(std::abs(J(i, j) * y[j]) > 0.1 * J.row(i).cwiseAbs().dot(y.cwiseAbs()))) continue;
+        ++missing;
+        J(i, j) = 0;
+        bool found = false;
+        for (int look = 0; look < 5; ++look)
+            found = found || !check(problem, 0.0, y, J, F, sc::options<double>()).empty();
+        seen += found ? 1 : 0;
+    }
+    BOOST_TEST_MESSAGE(seen << " of " << missing << " seen");
+    BOOST_TEST(missing > 300);
+    BOOST_TEST(seen > 0.9 * missing);
+}
+
+namespace {
+
 // kind 0: y' = -a z, 0 = z - b y, so that y = e^{-abt}, with z in its place or (kind 1) M = [1 -1; -1 1], f = (-c(y - z),
 // c(y - z) + (z + y - b)): the sum of both equations is algebraic and, with u = y - z, 2u' = -2cu - (z + y - b).
 struct index_one {
