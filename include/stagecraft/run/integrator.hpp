@@ -222,8 +222,18 @@ class integrator {
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
         if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
         method.advance(y_, now, y1_);
-        if (plan_.fixed()) return accept(method, plan, now);
-
+        if (!plan_.fixed()) {
+            const verdict<scalar> said = judged(method, plan, newton, now);
+            if (!said.accepted) return refuse_error(plan, said);
+            h_ = plan_.bounded(said.next_h);
+        }
+        return accept(method, plan, now);
+    }
+    /// What the judge says of an attempt whose stage equations are solved.
+    template <class Step>
+    [[gnu::always_inline]] verdict<scalar> judged(Step& method, const planned_step<scalar>& plan,
+                                                  const newton_outcome<scalar>& newton,
+                                                  const output_type& now) {
         measured_step measured(method, system_, norm_, y_, now, f_, y1_, error_, report_);
         measured.t = t_;
         measured.h = plan.h;
@@ -234,10 +244,7 @@ class integrator {
         measured.iterations = newton.iterations;
         measured.theta = linear_.theta();
         if (method.implicit()) measured.hold = linear_.hold();
-        const verdict<scalar> said = judge_(measured);
-        if (!said.accepted) return refuse_error(plan, said);
-        h_ = plan_.bounded(said.next_h);
-        return accept(method, plan, now);
+        return judge_(measured);
     }
 
     /// Evaluates what the stages need at the left end, the Jacobian if it is wanted, and factors.
@@ -369,11 +376,12 @@ class integrator {
             method.finish(t_, y_, plan.h, y1_, now);
         else
             now.cover(t_, plan.h);
-        if (method.ends_off_constraints()) {
-            const Vector& f1 = f_.right(system_, plan.t_next, y1_);
-            report_.error_solves += method.end_on_constraints(system_, plan.h, f1, now, y1_);
-            f_.retry();
-        }
+        if constexpr (!system_type::mass_type::identity)
+            if (method.ends_off_constraints()) {
+                const Vector& f1 = f_.right(system_, plan.t_next, y1_);
+                report_.error_solves += method.end_on_constraints(system_, plan.h, f1, now, y1_);
+                f_.retry();
+            }
         method.accepted();
         f_.stepped();
         extrapolation_.stepped();

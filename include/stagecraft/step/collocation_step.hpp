@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <type_traits>
 
@@ -78,7 +79,7 @@ class collocation_step : public step_defaults<Space> {
         if constexpr (!System::mass_type::identity && has_entries<typename System::mass_type> &&
                       System::sums_type::complete)
             if (!forgets() && !known_.stiffly_accurate)
-                algebraic_ = mass_kernel<Scalar>(system.mass(), system.size());
+                algebraic_ = std::make_unique<mass_kernel<Scalar>>(system.mass(), system.size());
         top_ = remembered(stages_.method(), [&] {
             return highest_legendre_coefficients<Scalar>(known_.nodes.c, known_.nodes.size);
         });
@@ -151,7 +152,7 @@ class collocation_step : public step_defaults<Space> {
     /// step, and soon be all that the estimates show, of steps however short. As the stages satisfy the constraints, y1 is
     /// then what the method makes of the differential equation on them, of its full order (Hairer-Wanner II.VI.1, the state
     /// space form).
-    bool ends_off_constraints() const { return !algebraic_.empty(); }
+    bool ends_off_constraints() const { return algebraic_ && !algebraic_->empty(); }
     /// One iteration with the factors there are, from what the filtered defect f1 - M u'(1) shows, f1 = f(t1, y1): along the
     /// constraints it is an error of the step, O(h) of which is left by another solve. Returns the number of solves.
     template <class System>
@@ -160,7 +161,7 @@ class collocation_step : public step_defaults<Space> {
         second_.setZero();
         stages_.solve_first(system, rest_, second_);
         stages_.stiff_part(system, rest_, scratch_, second_);
-        algebraic_.project(rest_);
+        algebraic_->project(rest_);
         if (all_finite(rest_, system.size())) {
             y1 += rest_;
             now.move_end(rest_);
@@ -279,13 +280,13 @@ class collocation_step : public step_defaults<Space> {
         } else {
             rest_.setZero();
             for (int j = 0; j < count(); ++j) rest_ += known_.ends[j] * now.increments().col(j);
-            algebraic_.remove(rest_);  // which end_on_constraints() mends
+            leave_to_constraints<System>(rest_);
         }
         Scalar left = size(rest_, true) / 2;
         const int orders = known_.order + 1 - estimate_power() + (known_.stiffly_accurate ? 0 : 1);
         for (int k = 0; k < orders && left > promised; ++k) {
             stages_.stiff_part(system, rest_, scratch_, second_);
-            algebraic_.remove(rest_);
+            leave_to_constraints<System>(rest_);
             ++solves;
             left = size(rest_, true) / 2;
         }
@@ -389,6 +390,12 @@ class collocation_step : public step_defaults<Space> {
         if (!known.stiffly_accurate) known.right = slope_at_right_end(method);
         return known;
     }
+    /// Takes out of x what end_on_constraints() mends.
+    template <class System>
+    void leave_to_constraints([[maybe_unused]] vector& x) const {
+        if constexpr (!System::mass_type::identity)
+            if (algebraic_) algebraic_->remove(x);
+    }
     /// The functional w of component i of the stages.
     static Scalar stages_with(const weights& w, const output& now, int i) {
         Scalar sum = w[0] * now.increments()(i, 0);
@@ -418,7 +425,7 @@ class collocation_step : public step_defaults<Space> {
                                              stage_extrapolation<Scalar, Space::columns>,
                                              whole_extrapolation<Space::columns>>
         extrapolation_;
-    mass_kernel<Scalar> algebraic_{identity_mass()};  // where ends_off_constraints()
+    std::unique_ptr<mass_kernel<Scalar>> algebraic_;  // where ends_off_constraints()
     vector scratch_, second_, rest_;
     Scalar last_coefficient_{0},
         components_{0};  // of the decay: a_s, and how many components all processes have
