@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include <stagecraft/bvp/status.hpp>
 
@@ -140,14 +139,16 @@ struct mesh_verdict {
     bool family = false;     ///< M is singular at a solution: the dimension of its kernel is asked for
     bool at_place = false;   ///< f was not finite: say where
     bvp_status status = bvp_status::success;
-    std::string reason{};
+    const char* reason = "";
+    const char* cause = "";  ///< of an M that is singular
+    int dependent = -1;      ///< or the condition that depends on those before it
 
     bool moves_on() const {
         return act == mesh_act::resolve || act == mesh_act::spread || act == mesh_act::refine;
     }
-    static mesh_verdict end(bvp_status status, std::string reason) {
+    static mesh_verdict end(bvp_status status, const char* reason) {
         mesh_verdict v;
-        v.status = status, v.reason = std::move(reason);
+        v.status = status, v.reason = reason;
         return v;
     }
     static mesh_verdict go(mesh_act act) {
@@ -156,6 +157,16 @@ struct mesh_verdict {
         return v;
     }
 };
+
+/// The reason of a verdict in words.
+template <class Scalar>
+std::string words_of(const mesh_verdict<Scalar>& v) {
+    std::string reason = v.reason, cause = v.cause;
+    if (v.dependent >= 0)
+        cause = "condition r[" + std::to_string(v.dependent) + "] depends on those before it";
+    if (!reason.empty() && !cause.empty()) reason += "; at its last iterate ";
+    return reason + cause;
+}
 
 }  // namespace detail
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <string>
 
 #include <stagecraft/bvp/judge/mesh_history.hpp>
 #include <stagecraft/bvp/judge/singularity_judge.hpp>
@@ -113,10 +112,8 @@ class mesh_judge {
         const singularity_judge<Scalar> singularity(r, limits_);
         if (finite)
             if (const auto end = singularity.hopeless(r->remainder)) return *end;
-        const std::string cause = finite ? singularity.words() : std::string();
-        verdict v = verdict::end(bvp_status::newton_failed,
-                                 "Newton's iteration found no decrease" +
-                                     (cause.empty() ? cause : "; at its last iterate " + cause));
+        verdict v = verdict::end(bvp_status::newton_failed, "Newton's iteration found no decrease");
+        if (finite) v = singularity.because(v);
         if (h.failures >= most_failures || 2 * r->intervals > limits_.max_intervals || !limits_.adapt)
             return finite ? v : not_finite();
         const bool again = !h.solved || rough(h.error) || !finite;

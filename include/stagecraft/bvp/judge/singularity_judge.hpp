@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <optional>
-#include <string>
 
 #include <stagecraft/bvp/judge/regularity_judge.hpp>
 
@@ -37,13 +36,12 @@ class singularity_judge {
     /// How the run ends if M is singular to rounding; nothing if it is not, or if it is only that of an iterate.
     std::optional<verdict> singular() const {
         if (!looks_singular()) return {};
-        const bool dependent = r_(quantity::dependent) >= Scalar(0);
-        if (!dependent && !of_iterate() && grows())
+        if (dependent() < 0 && !of_iterate() && grows())
             return verdict::end(bvp_status::ill_conditioned,
                                 "kappa1 exceeds 1/(1000 epsilon): solutions grow");
         if (solved()) return family();
         if (of_iterate()) return {};
-        return verdict::end(bvp_status::singular, cause());
+        return because(verdict::end(bvp_status::singular, ""));
     }
 
     /// How the run ends if an error that stays is made of rounding errors, and no mesh will make it less.
@@ -83,16 +81,21 @@ class singularity_judge {
     }
 
     verdict family() const {
-        const bool dependent = r_(quantity::dependent) >= Scalar(0);
-        auto v = verdict::end(bvp_status::not_isolated, dependent ? cause() : "solutions form a family");
+        auto v = verdict::end(bvp_status::not_isolated, "solutions form a family");
+        v.dependent = dependent();
+        if (v.dependent >= 0) v.reason = "";
         v.family = true;
         return v;
     }
     static verdict by_rounding() {
         return verdict::end(bvp_status::ill_conditioned, "rounding errors exceed the tolerance");
     }
-    /// The cause of a singular M, in words; empty if M is regular.
-    std::string words() const { return looks_singular() ? cause() : std::string(); }
+    /// The same verdict with the cause, if M is singular.
+    verdict because(verdict v) const {
+        if (!looks_singular()) return v;
+        v.cause = "M is singular to rounding", v.dependent = dependent();
+        return v;
+    }
 
   private:
     Scalar largest() const { return Scalar(1) / (lost_digits * limits_.epsilon); }
@@ -125,11 +128,7 @@ class singularity_judge {
         using std::sqrt;
         return r_(r_.converged() ? quantity::size : quantity::full_size) < sqrt(norm()) * r_->guess_size;
     }
-    std::string cause() const {
-        const auto k = static_cast<int>(static_cast<double>(r_(quantity::dependent)));
-        if (k < 0) return "M is singular to rounding";
-        return "condition r[" + std::to_string(k) + "] depends on those before it";
-    }
+    int dependent() const { return static_cast<int>(static_cast<double>(r_(quantity::dependent))); }
 
     const evidence_reader<Scalar>& r_;
     const mesh_limits<Scalar>& limits_;

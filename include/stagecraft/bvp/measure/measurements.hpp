@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 
@@ -38,7 +39,12 @@ class measurements {
     /// The factors are those of another matrix from now on, or x is another.
     void forget() { conditioning_.forget(), u_.forget(); }
 
+    /// Measures q, and what is mostly asked for after it: judging again costs more than some of these numbers.
     void measure(quantity q, evidence& e, const scalar& rtol) {
+        const auto also = [&](std::initializer_list<quantity> others) {
+            for (const quantity other : others)
+                if (!e.knows(other)) e.set(other, number(other, e, rtol));
+        };
         switch (q) {
             case quantity::mesh_error:
             case quantity::resolved: {
@@ -46,8 +52,14 @@ class measurements {
                 e.set(quantity::mesh_error, found.size);
                 return e.set(quantity::resolved, scalar(found.resolved ? 1 : 0));
             }
+            case quantity::kappa:
+                return also({q, quantity::missed_phase, quantity::answer});
+            case quantity::norm:
+                return also({q, quantity::replaced, quantity::rounding});
+            case quantity::rounding_of_y:
+                return also({q, quantity::range});
             default:
-                e.set(q, number(q, e, rtol));
+                return also({q});
         }
     }
 

@@ -272,8 +272,7 @@ class bvp_solver {
         return true;
     }
     void finish_with(const verdict& v) {
-        end(v.status, v.reason);
-        if (v.at_place) result_.message = where_not_finite();
+        end(v.status, v.at_place ? where_not_finite() : words_of(v));
         if (!v.family) return;
         if (!converged()) x_ = full_;
         equations_type own(equations_.method(), system_, mass_, equations_.positions());
