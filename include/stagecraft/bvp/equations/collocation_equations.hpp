@@ -127,7 +127,7 @@ class collocation_equations {
         matrix_.start(n(), x.intervals(), conditions_);
         for (int i = 0; i < x.intervals(); ++i)
             matrix_.set(i, blocks_.factor(i, x.h(i), jacobians(i).data(), mass_));
-        replaced_ = matrix_.factor();
+        matrix_.factor();
         return true;
     }
 
@@ -199,7 +199,6 @@ class collocation_equations {
         return std::max({Scalar(rho_.cwiseAbs().maxCoeff()), Scalar(gamma_.cwiseAbs().maxCoeff()),
                          Scalar(beta_.cwiseAbs().maxCoeff())});
     }
-    int replaced_pivots() const { return replaced_; }
     /// Another number whenever the Jacobians and factors are others.
     long version() const { return version_; }
 
@@ -321,7 +320,6 @@ class collocation_equations {
     state stage_;
     Scalar place_{0};
     bool at_conditions_ = false;
-    int replaced_ = 0;
     long version_ = 0;
 };
 

@@ -41,14 +41,12 @@ enum class quantity {
     kappa,         ///< the relative condition number
     halved_kappa,  ///< that on the mesh halved; infinity where M is not known there
     norm,          ///< the norm of Phi in the condition's units; 0 where it is far below 1/(1000 epsilon)
-    exact_norm,    ///< the same, whatever it is
-    replaced,      ///< the number of pivots that elimination had to replace
     dependent,     ///< the first condition that depends on those before it; -1 if there is none
     residual,   ///< the largest residual of a fundamental solution in its own equations, beside their terms
     nonlinear,  ///< do f or r depend on y or p nonlinearly?
     contrast,   ///< the least |u(t)| over the largest: tiny where u grows along the interval
     full_size,  ///< max |y| after a full step of Newton's iteration; infinity if that does not solve the equations
-    full_norm,  ///< exact_norm after that step; negative where it cannot be linearised there
+    full_norm,  ///< the norm of Phi after that step, whatever it is; negative where it cannot be linearised there
     // of rounding errors
     rounding,       ///< the change of y and p by one rounding error of the conditions
     rounding_of_u,  ///< the change of u by one rounding error in every entry of the equations

@@ -57,7 +57,7 @@ class singularity_judge {
             return {};
         if (nonlinear) {
             if (!solved() || r_(quantity::full_norm) < Scalar(0)) return {};
-            const Scalar before = norm(), after = r_(quantity::full_norm);
+            const Scalar before = r_(quantity::norm), after = r_(quantity::full_norm);
             if (after > Scalar(same_condition) * before || before > Scalar(same_condition) * after)
                 return family();
         }
@@ -66,7 +66,8 @@ class singularity_judge {
 
     /// Whether rounding errors spoil a solution within the tolerance.
     bool spoilt() const {
-        return (r_(quantity::rounding) > limits_.rtol && norm() * limits_.epsilon > limits_.rtol) ||
+        return (r_(quantity::rounding) > limits_.rtol &&
+                r_(quantity::norm) * limits_.epsilon > limits_.rtol) ||
                r_(quantity::rounding_of_y) > mostly_less * limits_.rtol ||
                r_(quantity::range) * limits_.epsilon > lost_digits * limits_.rtol;
     }
@@ -99,7 +100,6 @@ class singularity_judge {
 
   private:
     Scalar largest() const { return Scalar(1) / (lost_digits * limits_.epsilon); }
-    bool large() const { return !(r_(quantity::norm) < largest()); }
     /// Do the fundamental solutions leave their own equations by more than rounding? Of a singular M elimination makes a regular
     /// one of its rounding errors, whose answers do; those of an M that only answers much, in whatever units, do not.
     bool contradict() const {
@@ -107,15 +107,13 @@ class singularity_judge {
         return !(r_(quantity::residual) < sqrt(limits_.epsilon));
     }
     bool looks_singular() const {
-        const bool is_large = large();
-        if (!is_large && r_(quantity::replaced) == Scalar(0)) return false;
+        if (r_(quantity::norm) < largest()) return false;
         // Of components as large as that, rounding errors may be as small as of others.
-        const bool of_units = is_large && r_.converged() && r_(quantity::error) <= limits_.rtol &&
+        const bool of_units = r_.converged() && r_(quantity::error) <= limits_.rtol &&
                               r_(quantity::kappa) < largest() &&
                               r_(quantity::rounding_of_u) < Scalar(part_of_u);
-        return (is_large && !of_units) || contradict();
+        return !of_units || contradict();
     }
-    Scalar norm() const { return r_(!large() && looks_singular() ? quantity::exact_norm : quantity::norm); }
     bool of_iterate() const { return !r_.converged() && r_.yes(quantity::nonlinear); }
     /// Is u large because solutions grow from one end to the other, rounding errors leaving it what it is? M is regular then.
     bool grows() const {
@@ -126,7 +124,8 @@ class singularity_judge {
     /// With M singular: does x solve the equations, at a size that is not 1 / epsilon?
     bool solved() const {
         using std::sqrt;
-        return r_(r_.converged() ? quantity::size : quantity::full_size) < sqrt(norm()) * r_->guess_size;
+        return r_(r_.converged() ? quantity::size : quantity::full_size) <
+               sqrt(r_(quantity::norm)) * r_->guess_size;
     }
     int dependent() const { return static_cast<int>(static_cast<double>(r_(quantity::dependent))); }
 

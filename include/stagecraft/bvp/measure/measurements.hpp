@@ -55,7 +55,7 @@ class measurements {
             case quantity::kappa:
                 return also({q, quantity::missed_phase, quantity::answer});
             case quantity::norm:
-                return also({q, quantity::replaced, quantity::rounding});
+                return also({q, quantity::rounding});
             case quantity::rounding_of_y:
                 return also({q, quantity::range});
             default:
@@ -84,10 +84,6 @@ class measurements {
                 return conditioning_.fundamental(), conditioning_.relative(threshold_);
             case quantity::norm:
                 return conditioning_.fundamental(), conditioning_.norm(counting_norm(rtol));
-            case quantity::exact_norm:
-                return conditioning_.fundamental(), conditioning_.norm(scalar(0));
-            case quantity::replaced:
-                return scalar(equations_.replaced_pivots());
             case quantity::dependent:
                 return scalar(dependent_condition(equations_.conditions()));
             case quantity::residual:
