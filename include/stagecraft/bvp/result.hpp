@@ -42,8 +42,7 @@ struct bvp_report {
     int conditioning_solves = 0;
 };
 
-/// The estimated error y - y_exact: from the linearised problem, driven by what the collocation polynomial
-/// leaves of the differential equation.
+/// The estimated error y - y_exact: from the linearised problem, driven by the defect of the collocation polynomial.
 template <class Vector>
 struct bvp_error {
     using scalar = typename Vector::Scalar;

@@ -84,7 +84,7 @@ struct call_of_solve_bvp {
 /// The mesh follows the contributions of its intervals to the global error, which is estimated by one more
 /// solve with the factors of Newton's iteration (bvp/measure/error_estimate.hpp). Success means: the estimated error
 /// of y(t) for all t, and of p, is within the tolerance, and the linearised problem is regular beyond the errors of
-/// rounding, of differences and, where its fundamental solutions are resolved, of the mesh (bvp/measure/regularity.hpp).
+/// rounding, of differences and, where its fundamental solutions are resolved, of the mesh (bvp/judge/regularity_judge.hpp).
 /// Where the first m components of f are the next m of y, q' = v, the largest such m is found by one evaluation of f near
 /// the guess, or stated by f's second_order_components: q is then a polynomial of degree s + 1, and m s unknowns less
 /// are eliminated.
