@@ -5,10 +5,10 @@ namespace stagecraft {
 
 /// How the iteration for a linear system ended.
 enum class linear_end {
-    solved,      ///< the residual is as small as it was asked to be
-    not_finite,  ///< the matrix or the right-hand side is not finite, which is not the solver's fault
-    unconverged,       ///< the iterations that are allowed were not enough
-    zero_diagonal,     ///< the same, and the incomplete factorisation met zeros on the diagonal
+    solved,             ///< the residual is as small as it was asked to be
+    not_finite,         ///< the matrix or the right-hand side is not finite, which is not the solver's fault
+    unconverged,        ///< the iterations that are allowed were not enough
+    zero_diagonal,      ///< the same, and the incomplete factorisation met zeros on the diagonal
     bad_preconditioner  ///< the preconditioner gave NaN, infinity or zeros
 };
 

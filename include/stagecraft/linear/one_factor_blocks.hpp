@@ -118,7 +118,8 @@ class one_factor_blocks {
                                  std::max(bound, part), most);
             life_.used(last_.iterations);
             if (!last_.failed()) return;
-            life_.failed();  // the matrix is known: it is factored now, and again with the next one, which all systems share
+            life_
+                .failed();  // the matrix is known: it is factored now, and again with the next one, which all systems share
             if (!factors_->factor()) return;
             map = factors_->solve(gmres_.right_hand_side());
             last_.end = linear_end::solved;
