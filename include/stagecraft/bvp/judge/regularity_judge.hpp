@@ -12,7 +12,8 @@ namespace stagecraft::detail {
 template <class Scalar>
 class regularity_judge {
   public:
-    /// An error of x may change u by this part where M of a nonlinear problem depends on x.
+    /// An error of x may change u by this part where M of a nonlinear problem depends on x: at double solutions, in which M
+    /// vanishes, it changes all of it.
     static constexpr double change_by_error = 0.01;
     /// Modes that turn by more than this unseen (radian) leave open what the conditions make of them.
     static constexpr double visible_phase = 1e-3;
