@@ -3,9 +3,19 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <stdexcept>
 #include <type_traits>
 
-namespace stagecraft::detail {
+namespace stagecraft {
+
+/// Thrown where a function of the user's resized its output or returned one of another size; a run ends with
+/// status::size_changed then.
+struct size_change : std::length_error {
+    size_change()
+        : std::length_error("a function returned a vector or matrix of another size than it has to") {}
+};
+
+namespace detail {
 
 template <class Derived>
 std::type_identity<Derived> named_by_eigen(const Eigen::EigenBase<Derived>&);
@@ -30,6 +40,15 @@ concept owned_number = !std::is_void_v<T> && !requires(const std::remove_cvref_t
     named_by_eigen(x);
 };
 
+/// What a user's function returned, of this size; else size_change. (Eigen itself looks at sizes that are not known at compile
+/// time in builds with assertions alone, and reads past the end in others.)
+template <class Value>
+const Value& of_size(const Value& value, Eigen::Index rows, Eigen::Index columns = 1) {
+    const bool turned = columns == 1 && value.rows() == 1;  // a row for a column
+    if (turned ? value.cols() != rows : value.rows() != rows || value.cols() != columns) throw size_change();
+    return value;
+}
+
 /// F cannot be called with these, or returns what owns its numbers.
 template <class F, class... Arguments>
 concept owned_or_none =
@@ -44,4 +63,6 @@ auto object_of(T value) {
         return typename decltype(named_by_eigen(value))::type::PlainObject(value);
 }
 
-}  // namespace stagecraft::detail
+}  // namespace detail
+
+}  // namespace stagecraft

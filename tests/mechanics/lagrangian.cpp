@@ -398,3 +398,21 @@ BOOST_AUTO_TEST_CASE(a_constraint_that_depends_on_others_is_named) {
     check(index_3(twice));
     check(stabilised_index_2(twice));
 }
+
+BOOST_AUTO_TEST_CASE(forces_and_constraints_of_another_size_are_refused) {
+    const auto T = [](const auto& q, const auto& v) { return 0.5 * v.dot(v) + 0.0 * q[0]; };
+    const auto V = [](const auto& q) { return 9.81 * q[1]; };
+    const auto short_Q = [](const auto&, const auto& v, const auto&) {
+        using S = std::decay_t<decltype(v[0])>;
+        return Eigen::Matrix<S, Eigen::Dynamic, 1>(-v.head(1));
+    };
+    const Eigen::Vector2d q(1, 0), v(0, 0);
+    const auto pushed = lagrangian<2>(T, V, short_Q);
+    BOOST_CHECK_THROW(pushed.F(q, v, 0.0), size_change);
+    const auto short_g = [](const auto& q) {
+        using S = std::decay_t<decltype(q[0])>;
+        return Eigen::Matrix<S, Eigen::Dynamic, 1>(Eigen::Matrix<S, 1, 1>(q.dot(q) - 1.0));
+    };
+    const auto bound = lagrangian<3, 2>(T, V, short_g);
+    BOOST_CHECK_THROW(bound.g(Eigen::Vector3d(1, 0, 0), 0.0), size_change);
+}

@@ -183,3 +183,20 @@ BOOST_AUTO_TEST_CASE(output_times_are_given_as_a_list_or_as_a_vector) {
         BOOST_TEST(table->y(1)[0] == std::sin(0.5), boost::test_tools::tolerance(1e-5));
     }
 }
+
+// Eigen compares sizes that the compiler does not know by assertions, which a release build leaves out.
+BOOST_AUTO_TEST_CASE(a_returned_vector_of_another_size_ends_the_run) {
+    const auto shorter = [](double, const Vector2d&) -> Eigen::VectorXd { return Eigen::VectorXd::Ones(1); };
+    const auto longer = [](double, const Vector2d&) -> Eigen::VectorXd { return Eigen::VectorXd::Ones(5); };
+    const auto square = [](double, const Eigen::VectorXd&) -> Eigen::MatrixXd {
+        return Eigen::MatrixXd::Ones(2, 2);
+    };
+    const auto right = [](double, const Vector2d&) -> Eigen::VectorXd { return Eigen::VectorXd::Ones(2); };
+    const auto status_of = [](const auto& f, const auto& y0) {
+        return sc::name(sc::integrate(sc::radau_iia<3>(), f, y0, 0, 1).status);
+    };
+    BOOST_TEST(status_of(shorter, Vector2d(0, 0)) == "size_changed");
+    BOOST_TEST(status_of(longer, Vector2d(0, 0)) == "size_changed");
+    BOOST_TEST(status_of(square, Eigen::VectorXd(Vector2d(0, 0))) == "size_changed");
+    BOOST_TEST(status_of(right, Vector2d(0, 0)) == "success");
+}

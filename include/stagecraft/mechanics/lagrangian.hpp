@@ -93,7 +93,7 @@ class lagrangian_energies {
             F[i] -= (up.derivatives()[0] - down.derivatives()[0]) / S(2);
         }
         if constexpr (!std::is_same_v<Forces, no_forces>) {
-            const vector<S> force = parts_.Q(q, v, t);
+            const vector<S> force = detail::of_size(parts_.Q(q, v, t), Coordinates);
             for (int i = 0; i < Coordinates; ++i) F[i] += force[i];
         }
         return F;
@@ -201,7 +201,7 @@ class lagrangian_model : public lagrangian_energies<Coordinates, Parts> {
         if constexpr (std::is_convertible_v<decltype(value), S>)
             return Eigen::Matrix<S, 1, 1>(S(value));
         else
-            return value;
+            return detail::of_size(value, constraints, columns);
     }
 };
 

@@ -90,14 +90,16 @@ struct writes_returned : Problem {
     explicit writes_returned(const Problem& p) : Problem(p) {}
     template <class T, class Y, class F>
     requires returns_vector<const Problem, T, Y, F>
-    void operator()(const T& t, const Y& y, F& f) const { f = static_cast<const Problem&>(*this)(t, y); }
+    void operator()(const T& t, const Y& y, F& f) const {
+        f = of_size(static_cast<const Problem&>(*this)(t, y), y.size());
+    }
 };
 template <class Problem>
 requires(!std::is_class_v<Problem> || std::is_final_v<Problem>) struct writes_returned<Problem> {
     Problem p;
     template <class T, class Y, class F>
     requires returns_vector<const Problem, T, Y, F>
-    void operator()(const T& t, const Y& y, F& f) const { f = p(t, y); }
+    void operator()(const T& t, const Y& y, F& f) const { f = of_size(p(t, y), y.size()); }
 };
 
 }  // namespace detail

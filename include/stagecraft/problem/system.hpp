@@ -22,9 +22,6 @@
 
 namespace stagecraft {
 
-/// Thrown inside a run when a callable resized its output; integrate() turns it into status::size_changed.
-struct size_change {};
-
 /// Thrown when the first evaluation shows that a problem is not what it claims to be. Leaves integrate().
 struct bad_problem : std::invalid_argument {
     using std::invalid_argument::invalid_argument;

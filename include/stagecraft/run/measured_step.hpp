@@ -125,10 +125,10 @@ class measured_step : public step_facts<typename System::scalar> {
         if (!method_.implicit()) return scalar(0);
         auto u = now_;
         method_.finish(this->t, y_, this->h, y1_, u);
-        const scalar t = this->t + this->h * farthest_from(u.nodes());
+        const scalar between = this->t + this->h * farthest_from(u.nodes());
         vector error(system_.size());
-        system_(t, u(t), error);
-        const vector slope = u.derivative(t);
+        system_(between, u(between), error);
+        const vector slope = u.derivative(between);
         add_mass_times(system_.mass(), scalar(-1), slope.data(), error.data(), system_.size());
         counts_.error_solves += method_.solve_for_defect(system_, this->h, error);
         drop_algebraic(system_.mass(), error);
@@ -147,9 +147,10 @@ class measured_step : public step_facts<typename System::scalar> {
     const output& now() const { return now_; }
 
   private:
-    /// What an estimate counts in components of index 2 and 3, whose errors are of its own order.
-    scalar of_index(const scalar& share) const {
-        return share * (least_ratio_of_index(this->ratio, this->index) / this->ratio);
+    /// What an estimate of which this step has made the share `made` counts in components of index 2 and 3, whose errors are
+    /// of its own order.
+    scalar of_index(const scalar& made) const {
+        return made * (least_ratio_of_index(this->ratio, this->index) / this->ratio);
     }
     scalar judged(const vector& x) const {
         if (!may_have_index() || this->index < 2) return norm_(x);
