@@ -267,6 +267,20 @@ BOOST_AUTO_TEST_CASE(intervals_of_rationals_are_the_narrowest_whatever_the_lengt
     BOOST_TEST((interval(tableaux::scaled(rational(3), -1074)) == interval(3 * 0x1p-1074)));
 }
 
+BOOST_AUTO_TEST_CASE(a_constant_that_is_attained_at_a_surd_is_said_to_be_attained_near_a_rational) {
+    // f' = (x^2 - 1)/(1 + x^2)^2 is largest at x^2 = 3, with the value 1/8; that of 2x - x^2 at x = 0.
+    const auto surd =
+        one_sided_lipschitz<1>([](const auto&, const auto& x, auto& f) { f[0] = -x[0] / (1 + x[0] * x[0]); });
+    BOOST_TEST(surd.high == rational(1, 8));
+    BOOST_TEST(surd.verdict.reason().find("attained near") != std::string::npos, surd.verdict.text());
+    BOOST_TEST(abs(surd.point[0] * surd.point[0] - 3) < rational(1, 1000000));
+    const auto rational_point =
+        one_sided_lipschitz<1>([](const auto&, const auto& x, auto& f) { f[0] = x[0] / (1 + x[0] * x[0]); });
+    BOOST_TEST(rational_point.high == 1);
+    BOOST_TEST(rational_point.verdict.reason().find("attained at (0)") != std::string::npos,
+               rational_point.verdict.text());
+}
+
 BOOST_AUTO_TEST_CASE(one_sided_constants_of_long_rational_slopes_are_theirs) {
     tableaux::integer power = 1;
     power <<= 962;

@@ -25,7 +25,9 @@ namespace stagecraft::theory {
 struct one_sided_constant {
     theory::verdict verdict;
     rational low, high;
-    std::vector<rational> point;  ///< where the logarithmic norm of f' is at least low; empty: at infinity
+    std::vector<rational>
+        point;  ///< where the logarithmic norm of f' is at least low, or near such a point if that is not
+                ///< rational (the verdict says "near"); empty: at infinity
 };
 
 namespace detail {
@@ -36,11 +38,13 @@ inline std::string text(const std::vector<rational>& x) {
     return out + ")";
 }
 
-inline one_sided_constant found(const std::string& where, supremum s, std::vector<rational> point) {
+inline one_sided_constant found(const std::string& where, supremum s, std::vector<rational> point,
+                                bool exactly = true) {
     const std::string value = s.low == s.high ? s.low.str()
                                               : "between " + shortest(interval(s.low).low()) + " and " +
                                                     shortest(interval(s.high).high());
-    const std::string at = point.empty() ? "approached at infinity" : "attained at " + text(point);
+    const std::string at = point.empty() ? "approached at infinity"
+                                         : (exactly ? "attained at " : "attained near ") + text(point);
     return {verdict::proved(where + ": " + value + ", " + at), s.low, s.high, std::move(point)};
 }
 
@@ -68,9 +72,11 @@ inline std::map<multinomial::monomial, dense<rational>> by_monomial(const dense<
 /// On the whole line, f rational: decided (Sturm). Throws std::invalid_argument where f divides through zero.
 template <int N, class F>
 requires(N == 1) one_sided_constant one_sided_lipschitz(F&& f) {
-    const auto s = supremum_on_line(derivative(as_rational_function(f)));
+    const auto slope = derivative(as_rational_function(f));
+    const auto s = supremum_on_line(slope);
     if (!s) return {verdict::refuted("f' is unbounded above: no gamma exists"), 0, 0, {}};
-    return detail::found("on R", *s, s->point ? std::vector<rational>{*s->point} : std::vector<rational>{});
+    if (!s->point) return detail::found("on R", *s, {});
+    return detail::found("on R", *s, {*s->point}, !(slope(*s->point) < s->low));
 }
 
 /// On R^N, f polynomial, in the inner product x^T G y. Decided where f' is constant, or where every other
@@ -104,11 +110,13 @@ requires(N == 1) one_sided_constant one_sided_lipschitz_from(F&& f, const ration
             "f: its derivative f_x must depend on t alone on an unbounded interval of t");
     // t = t0 + s^2 runs through [t0, infinity)
     const polynomial<rational> time{t0, 0, 1};
-    const auto s = supremum_on_line(rational_function(compose(slope.in_one_unknown(1), time)));
+    const rational_function along(compose(slope.in_one_unknown(1), time));
+    const auto s = supremum_on_line(along);
     if (!s) return {verdict::refuted("f_x is unbounded above: no gamma exists"), 0, 0, {}};
     std::vector<rational> at;
     if (s->point) at.push_back(t0 + *s->point * *s->point);
-    return detail::found("for t >= " + t0.str() + " (the point is a time)", *s, at);
+    const bool exactly = !s->point || !(along(*s->point) < s->low);
+    return detail::found("for t >= " + t0.str() + " (the point is a time)", *s, at, exactly);
 }
 
 /// Two points with <f(x) - f(y), x - y> > gamma |x - y|^2, for a scalar rational f; nothing where gamma is a
