@@ -25,9 +25,9 @@ class measured_step : public step_facts<typename System::scalar> {
   public:
     /// `now` holds the stages, later the continuous solution; f what is known at one of the ends; error is room for
     /// estimates.
-    measured_step(Method& method, System& system, const Norm& norm, const vector& y, const output& now,
+    measured_step(Method& m, System& system, const Norm& norm, const vector& y, const output& now,
                   end_slope<vector>& f, vector& y1, vector& error, report<scalar>& counts)
-        : method_(method),
+        : method_(m),
           system_(system),
           norm_(norm),
           y_(y),
@@ -37,10 +37,10 @@ class measured_step : public step_facts<typename System::scalar> {
           error_(error),
           counts_(counts) {
         this->first = counts.steps == 0;
-        this->stages = method.count();
-        this->power = method.estimate_power();
+        this->stages = m.count();
+        this->power = m.estimate_power();
         this->index = system.largest_index();
-        this->usual_iterations = stagecraft::usual_iterations(method.coupled_stages_count());
+        this->usual_iterations = stagecraft::usual_iterations(m.coupled_stages_count());
     }
 
     // Estimates of the error at the end of the step.

@@ -332,8 +332,8 @@ class fundamental_solution {
     }
     void compare(const wide& e, scalar& most, scalar& whole) const {
         for (Eigen::Index c = 0; c < e.rows(); ++c) {
-            const scalar part = e.row(c).cwiseAbs().maxCoeff() / scale_[c];
-            if (!(part <= most)) most = part;
+            const scalar largest = e.row(c).cwiseAbs().maxCoeff() / scale_[c];
+            if (!(largest <= most)) most = largest;
             whole = std::max(whole, scalar(size_[c] / scale_[c]));
         }
     }
