@@ -174,20 +174,22 @@ class measured_step : public step_facts<typename System::scalar> {
         }
         return middle;
     }
-    /// Takes out of x what M takes to zero; where its entries are not known, the components with a row sum of zero.
+    /// Takes out of x the components whose column of M is zero (where its entries are not known, whose row sum is); of an
+    /// attempt that has been refused before, all that M takes to zero.
     template <class Mass>
-    static void drop_algebraic(const Mass& mass, vector& x) {
+    void drop_algebraic(const Mass& mass, vector& x) const {
         const int n = static_cast<int>(x.size());
-        if constexpr (Mass::identity) {
-            return;
-        } else if constexpr (has_entries<Mass>) {
-            mass_kernel<scalar>(mass, n).remove(x);
-        } else {
+        if constexpr (!Mass::identity) {
             vector size = vector::Zero(n);
-            const vector ones = vector::Ones(n);
-            add_mass_times(mass, scalar(1), ones.data(), size.data(), n);
-            for (int j = 0; j < n; ++j)
-                if (size[j] == scalar(0)) x[j] = scalar(0);
+            if constexpr (has_entries<Mass>) {
+                if (this->refused.all > 0) return mass_kernel<scalar>(mass, n).remove(x);
+                for (const auto& e : mass.entries()) size[e.column] = scalar(1);
+            } else {
+                const vector ones = vector::Ones(n);
+                add_mass_times(mass, scalar(1), ones.data(), size.data(), n);
+            }
+            for (int i = 0; i < n; ++i)
+                if (size[i] == scalar(0)) x[i] = scalar(0);
         }
     }
 
