@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: events<Vector2d>(event(g)), with the type of the state
-// lines: 8
+// lines: 25
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/observe/event.hpp>

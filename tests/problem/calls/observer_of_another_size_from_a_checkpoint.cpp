@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: integrate(method, problem, checkpoint, t1, options, observer): the observer must be
-// lines: 8
+// lines: 11
 #include <stagecraft/checkpoint.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: must be generic in its scalar
-// lines: 8
+// lines: 11
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/sensitivity/forward.hpp>
 
