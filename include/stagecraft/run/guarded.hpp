@@ -18,26 +18,17 @@ namespace stagecraft {
 /// Names of the library's guards, for without<...>(method). Each stands for a class of problems that error estimates do not
 /// judge rightly; its own header says which, and what it costs.
 namespace guards {
-struct index {
+/// The name of a guard that needs nothing of the problem but its scalar.
+template <template <class Scalar> class Guard>
+struct of_scalar {
     template <class System>
-    using in = index_guard<typename System::scalar>;
+    using in = Guard<typename System::scalar>;
 };
-struct jumps {
-    template <class System>
-    using in = jump_guard<typename System::scalar>;
-};
-struct output {
-    template <class System>
-    using in = output_guard<typename System::scalar>;
-};
-struct phase {
-    template <class System>
-    using in = phase_guard<typename System::scalar>;
-};
-struct first_step {
-    template <class System>
-    using in = first_step_guard<typename System::scalar>;
-};
+using index = of_scalar<index_guard>;
+using jumps = of_scalar<jump_guard>;
+using output = of_scalar<output_guard>;
+using phase = of_scalar<phase_guard>;
+using first_step = of_scalar<first_step_guard>;
 struct growth {
     template <class System>
     using in = growth_guard<System>;
