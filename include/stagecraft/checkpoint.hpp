@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/options.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

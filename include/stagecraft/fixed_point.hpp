@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 #include <stagecraft/stages/fixed_point.hpp>
 #include <stagecraft/step/method_set.hpp>
 

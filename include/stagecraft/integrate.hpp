@@ -12,12 +12,11 @@
 
 #include <stagecraft/jacobian/dual_functions.hpp>
 
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/observer.hpp>
-#include <stagecraft/problem/checked_call.hpp>
+#include <stagecraft/refuse/given_arguments.hpp>
+#include <stagecraft/refuse/problem/checked_call.hpp>
 #include <stagecraft/result.hpp>
 #include <stagecraft/run/continued.hpp>
-#include <stagecraft/run/given_arguments.hpp>
 #include <stagecraft/run/integrator.hpp>
 
 namespace stagecraft {

@@ -2,7 +2,7 @@
 // What a member named `mass` may be, and where it may come from: found or not, as said here.
 #define BOOST_TEST_MODULE named_member
 #include <boost/test/unit_test.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
 
 namespace sc = stagecraft;
 template <class T>

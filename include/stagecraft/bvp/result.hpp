@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <stagecraft/bvp/status.hpp>
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/solution.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

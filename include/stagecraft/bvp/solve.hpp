@@ -11,7 +11,8 @@
 
 #include <stagecraft/bvp/solve/search.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

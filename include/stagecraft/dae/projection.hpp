@@ -13,8 +13,8 @@
 #include <stagecraft/dae/constraint_newton.hpp>
 #include <stagecraft/jacobian/central_differences.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
-#include <stagecraft/problem/written_argument.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/written_argument.hpp>
 
 namespace stagecraft {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <stagecraft/jacobian/dual_number.hpp>
-#include <stagecraft/named_member.hpp>
-#include <stagecraft/taken_arguments.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
+#include <stagecraft/refuse/detect/taken_arguments.hpp>
 
 namespace stagecraft::detail {
 

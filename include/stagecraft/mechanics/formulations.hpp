@@ -12,6 +12,7 @@
 #include <stagecraft/mechanics/derivatives.hpp>
 #include <stagecraft/mechanics/free_motion.hpp>
 #include <stagecraft/mechanics/start.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

@@ -7,6 +7,7 @@
 #include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/consistent_multiplier.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

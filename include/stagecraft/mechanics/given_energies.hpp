@@ -8,9 +8,9 @@
 
 #include <stagecraft/jacobian/dual_number.hpp>
 #include <stagecraft/mechanics/model.hpp>
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/owned_value.hpp>
-#include <stagecraft/taken_arguments.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
+#include <stagecraft/refuse/detect/taken_arguments.hpp>
 
 namespace stagecraft {
 

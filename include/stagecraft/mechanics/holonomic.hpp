@@ -8,6 +8,7 @@
 
 #include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

@@ -9,6 +9,7 @@
 #include <stagecraft/mechanics/derivatives.hpp>
 #include <stagecraft/mechanics/given_energies.hpp>
 #include <stagecraft/mechanics/model.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

@@ -10,8 +10,8 @@
 #include <stagecraft/jacobian/dual_functions.hpp>
 #include <stagecraft/linear/small_ldlt.hpp>
 #include <stagecraft/linear/small_loops.hpp>
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/owned_value.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
 
 namespace stagecraft {
 

@@ -15,7 +15,7 @@
 #include <stagecraft/linear/sparse_blocks.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/sized_model.hpp>
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include <stagecraft/method/order_conditions.hpp>
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {

@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/bracketing.hpp>
 #include <stagecraft/observe/occurrence.hpp>
 #include <stagecraft/owned_value.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
+#include <stagecraft/refuse/detect/taken_arguments.hpp>
 #include <stagecraft/status.hpp>
-#include <stagecraft/taken_arguments.hpp>
 
 namespace stagecraft {
 

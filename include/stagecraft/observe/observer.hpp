@@ -4,9 +4,9 @@
 #include <concepts>
 #include <type_traits>
 
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/observe/occurrence.hpp>
-#include <stagecraft/taken_arguments.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
+#include <stagecraft/refuse/detect/taken_arguments.hpp>
 
 namespace stagecraft {
 

@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

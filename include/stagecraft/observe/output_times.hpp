@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

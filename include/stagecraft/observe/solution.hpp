@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {

@@ -18,7 +18,7 @@ namespace stagecraft {
 /// problem/unwritten.hpp).
 ///
 /// Every other member is optional and found by its name. A member with one of the names below that cannot be
-/// used as described does not compile (problem/checked_capabilities.hpp). That includes one whose
+/// used as described does not compile (refuse/problem/checked_capabilities.hpp). That includes one whose
 /// requires-clause is not met: put a member that only some instances of a template have into a base class
 /// that you choose. A member with a misspelt name is not found, and is then missing from the list of what was
 /// found that print(out, result) begins with (report_text.hpp).

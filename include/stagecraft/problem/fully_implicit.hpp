@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <stagecraft/problem/parts.hpp>
-#include <stagecraft/problem/written_argument.hpp>
+#include <stagecraft/refuse/problem/written_argument.hpp>
 
 namespace stagecraft {
 

@@ -10,7 +10,7 @@
 #include <stagecraft/jacobian/dual_functions.hpp>
 #include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
 
 namespace stagecraft {
 

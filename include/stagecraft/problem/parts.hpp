@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #include <stagecraft/jacobian/automatic.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/unwritten.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
 
 namespace stagecraft {
 

@@ -14,10 +14,10 @@
 #include <stagecraft/linear/second_order_lu.hpp>
 #include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/distributed.hpp>
 #include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/problem/unwritten.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
 #include <stagecraft/report.hpp>
 
 namespace stagecraft {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include <stagecraft/jacobian/unconverted.hpp>
-#include <stagecraft/problem/checked_call.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
 #include <stagecraft/problem/system.hpp>
+#include <stagecraft/refuse/problem/checked_call.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
 
 namespace stagecraft {
 

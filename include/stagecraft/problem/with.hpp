@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/owned_value.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

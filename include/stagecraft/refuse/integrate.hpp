@@ -8,10 +8,10 @@
 #include <type_traits>
 
 #include <stagecraft/checkpoint.hpp>
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
+#include <stagecraft/refuse/given_arguments.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/result.hpp>
-#include <stagecraft/run/given_arguments.hpp>
 
 // Calls of integrate() that cannot be meant as they stand: each says in one sentence what to write. Nothing else needs
 // this, and nobody who reads the engine has to.

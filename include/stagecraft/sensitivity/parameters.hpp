@@ -8,8 +8,8 @@
 
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
-#include <stagecraft/problem/written_argument.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/written_argument.hpp>
 
 namespace stagecraft {
 

@@ -14,7 +14,7 @@
 #include <array>
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/sparse_blocks.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
 
 // Optional members that are there and cannot be used, and the same as they must be.
 using Eigen::Matrix2d, Eigen::Vector2d;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <stagecraft/mechanics/regularisation/regularised.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 
 namespace stagecraft {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <concepts>
 #include <stagecraft/jacobian/automatic.hpp>
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/refused_call.hpp>
 #include <vector>
 
 #include "stagecraft/theory/dynamics/interval.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "stagecraft/named_member.hpp"
+#include "stagecraft/refuse/detect/refused_call.hpp"
 #include "stagecraft/tableaux/nodal.hpp"
 #include "stagecraft/theory/judging/certificate.hpp"
 #include "stagecraft/theory/models/legendre_model.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/named_member.hpp>
 #include <stagecraft/problem/capabilities.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
 
 namespace stagecraft {
 

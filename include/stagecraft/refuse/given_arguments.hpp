@@ -9,7 +9,7 @@
 #include <stagecraft/checkpoint.hpp>
 #include <stagecraft/observe/observer.hpp>
 #include <stagecraft/options.hpp>
-#include <stagecraft/problem/checked_call.hpp>
+#include <stagecraft/refuse/problem/checked_call.hpp>
 #include <stagecraft/run/integrator.hpp>
 
 namespace stagecraft::detail {

@@ -10,8 +10,8 @@
 #include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
-#include <stagecraft/problem/checked_capabilities.hpp>
-#include <stagecraft/problem/written_argument.hpp>
+#include <stagecraft/refuse/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/written_argument.hpp>
 
 namespace stagecraft {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <stagecraft/named_member.hpp>
+#include <stagecraft/refuse/detect/named_member.hpp>
 
 namespace stagecraft::detail {
 
