@@ -110,12 +110,35 @@ class luggage {
         one(then);
         if (then != value) refuse(what);
     }
+    /// std::invalid_argument where the method is another one: of other stages, order or coefficients. Of these the
+    /// sum_k k x_k is kept, which tells methods apart and which no compiler changes by more than rounding.
+    template <class Method>
+    void same_method(const Method& method, long order) {
+        using std::abs;
+        scalar sum(0);
+        int k = 0;
+        const auto add = [&](const auto& x) {
+            for (Eigen::Index i = 0; i < x.size(); ++i) sum += scalar(++k) * x.data()[i];
+        };
+        add(method.A), add(method.b), add(method.c), add(method.b_embedded);
+        const scalar here = sum;
+        const long stages = method.stages();
+        long stages_then = stages, order_then = order;
+        same(0, "method");
+        one(stages_then), one(order_then), one(sum);
+        if (stages_then != stages || order_then != order)
+            refuse("method: of " + std::to_string(stages_then) + " stages and order " +
+                   std::to_string(order_then) + ", and not of " + std::to_string(stages) + " and " +
+                   std::to_string(order));
+        if (!(abs(sum - here) <= abs(here) / 1000000))
+            refuse("method: of as many stages and of the same order, but of other coefficients");
+    }
     /// Everything has been taken out.
     void finish() const {
         if (number_ != point_.numbers.size() || count_ != point_.counts.size()) refuse("method or problem");
     }
-    [[noreturn]] static void refuse(const char* what) {
-        throw std::invalid_argument(std::string("integrate: checkpoint is of another ") + what);
+    [[noreturn]] static void refuse(const std::string& what) {
+        throw std::invalid_argument("integrate: checkpoint is of another " + what);
     }
 
   private:

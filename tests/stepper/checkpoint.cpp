@@ -2,6 +2,8 @@
 #define BOOST_TEST_MODULE checkpoint
 #include <boost/test/unit_test.hpp>
 #include <sstream>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stagecraft/coefficients/radau_ia.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/observe/save_every.hpp>
 #include <stagecraft/steps.hpp>
@@ -61,8 +63,20 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_of_something_else_is_refused) {
     BOOST_TEST(contains(go_on(methods::dormand_prince(), point, 1, free), "another method"));
     const auto also_three_stages = methods::tr_bdf2();
     BOOST_TEST(contains(go_on(also_three_stages, point, 1, free), "another method"));
+    BOOST_TEST(contains(go_on(sc::gauss<3>(), point, 1, free),
+                        "another method: of 3 stages and order 5, and not of 3 and 6"));
+    BOOST_TEST(contains(go_on(sc::radau_iia<5>(), point, 1, free), "order 5, and not of 5 and 9"));
+    BOOST_TEST(contains(go_on(sc::radau_ia<3>(), point, 1, free), "another method: of as many stages"));
+    auto other_weights = methods::dormand_prince(), pair = other_weights;
+    other_weights.b_embedded = (pair.b + pair.b_embedded) / 2;
+    sc::checkpoint<Vector2d> explicit_point;
+    auto keep = sc::save_every(10, [&](auto p) { explicit_point = std::move(p); });
+    BOOST_TEST(sc::integrate(pair, relaxation{10}, start, 0, 1, free, keep).ok());
+    BOOST_TEST(go_on(pair, explicit_point, 2, free) == "no exception");
+    BOOST_TEST(contains(go_on(other_weights, explicit_point, 2, free), "of other coefficients"));
     auto several = point;  // as of a method of several, the first of them with three stages
-    several.counts.insert(several.counts.begin(), point.counts.begin(), point.counts.begin() + 2);
+    several.counts.insert(several.counts.begin(), point.counts.begin(), point.counts.begin() + 4);
+    several.numbers.insert(several.numbers.begin(), point.numbers.front());
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), several, 1, free), "another method"));
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), point, 1, equal), "fixed_step"));
     BOOST_TEST(contains(go_on(sc::radau_iia<3>(), of_equal, 2, equal), "another t1"));

@@ -41,6 +41,7 @@ struct run_demands {
 ///   - m.prepare(system, demands): once, before all others; std::invalid_argument where it cannot serve them.
 ///   - m.stages(): the solver of the stage equations, with factor(system, h) -> bool and
 ///     solve(system, t, y, h, norm, limits, Z, solves) -> newton_outcome.
+///   - m.method(), m.order(): its tableau and its order, by which a checkpoint knows it again.
 ///   - m.count(): s. m.coupled_stages_count(): how many of them one Newton iteration solves for.
 ///   - m.columns(): columns of increments that an output needs.
 ///   - m.implicit(): false if no stage needs a Jacobian. m.stiffly_accurate(): y1 is the last stage.
@@ -67,6 +68,8 @@ concept one_step_method = requires(
     {
         m.stages().solve(system, h, x, h, norm, limits, now.increments(), solves)
         } -> std::same_as<newton_outcome<typename Step::vector::Scalar>>;
+    c.method().c[0];
+    { c.order() } -> std::same_as<int>;
     { c.count() } -> std::same_as<int>;
     { c.coupled_stages_count() } -> std::same_as<int>;
     { c.columns() } -> std::same_as<int>;

@@ -112,6 +112,7 @@ class tableau_step : public step_defaults<Space> {
     }
 
     tableau_step& stages() { return *this; }
+    const method_type& method() const { return v_.method; }
     int count() const { return v_.method.stages(); }
     /// Stages that one Newton iteration solves for together.
     int coupled_stages_count() const { return is_.lower ? 1 : count(); }
