@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <stagecraft/judge/judge.hpp>
+#include <stagecraft/judge/unsolved.hpp>
+#include <stagecraft/run/attempts.hpp>
 #include <stagecraft/run/newton_room.hpp>
 #include <stagecraft/run/step_plan.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -218,6 +220,41 @@ BOOST_AUTO_TEST_CASE(newtons_iteration_ends_when_what_is_left_is_small_and_when_
     guessed.far = 100;
     BOOST_TEST((run(guessed, {101}).end == sc::newton_end::diverged));
     BOOST_TEST((run(usual, {5e-14, 4e-14}).end == sc::newton_end::converged));  // rounding
+}
+
+BOOST_AUTO_TEST_CASE(unsolved_stages_end_a_run_with_what_they_ran_into) {
+    const auto why = [](const sc::unsolved_attempt& a) { return sc::why_unsolved(a); };
+    BOOST_TEST((why({}) == sc::status::newton_failed));
+    BOOST_TEST((why({.singular = true}) == sc::status::singular_matrix));
+    BOOST_TEST((why({.singular = true, .finite_data = false}) == sc::status::non_finite));
+    BOOST_TEST((why({.finite_stages = false}) == sc::status::non_finite));
+    BOOST_TEST((why({.finite_stages = false, .unsolved_linear = true}) == sc::status::linear_solver_failed));
+}
+
+BOOST_AUTO_TEST_CASE(of_what_may_help_the_cheapest_is_tried_first) {
+    const auto remedy = [](const sc::unsolved_attempt& a) { return sc::remedy_for(a); };
+    BOOST_TEST((remedy({}) == sc::remedy::shorter_step));
+    BOOST_TEST((remedy({.noisy_guess = true}) == sc::remedy::constant_guess));
+    BOOST_TEST((remedy({.old_jacobian = true, .noisy_guess = true}) == sc::remedy::new_jacobian));
+    BOOST_TEST((remedy({.fixed = true, .old_jacobian = true}) == sc::remedy::new_jacobian));
+    BOOST_TEST((remedy({.fixed = true, .noisy_guess = true}) == sc::remedy::none));
+}
+
+BOOST_AUTO_TEST_CASE(attempts_count_what_was_refused_and_keep_what_ends_the_run) {
+    sc::attempts<double> tries;
+    sc::report<double> counts;
+    BOOST_TEST((tries.obstacle() == sc::status::step_underflow));
+    tries.unsolved(sc::status::newton_failed, counts);
+    BOOST_TEST((tries.obstacle() == sc::status::newton_failed));
+    tries.too_large(0.5, 3, counts);
+    tries.not_finite(sc::status::non_finite, counts);
+    BOOST_TEST((tries.obstacle() == sc::status::non_finite));
+    tries.forbidden(counts);
+    const auto& all = tries.refused();
+    BOOST_TEST((all.all == 4 && all.for_error == 1 && all.by_newton == 1 && all.h == 0.5 && all.error == 3));
+    BOOST_TEST((counts.rejected_error == 2 && counts.rejected_newton == 2));
+    tries.begin();
+    BOOST_TEST(tries.refused().all == 0);
 }
 
 BOOST_AUTO_TEST_CASE(after_a_failure_newtons_iteration_gets_more_room) {

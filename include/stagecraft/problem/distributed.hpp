@@ -129,4 +129,19 @@ class joint_start<Scalar, complete_sums> {
     }
 };
 
+/// What all processes of a run say together.
+enum class consent { go_on, stop, thrown };
+
+/// Calls watch() on every process: stop where it returns false on one, thrown where it has thrown on another. What it
+/// throws here leaves. Two sums.
+template <class Scalar, class Sums, class F>
+consent consent_of_all(const Sums& sums, F&& watch) {
+    shared_failure<Scalar, Sums> failure;
+    Scalar stops(0);
+    failure.keep([&] { stops = Scalar(watch() ? 0 : 1); });
+    if (failure.anywhere(sums)) return consent::thrown;
+    sums(&stops, 1);
+    return stops > Scalar(0) ? consent::stop : consent::go_on;
+}
+
 }  // namespace stagecraft

@@ -9,12 +9,10 @@
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/jacobian/coloured.hpp>
 #include <stagecraft/jacobian/finite_difference.hpp>
-#include <stagecraft/linear/dense_blocks.hpp>
 #include <stagecraft/linear/linear_solve.hpp>
-#include <stagecraft/linear/second_order_lu.hpp>
-#include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/distributed.hpp>
+#include <stagecraft/problem/jacobian_matrix.hpp>
 #include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/problem/unwritten.hpp>
 #include <stagecraft/refuse/problem/checked_capabilities.hpp>
@@ -33,32 +31,6 @@ struct raised_component {
 };
 
 namespace detail {
-
-/// The matrix that holds the Jacobian of a problem: its own, banded, sparse, or dense. A dense one has no storage
-/// before system::take_jacobian().
-template <class Problem, class Vector>
-auto make_jacobian(Problem& problem, int n) {
-    using scalar = typename Vector::Scalar;
-    if constexpr (has_matrix<Problem>) {
-        static_assert(owns_numbers<decltype(problem.matrix())>,
-                      "problem.matrix() returns an expression of Eigen's, whose operands may be gone: write "
-                      "its type, `Eigen::MatrixXd matrix() const`, say");
-        auto J = problem.matrix();
-        if (J.rows() != n || J.cols() != n)
-            throw std::invalid_argument("integrate: problem.matrix() must be n x n with n the size of y0");
-        return J;
-    } else if constexpr (has_bandwidth<Problem>) {
-        return banded_matrix<scalar>(n, problem.bandwidth());
-    } else if constexpr (has_sparsity<Problem>) {
-        auto J = problem.sparsity();
-        if (J.rows() != n || J.cols() != n)
-            throw std::invalid_argument("integrate: problem.sparsity() must be n x n with n the size of y0");
-        J.makeCompressed();
-        return J;
-    } else {
-        return Eigen::Matrix<scalar, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>();
-    }
-}
 
 /// Lives as long as the run does, and measures it if the problem asks for it.
 template <class Problem>
@@ -87,20 +59,6 @@ struct checked_distribution {
     static_assert(!has_matrix<Problem> || has_type_named_matrix<Problem> ||
                       (Analytic && has_linear_solver<Problem>),
                   "problem.matrix needs jacobian(t, y, J), J of its type, and a linear_solver that takes it");
-};
-
-template <class Problem, class Matrix>
-struct blocks_for : default_blocks<Matrix> {};
-template <class Problem, class Matrix>
-requires(has_second_order_components<Problem> && !has_linear_solver<Problem> && !has_bandwidth<Problem> &&
-         !has_sparsity<Problem>) struct blocks_for<Problem, Matrix> {
-    using type = second_order_blocks<typename Matrix::Scalar, Matrix::RowsAtCompileTime,
-                                     Problem::second_order_components>;
-};
-template <class Problem, class Matrix>
-requires has_linear_solver<Problem>
-struct blocks_for<Problem, Matrix> {
-    using type = typename Problem::linear_solver;
 };
 
 }  // namespace detail

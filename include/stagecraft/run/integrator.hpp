@@ -4,15 +4,16 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <string>
 
 #include <stagecraft/judge/judge.hpp>
+#include <stagecraft/judge/unsolved.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/attempts.hpp>
+#include <stagecraft/run/complete_step.hpp>
 #include <stagecraft/run/constraints_determine.hpp>
 #include <stagecraft/run/end_slope.hpp>
 #include <stagecraft/run/guarded.hpp>
@@ -96,16 +97,9 @@ class integrator {
     /// and is status::non_finite on the others.
     template <class F>
     void between_steps(F&& watch) {
-        const auto sums = system_.sums();
-        shared_failure<scalar, typename system_type::sums_type> failure;
-        scalar stops(0);
-        failure.keep([&] { stops = scalar(watch() ? 0 : 1); });
-        if (failure.anywhere(sums)) {
-            give_up(status::non_finite);
-            return;
-        }
-        sums(&stops, 1);
-        if (stops > scalar(0)) stop();
+        const consent all = consent_of_all<scalar>(system_.sums(), watch);
+        if (all == consent::thrown) give_up(status::non_finite);
+        if (all == consent::stop) stop();
     }
     /// Goes on from `y` in place of y() (a projection, say), both of about the accuracy asked for. The
     /// continuous solution of the last step is bent to end there, the next step starts there in every
@@ -123,7 +117,7 @@ class integrator {
     /// All that the next step depends on, into or out of a checkpoint of t() and y() (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        std::apply([&](auto&... m) { (bag.same(m.count(), "method"), ...); }, steps_);
+        std::apply([&](auto&... m) { (bag.same_method(m.method(), m.order()), ...); }, steps_);
         bag(h_, started_, has_output_, report_, plan_, judge_, linear_, extrapolation_, f_, system_);
         std::apply([&](auto&... m) { bag(m...); }, steps_);
         if (has_output_) bag(*output_);
@@ -149,8 +143,7 @@ class integrator {
             system_.failed_elsewhere();
             return false;
         }
-        refused_ = {};
-        obstacle_ = status::step_underflow;
+        attempts_.begin();
         progress now = progress::again;
         while (now == progress::again) {
             now = visit_current([this](auto& method) { return this->attempt(method); });
@@ -167,18 +160,13 @@ class integrator {
         decltype(detail::guards_in<system_type>(std::declval<typename detail::guards_of<Method>::type>()));
     enum class progress { again, accepted, given_up };
 
+    const refusals<scalar>& refused() const { return attempts_.refused(); }
     template <class F>
     decltype(auto) visit_current(F&& f) {
         return detail::visit_at(steps_, judge_.method(), std::forward<F>(f));
     }
     int largest_columns() {
         return std::apply([](auto&... m) { return std::max({m.columns()...}); }, steps_);
-    }
-    static step_plan<scalar> checked_plan(const Vector& y0, const scalar& t0, const scalar& t1,
-                                          const options<scalar>& o) {
-        validate(o, y0.size());
-        validate_interval(y0, t0, t1);
-        return {t0, t1, o};
     }
     progress give_up(stagecraft::status s) {
         const bool cause_known = s == status::newton_failed && !constraints_determine(system_, options_.rtol);
@@ -211,10 +199,10 @@ class integrator {
     /// One attempt at the next step: plan, linearise, solve, judge, and then accept or propose another.
     template <class Step>
     progress attempt(Step& method) {
-        const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps, refused_.all);
+        const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps, refused().all);
         unsolved_before_ = report_.linear_failures;
         if (plan.obstacle != status::success)
-            return give_up(plan.obstacle == status::step_underflow ? obstacle_ : plan.obstacle);
+            return give_up(plan.obstacle == status::step_underflow ? attempts_.obstacle() : plan.obstacle);
         output_type& now = *tried_;
 
         const linear_state linear = linearise(method, plan.h);
@@ -235,12 +223,7 @@ class integrator {
                                                   const newton_outcome<scalar>& newton,
                                                   const output_type& now) {
         measured_step measured(method, system_, norm_, y_, now, f_, y1_, error_, report_);
-        measured.t = t_;
-        measured.h = plan.h;
-        measured.t_next = plan.t_next;
-        measured.smallest = plan.smallest;
-        measured.method = judge_.method();
-        measured.refused = refused_;
+        measured.begins(t_, plan, judge_.method(), refused());
         measured.iterations = newton.iterations;
         measured.theta = linear_.theta();
         if (method.implicit()) measured.hold = linear_.hold();
@@ -256,13 +239,13 @@ class integrator {
         method.begin(f_.value());
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
-            const bool ahead = extrapolates() && refused_.all == 0 && !plan_.fixed();
+            const bool ahead = extrapolates() && refused().all == 0 && !plan_.fixed();
             linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? output_ : nullptr, ahead, options_,
                              y1_);
             judge_.linearised();
         }
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
-        if (report_.steps == 0 && refused_.all == 0 && !method.forgets())
+        if (report_.steps == 0 && refused().all == 0 && !method.forgets())
             demand_consistent_start(system_, slope, norm_.of_state(), scalar(plan_.fixed() ? 1000 : 10));
         const scalar last = extrapolates() ? output_->step() : scalar(0);
         const factored_step tried{system_, method.stages(), slope, norm_, h, 2 * abs(h) > 3 * abs(last)};
@@ -282,7 +265,7 @@ class integrator {
             const bool affine = report_.steps > 0 && linear_.constant(system_) &&
                                 linear_.factored_within(h, options_.rtol / 100);
             limits = newton_room(options_, method.coupled_stages_count(), system_.largest_index(),
-                                 system_type::mass_type::identity, refused_.by_newton, affine);
+                                 system_type::mass_type::identity, refused().by_newton, affine);
         }
         if (linear == linear_state::factored) {
             newton = solve_from_guess(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h, norm_,
@@ -298,65 +281,68 @@ class integrator {
 
     /// A step of h is to be tried in place of the planned one, if t resolves it.
     progress shorten(const planned_step<scalar>& plan, const scalar& h) {
-        if (plan.smallest) return give_up(obstacle_);
+        if (plan.smallest) return give_up(attempts_.obstacle());
         h_ = h;
         return progress::again;
     }
 
     /// A guard forbids the step.
     progress refuse_forbidden(const planned_step<scalar>& plan) {
-        obstacle_ = status::step_underflow;
-        ++report_.rejected_error;
-        ++refused_.all;
+        attempts_.forbidden(report_);
         return linear_.stay_behind() ? progress::again : shorten(plan, plan.h / 4);
     }
 
-    /// The stage equations could not be solved.
+    /// The stage equations could not be solved: the cheapest change that may help (judge/unsolved.hpp), and again.
     template <class Step>
     progress refuse_unsolved(Step& method, const planned_step<scalar>& plan, linear_state linear,
-                             newton_end how) {
-        obstacle_ = status::newton_failed;
-        if (how == newton_end::non_finite) obstacle_ = why_not_finite();
-        if (linear == linear_state::singular)
-            obstacle_ = all_finite(f_.value(), n_, system_.sums()) && system_.finite_jacobian()
-                            ? status::singular_matrix
-                            : status::non_finite;
-        ++report_.rejected_newton;
-        ++refused_.all;
-        ++refused_.by_newton;
-        if (method.implicit() && linear_.renew(system_)) return progress::again;
-        if (plan_.fixed()) return give_up(obstacle_);
-        linear_.stay_behind();
-        if (system_.rough_stages() && extrapolates()) {
-            extrapolation_.failed();
-            return progress::again;
+                             newton_end end) {
+        const bool singular = linear == linear_state::singular, finite = end != newton_end::non_finite;
+        const unsolved_attempt failed{
+            .singular = singular,
+            .finite_data =
+                !singular || (all_finite(f_.value(), n_, system_.sums()) && system_.finite_jacobian()),
+            .finite_stages = finite,
+            .unsolved_linear = !finite && linear_solver_failed(),
+            .fixed = plan_.fixed(),
+            .old_jacobian = method.implicit() && linear_.may_be_renewed(system_),
+            .noisy_guess = system_.rough_stages() && extrapolates()};
+        attempts_.unsolved(why_unsolved(failed), report_);
+        switch (remedy_for(failed)) {
+            case remedy::new_jacobian:
+                linear_.renew(system_);
+                return progress::again;
+            case remedy::constant_guess:
+                linear_.stay_behind();
+                extrapolation_.failed();
+                return progress::again;
+            case remedy::shorter_step:
+                linear_.stay_behind();
+                judge_.unsolved(refused().all >
+                                (system_.rough_stages() ? 2 : 1));  // one of two from a constant
+                return shorten(plan, plan.h / 2);
+            case remedy::none:
+                break;
         }
-        const int usual = system_.rough_stages() ? 2 : 1;  // one of them from a constant
-        judge_.unsolved(refused_.all > usual);
-        return shorten(plan, plan.h / 2);
+        return give_up(attempts_.obstacle());
     }
 
     /// The error is too large, or not finite.
     progress refuse_error(const planned_step<scalar>& plan, const verdict<scalar>& said) {
-        const bool finite = said.error - said.error == scalar(0);
-        obstacle_ = finite ? status::step_underflow : why_not_finite();
-        ++(finite ? report_.rejected_error : report_.rejected_newton);
-        ++refused_.all;
-        if (finite) {
-            ++refused_.for_error;
-            refused_.h = plan.h;
-            refused_.error = said.error;
-        }
+        if (said.error - said.error == scalar(0))
+            attempts_.too_large(plan.h, said.error, report_);
+        else
+            attempts_.not_finite(linear_solver_failed() ? status::linear_solver_failed : status::non_finite,
+                                 report_);
         f_.retry();
         linear_.rejected(system_);
         return shorten(plan, said.next_h);
     }
 
-    /// A linear solver that has failed leaves NaN.
-    stagecraft::status why_not_finite() const {
+    /// In this attempt, on some process. It leaves NaN.
+    bool linear_solver_failed() const {
         scalar unsolved(report_.linear_failures > unsolved_before_ ? 1 : 0);
         system_.sums()(&unsolved, 1);
-        return unsolved > scalar(0) ? status::linear_solver_failed : status::non_finite;
+        return unsolved > scalar(0);
     }
 
     /// Moves to the end of the step.
@@ -364,24 +350,7 @@ class integrator {
     [[gnu::always_inline]] progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
         using std::abs;
         if (!system_.finite(y1_)) return give_up(status::non_finite);
-        if (method.ends_with_value()) {
-            const Vector& f1 = f_.right(system_, plan.t_next, y1_);
-            if (all_finite(f1, n_, system_.sums()))
-                method.end(f1);
-            else
-                method.end_without_value(plan.h, y_, y1_);
-        }
-        has_output_ = keeps_output_ || method.implicit();
-        if (has_output_)
-            method.finish(t_, y_, plan.h, y1_, now);
-        else
-            now.cover(t_, plan.h);
-        if constexpr (!system_type::mass_type::identity)
-            if (method.ends_off_constraints()) {
-                const Vector& f1 = f_.right(system_, plan.t_next, y1_);
-                report_.error_solves += method.end_on_constraints(system_, plan.h, f1, now, y1_);
-                f_.retry();
-            }
+        has_output_ = complete_step(method, system_, plan, t_, y_, y1_, f_, keeps_output_, now, report_);
         method.accepted();
         f_.stepped();
         extrapolation_.stepped();
@@ -401,7 +370,7 @@ class integrator {
 
     /// True if the polynomial of the last step is to start the iteration.
     bool extrapolates() const {
-        return has_output_ && (system_.rough_stages() ? extrapolation_.trusted() : refused_.all < 2);
+        return has_output_ && (system_.rough_stages() ? extrapolation_.trusted() : refused().all < 2);
     }
 
     [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;
@@ -421,9 +390,9 @@ class integrator {
     std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
     output_type *output_ = &outputs_[0], *tried_ = &outputs_[1];
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
-    refusals<scalar> refused_;
+    attempts<scalar> attempts_;
     bool keeps_output_, started_ = false, has_output_ = false;
-    stagecraft::status status_ = status::success, obstacle_ = status::step_underflow;
+    stagecraft::status status_ = status::success;
 };
 
 }  // namespace stagecraft

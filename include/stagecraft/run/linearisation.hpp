@@ -136,16 +136,16 @@ class linearisation {
         const bool serves = theta_ <= scalar(1) / 1000 || is_worth_keeping(newton.iterations, cost);
         hold_ = serves ? longest_hold(newton.iterations, cost) : scalar(1);
     }
-    /// It has not: true if a new Jacobian may help, which is wanted then.
-    bool renew(System& system) {
-        if (fresh() || constant(system)) return false;
-        jacobian_ = age::wanted;
-        return true;
+    /// Another Jacobian may be better than the one there is.
+    bool may_be_renewed(System& system) const { return !fresh() && !constant(system); }
+    /// It is wanted then.
+    void renew(System& system) {
+        if (may_be_renewed(system)) jacobian_ = age::wanted;
     }
     /// The error of the step is too large: with the next, smaller one the Jacobian is replaced as well if it
     /// served badly.
     void rejected(System& system) {
-        if (!fresh() && !serves_well()) renew(system);
+        if (!serves_well()) renew(system);
     }
     /// Where the extrapolation went astray the Jacobian did: true if it is wanted at the left end now.
     bool stay_behind() {

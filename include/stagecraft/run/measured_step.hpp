@@ -9,6 +9,7 @@
 #include <stagecraft/method/blind_spots.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/run/end_slope.hpp>
+#include <stagecraft/run/step_plan.hpp>
 #include <stagecraft/stages/newton.hpp>
 
 namespace stagecraft {
@@ -41,6 +42,17 @@ class measured_step : public step_facts<typename System::scalar> {
         this->power = m.estimate_power();
         this->index = system.largest_index();
         this->usual_iterations = stagecraft::usual_iterations(m.coupled_stages_count());
+    }
+
+    /// Where the attempt begins, how it has been planned, with which method, and what has been refused before.
+    void begins(const scalar& from, const planned_step<scalar>& plan, int method_number,
+                const refusals<scalar>& before) {
+        this->t = from;
+        this->h = plan.h;
+        this->t_next = plan.t_next;
+        this->smallest = plan.smallest;
+        this->method = method_number;
+        this->refused = before;
     }
 
     // Estimates of the error at the end of the step.

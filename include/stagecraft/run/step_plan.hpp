@@ -103,4 +103,13 @@ class step_plan {
     long most_attempts_, attempts_ = 0;
 };
 
+/// The plan of a run, where its arguments are good; std::invalid_argument names the one that is not.
+template <class Vector, class Scalar>
+step_plan<Scalar> checked_plan(const Vector& y0, const Scalar& t0, const Scalar& t1,
+                               const options<Scalar>& o) {
+    validate(o, y0.size());
+    validate_interval(y0, t0, t1);
+    return {t0, t1, o};
+}
+
 }  // namespace stagecraft

@@ -5,17 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/linear/mass_kernel.hpp>
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/method/collocation_functionals.hpp>
-#include <stagecraft/method/order_conditions.hpp>
 #include <stagecraft/method/remembered.hpp>
-#include <stagecraft/method/structure.hpp>
 #include <stagecraft/stages/transformed.hpp>
+#include <stagecraft/step/collocation_facts.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/stage_extrapolation.hpp>
 
@@ -36,6 +34,7 @@ template <int Stages, class Space>
 class collocation_step : public step_defaults<Space> {
     using Scalar = typename Space::scalar;
     using weights = Eigen::Matrix<Scalar, Stages, 1>;
+    using facts = collocation_facts<Scalar, Stages, Space::columns>;
 
   public:
     using vector = typename Space::vector;
@@ -44,13 +43,14 @@ class collocation_step : public step_defaults<Space> {
 
     collocation_step(const method_type& method, int n)
         : stages_(method, n),
-          known_(remembered(checked(method), [&] { return look_at(method); })),
+          known_(remembered(method, [&] { return facts::of(method); })),
           extrapolation_(Space::columns < 0 ? method.stages() : Space::columns, method.stages()),
           scratch_(n),
           second_(n),
           rest_(n) {}
 
     transformed_stages<vector, Stages, typename Space::blocks>& stages() { return stages_; }
+    const method_type& method() const { return stages_.method(); }
     int count() const { return stages_.stages(); }
     int order() const { return known_.order; }
     /// The estimate is O(h^q) with this q.
@@ -348,48 +348,6 @@ class collocation_step : public step_defaults<Space> {
     }
 
   private:
-    /// What follows from the coefficients alone.
-    struct coefficient_facts {
-        interpolation_nodes<Scalar, Space::columns> nodes;
-        weights update;             // z -> y1 - y
-        weights start;              // z -> value at 0 of the polynomial through the stages alone
-        weights leading;            // z -> a_{s-1} of the polynomial through the stages alone
-        weights left, right, ends;  // z -> h u'(0), h u'(1), change at 1 without the node 0
-        bool stiffly_accurate = true, jump = false, stage_order_two = false;
-        int order = 0;
-    };
-    static const method_type& checked(const method_type& method) {
-        const int s = method.stages();
-        if (s < 1 || method.A.rows() != s || method.A_inverse.rows() != s || method.c.size() != s)
-            throw std::invalid_argument("integrate: method must have at least one stage and a regular A");
-        return method;
-    }
-    static coefficient_facts look_at(const method_type& method) {
-        const int s = method.stages();
-        const weights zero = weights::Zero(s);
-        coefficient_facts known{
-            interpolation_nodes<Scalar, Space::columns>(s), zero, zero, zero, zero, zero, zero};
-        for (int j = 0; j < s; ++j)
-            for (int i = 0; i < s; ++i) known.update[j] += method.b[i] * method.A_inverse(i, j);
-        known.stiffly_accurate = method.stiffly_accurate();
-        known.jump = method.c[0] == Scalar(0);
-        known.stage_order_two = stagecraft::has_stage_order_two(method);
-        known.order = method.facts.order > 0 ? method.facts.order : quadrature_conditions(method, 2 * s);
-        // Node list of the continuous polynomial: 0 carries y, a first stage at 0 gives way to the end point
-        // (Radau IA) or drops out where the end point is a node already (Lobatto IIIC).
-        auto& nodes = known.nodes;
-        nodes.first_column = known.jump && known.stiffly_accurate && s > 1 ? 1 : 0;
-        nodes.size = s - nodes.first_column;
-        for (int j = 0; j < nodes.size; ++j) nodes.c[j] = method.c[j + nodes.first_column];
-        if (known.jump && nodes.first_column == 0) nodes.c[0] = Scalar(1);
-        nodes.finish();
-        if (!known.jump) known.left = slope_at_left_end(method);
-        known.ends = change_without_left_node(method);
-        known.start = value_at_left_end(method);
-        known.leading = leading_legendre_coefficient(method);
-        if (!known.stiffly_accurate) known.right = slope_at_right_end(method);
-        return known;
-    }
     /// Takes out of x what end_on_constraints() mends.
     template <class System>
     void leave_to_constraints([[maybe_unused]] vector& x) const {
@@ -418,7 +376,7 @@ class collocation_step : public step_defaults<Space> {
     }
 
     transformed_stages<vector, Stages, typename Space::blocks> stages_;
-    coefficient_facts known_;
+    facts known_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, 2> top_;  // z -> a_s, a_{s-2}
     // Of few stages too where a method of more may follow, whose guess is cut.
     [[no_unique_address]] std::conditional_t<(Space::columns < 0 || Space::columns > 3),

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stagecraft/judge/evidence.hpp>
+#include <stagecraft/report.hpp>
+#include <stagecraft/status.hpp>
+
+namespace stagecraft {
+
+/// The attempts at the present step that have been refused: how often, for what, and the status of a run that cannot make
+/// the step smaller.
+template <class Scalar>
+class attempts {
+  public:
+    const refusals<Scalar>& refused() const { return refused_; }
+    status obstacle() const { return obstacle_; }
+
+    /// A step begins.
+    void begin() { *this = {}; }
+    /// A guard has forbidden an attempt.
+    void forbidden(report<Scalar>& counts) {
+        obstacle_ = status::step_underflow;
+        ++counts.rejected_error;
+        ++refused_.all;
+    }
+    /// The stage equations of an attempt have not been solved.
+    void unsolved(status why, report<Scalar>& counts) {
+        obstacle_ = why;
+        ++counts.rejected_newton;
+        ++refused_.all;
+        ++refused_.by_newton;
+    }
+    /// The error of an attempt at a step of h is not finite.
+    void not_finite(status why, report<Scalar>& counts) {
+        obstacle_ = why;
+        ++counts.rejected_newton;
+        ++refused_.all;
+    }
+    /// It is too large.
+    void too_large(const Scalar& h, const Scalar& error, report<Scalar>& counts) {
+        obstacle_ = status::step_underflow;
+        ++counts.rejected_error;
+        ++refused_.all;
+        ++refused_.for_error;
+        refused_.h = h;
+        refused_.error = error;
+    }
+
+  private:
+    refusals<Scalar> refused_;
+    status obstacle_ = status::step_underflow;
+};
+
+}  // namespace stagecraft
