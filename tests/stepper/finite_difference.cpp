@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE finite_difference
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/jacobian/coloured.hpp>
 
 namespace {
 
@@ -40,5 +43,58 @@ BOOST_AUTO_TEST_CASE(differences_serve_as_well_as_automatic_derivatives_on_a_bad
         BOOST_TEST(differences.report.steps < 1.3 * exact.report.steps + 5);
         BOOST_TEST(differences.report.rejected() < 10);
         BOOST_TEST(differences.report.f_jacobian == 3 * differences.report.jacobians);
+    }
+}
+
+namespace {
+const double not_there = std::numeric_limits<double>::quiet_NaN();
+using one = Eigen::Matrix<double, 1, 1>;
+using Eigen::VectorXd;
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_column_that_leaves_the_domain_is_taken_on_the_other_side_and_then_with_less) {
+    stagecraft::finite_difference_jacobian<double, 1> differences(1);
+    one J;
+    const auto column = [&](const auto& f, double y, double f0, double negligible) {
+        return differences(f, 0.0, one(y), one(f0), one(negligible), 0.0, J);
+    };
+    const auto decay = [](double, const one& y, one& f) { f[0] = -3 * y[0] + 0 * std::sqrt(y[0]); };
+    BOOST_TEST(column(decay, 1e-20, -3e-20, 1e-6) == 2);  // downwards by 1e-14 is beyond zero
+    BOOST_TEST(std::abs(J(0, 0) + 3) < 1e-6);
+    const auto narrow = [](double, const one& y, one& f) {
+        f[0] = std::abs(y[0] - 1) < 1e-9 ? 2 * (y[0] - 1) : not_there;
+    };
+    BOOST_TEST(column(narrow, 1, 0, 0) == 3);
+    BOOST_TEST(std::abs(J(0, 0) - 2) < 1e-4);
+    const auto nowhere = [](double, const one&, one& f) { f[0] = not_there; };
+    BOOST_TEST(column(nowhere, 1, 0, 0) == 4);
+    BOOST_TEST(std::isnan(J(0, 0)));
+}
+
+BOOST_AUTO_TEST_CASE(columns_that_are_taken_together_may_leave_the_domain_on_different_sides) {
+    stagecraft::coloured_jacobian<VectorXd> differences(2);
+    stagecraft::banded_matrix<double> J(2, {0, 0});
+    differences.group(J);
+    BOOST_TEST(differences.groups() == 1);
+    const auto within = [](double, const VectorXd& y, VectorXd& f) {  // 0 <= y_0, y_1 <= 1
+        f = -2 * y;
+        if (y[0] < 0 || y[1] > 1) f.setConstant(not_there);
+    };
+    const VectorXd y{{0, 1}}, small{{1e-3, 1e-3}};
+    BOOST_TEST(differences(within, 0.0, y, VectorXd{{-1e-300, -2}}, small, 0.0, J) == 4 + 2 + 1);
+    BOOST_TEST(std::abs(J(0, 0) + 2) < 1e-6);
+    BOOST_TEST(std::abs(J(1, 1) + 2) < 1e-6);
+    // Both on the other side, at once.
+    BOOST_TEST(differences(within, 0.0, y, VectorXd{{-1e-300, 0}}, small, 0.0, J) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_positive_state_decays_below_the_increments_of_differences) {
+    const double k = 1e6;
+    const auto half = [&](double, const one& y, one& f) { f[0] = -k * y[0] * std::sqrt(y[0]); };
+    for (const double tol : {1e-3, 1e-6, 1e-9}) {  // y = (1 + k t / 2)^-2
+        const auto r = stagecraft::integrate(stagecraft::radau_iia<3>(), half, one(1.0), 0.0, 1e3,
+                                             {.rtol = tol, .atol = tol});
+        BOOST_TEST(name(r.status) == "success");
+        BOOST_TEST(std::abs(r.y[0] - std::pow(1 + k * 1e3 / 2, -2)) < tol);
     }
 }

@@ -65,36 +65,57 @@ class coloured_jacobian {
     template <class Problem, class Matrix>
     int operator()(Problem& problem, const scalar& t, const Vector& y, const Vector& f0,
                    const Vector& negligible, const scalar& reach, Matrix& J) {
-        using std::abs;
-        using std::sqrt;
-        const scalar root = sqrt(std::numeric_limits<scalar>::epsilon());
-        int calls = groups();
+        int calls = 0;
         y_ = y;
         for (const auto& columns : groups_) {
-            for (const int j : columns) {
-                const scalar size = abs(y[j]) > negligible[j] ? abs(y[j]) : negligible[j];
-                y_[j] = y[j] + root * (f0[j] < scalar(0) ? scalar(-size) : size);
-                step_[j] = y_[j] - y[j];
-            }
-            problem(t, y_, f_);
-            const bool jump = may_have_jumped(f0, f_, negligible, reach);
-            for (const int j : columns) {
-                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = jump ? f_[i] : f0[i]; });
-                if (jump) y_[j] += step_[j];
-            }
-            if (jump) {
-                problem(t, y_, f_);
-                ++calls;
-            }
-            for (const int j : columns) {
-                for_each_in_column(J, j, [&](int i, scalar& entry) { entry = (f_[i] - entry) / step_[j]; });
-                y_[j] = y[j];
-            }
+            calls += take(problem, t, y, f0, negligible, reach, columns.data(),
+                          columns.data() + columns.size(), J);
+            if (columns.size() < 2 || f_.allFinite()) continue;
+            for (const int& j :
+                 columns)  // they may have to leave the border of the domain to different sides
+                calls += take(problem, t, y, f0, negligible, reach, &j, &j + 1, J);
         }
         return calls;
     }
 
   private:
+    /// The columns `first` ... `last`, which share no row; leaves f beside y in f_.
+    template <class Problem, class Matrix>
+    int take(Problem& problem, const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible,
+             const scalar& reach, const int* first, const int* last, Matrix& J) {
+        using std::abs;
+        using std::sqrt;
+        const scalar root = sqrt(std::numeric_limits<scalar>::epsilon());
+        const auto move = [&](const scalar& part) {
+            for (const int* j = first; j != last; ++j) {
+                const scalar size = abs(y[*j]) > negligible[*j] ? abs(y[*j]) : negligible[*j];
+                y_[*j] = y[*j] + part * (root * (f0[*j] < scalar(0) ? scalar(-size) : size));
+                step_[*j] = y_[*j] - y[*j];
+            }
+        };
+        int calls = call_beside<scalar>(f_, move, [&] { problem(t, y_, f_); });
+        const bool jump = may_have_jumped(f0, f_, negligible, reach);
+        for (const int* j = first; j != last; ++j) {
+            for_each_in_column(J, *j, [&](int i, scalar& entry) { entry = jump ? f_[i] : f0[i]; });
+            if (jump) y_[*j] += step_[*j];
+        }
+        if (jump) {
+            problem(t, y_, f_);
+            ++calls;
+            if (!f_.allFinite())  // then between none and one, which has f in the entries
+                for (const int* j = first; j != last; ++j)
+                    for_each_in_column(J, *j, [&](int i, scalar& entry) {
+                        f_[i] = entry;
+                        entry = f0[i];
+                    });
+        }
+        for (const int* j = first; j != last; ++j) {
+            for_each_in_column(J, *j, [&](int i, scalar& entry) { entry = (f_[i] - entry) / step_[*j]; });
+            y_[*j] = y[*j];
+        }
+        return calls;
+    }
+
     Vector y_, f_, step_;
     std::vector<std::vector<int>> groups_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <stagecraft/jacobian/dual_functions.hpp>
+#include <stagecraft/jacobian/finite_difference.hpp>
 #include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/linear/krylov_blocks.hpp>
 #include <stagecraft/refuse/problem/checked_capabilities.hpp>
@@ -65,10 +66,15 @@ class directional_derivative {
         } else {
             const double length = v.norm();
             if (length == 0) return;
-            const double step = std::sqrt(std::numeric_limits<double>::epsilon()) * (1 + y_.norm()) / length;
-            moved_ = y_ + step * v;
-            (*problem_)(t_, moved_, f_moved_);
-            ++calls_;
+            const double whole = std::sqrt(std::numeric_limits<double>::epsilon()) * (1 + y_.norm()) / length;
+            double step = whole;
+            calls_ += call_beside<double>(
+                f_moved_,
+                [&](double part) {
+                    step = part * whole;
+                    moved_ = y_ + step * v;
+                },
+                [&] { (*problem_)(t_, moved_, f_moved_); });
             result += factor / step * (f_moved_ - f_);
         }
     }
