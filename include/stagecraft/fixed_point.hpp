@@ -74,6 +74,8 @@ class fixed_point_step : public step_defaults<Space> {
     }
 
     fixed_point_step& stages() { return *this; }
+    const tableau<Scalar, Stages>& method() const { return v_.method; }
+    int order() const { return order_; }
     int count() const { return v_.method.stages(); }
     int coupled_stages_count() const { return count(); }
     int columns() const { return output_.columns(count()); }
