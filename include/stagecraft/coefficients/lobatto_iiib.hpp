@@ -112,12 +112,12 @@ struct lobatto_iiib<6> {
 
 }  // namespace coefficients
 
-/// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one.
-template <int S>
-tableau<double, (S > 0 ? S : -1)> lobatto_iiib() {  // of a variable s: lobatto_iiib(s) of stagecraft/families.hpp
+/// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one; in another Scalar, float, that one rounded.
+template <int S, class Scalar = double>
+tableau<Scalar, (S > 0 ? S : -1)> lobatto_iiib() {  // of a variable s: lobatto_iiib(s) of stagecraft/families.hpp
     constexpr bool generated = 2 <= S && S <= 6;
     static_assert(generated, "lobatto_iiib: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
-    tableau<double, (S > 0 ? S : -1)> t;
+    tableau<Scalar, (S > 0 ? S : -1)> t;
     if constexpr (generated) coefficients::unpack<coefficients::lobatto_iiib<S>>(t);
     return t;
 }

@@ -216,12 +216,12 @@ struct lobatto_iiic<6> {
 
 }  // namespace coefficients
 
-/// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one.
-template <int S>
-transformed_tableau<double, (S > 0 ? S : -1)> lobatto_iiic() {  // of a variable s: lobatto_iiic(s) of stagecraft/families.hpp
+/// The S-stage member of this family, 2 <= S <= 6: every entry is the double nearest to the exact one; in another Scalar, float, that one rounded.
+template <int S, class Scalar = double>
+transformed_tableau<Scalar, (S > 0 ? S : -1)> lobatto_iiic() {  // of a variable s: lobatto_iiic(s) of stagecraft/families.hpp
     constexpr bool generated = 2 <= S && S <= 6;
     static_assert(generated, "lobatto_iiic: generated for 2 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
-    transformed_tableau<double, (S > 0 ? S : -1)> t;
+    transformed_tableau<Scalar, (S > 0 ? S : -1)> t;
     if constexpr (generated) coefficients::unpack<coefficients::lobatto_iiic<S>>(t);
     return t;
 }

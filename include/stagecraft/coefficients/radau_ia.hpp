@@ -242,12 +242,12 @@ struct radau_ia<6> {
 
 }  // namespace coefficients
 
-/// The S-stage member of this family, 1 <= S <= 6: every entry is the double nearest to the exact one.
-template <int S>
-transformed_tableau<double, (S > 0 ? S : -1)> radau_ia() {  // of a variable s: radau_ia(s) of stagecraft/families.hpp
+/// The S-stage member of this family, 1 <= S <= 6: every entry is the double nearest to the exact one; in another Scalar, float, that one rounded.
+template <int S, class Scalar = double>
+transformed_tableau<Scalar, (S > 0 ? S : -1)> radau_ia() {  // of a variable s: radau_ia(s) of stagecraft/families.hpp
     constexpr bool generated = 1 <= S && S <= 6;
     static_assert(generated, "radau_ia: generated for 1 <= S <= 6; see stagecraft/tableaux/rounded.hpp for more");
-    transformed_tableau<double, (S > 0 ? S : -1)> t;
+    transformed_tableau<Scalar, (S > 0 ? S : -1)> t;
     if constexpr (generated) coefficients::unpack<coefficients::radau_ia<S>>(t);
     return t;
 }

@@ -414,12 +414,12 @@ struct radau_iia<9> {
 
 }  // namespace coefficients
 
-/// The S-stage member of this family, 1 <= S <= 9: every entry is the double nearest to the exact one.
-template <int S>
-transformed_tableau<double, (S > 0 ? S : -1)> radau_iia() {  // of a variable s: radau_iia(s) of stagecraft/families.hpp
+/// The S-stage member of this family, 1 <= S <= 9: every entry is the double nearest to the exact one; in another Scalar, float, that one rounded.
+template <int S, class Scalar = double>
+transformed_tableau<Scalar, (S > 0 ? S : -1)> radau_iia() {  // of a variable s: radau_iia(s) of stagecraft/families.hpp
     constexpr bool generated = 1 <= S && S <= 9;
     static_assert(generated, "radau_iia: generated for 1 <= S <= 9; see stagecraft/tableaux/rounded.hpp for more");
-    transformed_tableau<double, (S > 0 ? S : -1)> t;
+    transformed_tableau<Scalar, (S > 0 ? S : -1)> t;
     if constexpr (generated) coefficients::unpack<coefficients::radau_iia<S>>(t);
     return t;
 }

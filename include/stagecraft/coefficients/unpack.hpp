@@ -10,12 +10,12 @@ namespace stagecraft::coefficients {
 template <class To>
 void unpack(const double* from, To& to) {
     for (Eigen::Index i = 0; i < to.rows(); ++i)
-        for (Eigen::Index j = 0; j < to.cols(); ++j) to(i, j) = *from++;
+        for (Eigen::Index j = 0; j < to.cols(); ++j) to(i, j) = static_cast<typename To::Scalar>(*from++);
 }
 
-/// The tableau that the arrays of a generated `Data` hold: every entry the double nearest to the method's.
-template <class Data, int Stages>
-void unpack(tableau<double, Stages>& t) {
+/// The tableau that the arrays of a generated `Data` hold: every entry the double nearest to the method's, rounded to the Scalar.
+template <class Data, class Scalar, int Stages>
+void unpack(tableau<Scalar, Stages>& t) {
     unpack(Data::A, t.A);
     unpack(Data::b, t.b);
     unpack(Data::c, t.c);
@@ -23,9 +23,9 @@ void unpack(tableau<double, Stages>& t) {
 }
 
 /// Likewise with A^-1, its eigenvalues, T and T^-1.
-template <class Data, int Stages>
-void unpack(transformed_tableau<double, Stages>& t) {
-    unpack<Data>(static_cast<tableau<double, Stages>&>(t));
+template <class Data, class Scalar, int Stages>
+void unpack(transformed_tableau<Scalar, Stages>& t) {
+    unpack<Data>(static_cast<tableau<Scalar, Stages>&>(t));
     unpack(Data::A_inverse, t.A_inverse);
     unpack(Data::T, t.T);
     unpack(Data::T_inverse, t.T_inverse);

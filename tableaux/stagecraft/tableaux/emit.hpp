@@ -96,14 +96,17 @@ inline std::string coefficient_header(family f, int most,
         }
         out += "};\n";
     }
+    std::string in_scalar = type;
+    in_scalar.replace(in_scalar.find("double"), 6, "Scalar");
     return out + "\n}  // namespace coefficients\n\n" + "/// The S-stage member of this family, " + range +
-           ": every entry is the double nearest to the exact one.\n"
-           "template <int S>\n" +
-           type + " " + id + "() {  // of a variable s: " + id +
+           ": every entry is the double nearest to the exact one; in another Scalar, float, "
+           "that one rounded.\n"
+           "template <int S, class Scalar = double>\n" +
+           in_scalar + " " + id + "() {  // of a variable s: " + id +
            "(s) of stagecraft/families.hpp\n    constexpr bool generated = " +
            std::to_string(least_stages(f)) + " <= S && S <= " + std::to_string(most) +
            ";\n    static_assert(generated, \"" + id + ": generated for " + range +
-           "; see stagecraft/tableaux/rounded.hpp for more\");\n    " + type +
+           "; see stagecraft/tableaux/rounded.hpp for more\");\n    " + in_scalar +
            " t;\n    if constexpr (generated) coefficients::unpack<coefficients::" + id +
            "<S>>(t);\n    return t;\n}\n\n"
            "/// A number of stages in parentheses is for stagecraft/families.hpp.\n"
