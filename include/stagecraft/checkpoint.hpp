@@ -77,9 +77,9 @@ const auto& options_of(const Point& point) {
 template <class Options, class Numbers, class Choices>
 void visit_options(Options& o, Numbers&& numbers, Choices&& choices) {
     auto& [rtol, atol, components, fixed, first, least, largest, control, continuous, jumps, steps,
-           iterations,
-           factor] = o;  // all of them: another one does not compile before it is saved
-    static_cast<void>(components);
+           iterations, factor,
+           breaks] = o;  // all of them: another one does not compile before it is saved
+    static_cast<void>(components), static_cast<void>(breaks);
     numbers(rtol, atol, fixed, first, least, largest, factor);
     choices(control, continuous, jumps, steps, iterations);
 }
@@ -263,6 +263,7 @@ void write_options(std::ostream& out, const std::optional<options<Scalar>>& give
     write_bits(out, "options", numbers);
     write_counts(out, "choices", choices);
     write_bits(out, "atol_components", given ? given->atol_components : numbers_of_components<Scalar>());
+    if (given && !given->break_points.empty()) write_bits(out, "break_points", given->break_points.numbers());
 }
 /// Reads the same. std::invalid_argument where there are fewer or more than there are options.
 template <class Scalar>
@@ -287,6 +288,9 @@ std::optional<options<Scalar>> read_options(std::istream& in) {
     read.atol_components =
         numbers_of_components<Scalar>(Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(
             components.data(), static_cast<Eigen::Index>(components.size())));
+    if (in >> std::ws && !in.eof())
+        read_bits<Scalar>(in, "break_points",
+                          [&](const Scalar& x) { read.break_points.numbers().push_back(x); });
     return read;
 }
 
@@ -295,7 +299,7 @@ std::optional<options<Scalar>> read_options(std::istream& in) {
 /// Writes a checkpoint of doubles or floats as text that reads back to the same bits everywhere: the line
 /// "stagecraft checkpoint 3" (the version of the form), then the lists t, y, numbers, counts, options (rtol, atol,
 /// fixed_step, initial_step, min_step, max_step, newton_factor; none where there are no options), choices (control,
-/// continuous, jumps, max_steps, newton_iterations) and atol_components, each as a line with its
+/// continuous, jumps, max_steps, newton_iterations), atol_components and, where there are any, break_points, each as a line with its
 /// name and size and a line for every entry, then "checksum" and the FNV-1a hash (64 bits, decimal) of all lines
 /// before. A floating-point number is the hexadecimal digits of its IEEE 754 bits, most significant first (Python:
 /// struct.unpack('>d', bytes.fromhex(line))); a count is decimal.

@@ -24,9 +24,10 @@ namespace stagecraft {
 namespace detail {
 
 /// Makes the steps of a run that begins, or goes on, at `start`, which later takes the states to be corrected.
+/// `begins`: it is no rest of a run.
 template <class Run, class Vector, class Observer>
-result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Scalar& t1,
-                              Observer& observer) {
+result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Scalar& t1, Observer& observer,
+                              [[maybe_unused]] bool begins) {
     run.between_steps([&] {
         announce(observer, run.t(), start, t1);
         return true;
@@ -34,13 +35,20 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
     std::exception_ptr thrown;
     stagecraft::status ended = status::success;
     try {
+        if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
+            if (begins)
+                run.between_steps([&] {
+                    change(observer, run, start);
+                    return !ends_at_start(observer);
+                });
         while (run.step()) {
             if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
                 run.between_steps([&] {
                     correct(observer, run, start);
                     const auto& output = run.output();
                     const auto* end = end_inside(observer, run.t(), run.y(), output.step(), output);
-                    const bool go_on = tell_until(end, observer, run.t(), run.y(), output.step(), output);
+                    bool go_on = tell_until(end, observer, run.t(), run.y(), output.step(), output);
+                    if (change(observer, run, start, end) && end) go_on = true;
                     // Generic, so that it is compiled only where an observer asks for it.
                     if (!end) save(observer, [&](auto... none) { return checkpoint_of(run, none...); });
                     return go_on;
@@ -74,9 +82,11 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
     } else if constexpr (Given::good && Given::observed) {
         using vector = typename Given::vector;
         using run_type = integrator<Method, Problem, vector>;
+        o.break_points.validate("integrate: break_points", t0, t1, true);
         vector start = y0;
-        run_type run(method, problem, start, t0, t1, o, wants_output<Observer, run_type, vector>);
-        return run_to_the_end(run, start, t1, observer);
+        run_type run(method, problem, start, t0, t1, with_break_points_of(observer, o),
+                     wants_output<Observer, run_type, vector>);
+        return run_to_the_end(run, start, t1, observer, true);
     } else {
         return {};
     }
@@ -234,11 +244,11 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
             "integrate(method, problem, checkpoint, t1, options, observer): the observer must be "
             "callable as observer(t, y), (t, y, h) or (t, y, h, output), y of the type of the state");
         Vector start = from.y;
-        run_type run(method, problem, start, from.t, t1, o,
+        run_type run(method, problem, start, from.t, t1, with_break_points_of(observer, o),
                      detail::wants_output<std::remove_reference_t<Observer>, run_type, Vector>);
         restore(run, from);
         if constexpr (observed)
-            return detail::run_to_the_end(run, start, t1, observer);
+            return detail::run_to_the_end(run, start, t1, observer, false);
         else
             return {};
     }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/linear/packet.hpp>
 
 namespace stagecraft {
@@ -52,6 +53,7 @@ struct options {
     int newton_iterations = 0;  ///< at most this many per step, per stage where stages are solved one by
                                 ///< one; 0: 7 + (5 s - 15)/2 as the stages grow, 50 with fixed steps
     Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50
+    break_times<Scalar> break_points{};  ///< where f is known to jump (break_points.hpp)
 };
 
 namespace detail {
@@ -123,11 +125,15 @@ void validate_interval(const Vector& y0, const Scalar& t0, const Scalar& t1) {
 template <class Scalar>
 std::uint32_t fingerprint(const options<Scalar>& o, const Scalar& t0, const Scalar& t1, int stages) {
     std::uint64_t mixed = 14695981039346656037U;  // FNV-1a, by numbers
+    const auto mix = [&](const Scalar& x) {
+        mixed = (mixed ^ std::bit_cast<std::uint64_t>(static_cast<double>(x))) * 1099511628211U;
+    };
+    for (const Scalar& x : o.break_points.numbers()) mix(x);
     for (const Scalar& x :
          {t0, t1, o.rtol, o.atol, o.fixed_step, o.initial_step, o.min_step, o.max_step, o.newton_factor,
           Scalar(static_cast<int>(o.control)), Scalar(o.continuous ? 1 : 0), Scalar(o.jumps ? 1 : 0),
           Scalar(o.max_steps), Scalar(o.newton_iterations), Scalar(stages)})
-        mixed = (mixed ^ std::bit_cast<std::uint64_t>(static_cast<double>(x))) * 1099511628211U;
+        mix(x);
     return static_cast<std::uint32_t>(mixed >> 32);
 }
 

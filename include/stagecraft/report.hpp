@@ -17,7 +17,9 @@ enum class capability {
     matrix,
     linear_solver,
     add_up,
-    measure
+    measure,
+    break_points,
+    domain
 };
 
 /// The optional members that a run found in its problem; one that is misspelt is missing here.
@@ -63,6 +65,7 @@ struct report {
     long error_solves = 0;
     long linear_iterations = 0;
     long linear_failures = 0;
+    long clipped = 0;  ///< components set to zero by nonnegative(problem, {.clip = true})
     unsolved_because linear_trouble = unsolved_because::nothing;
     Scalar smallest_step = Scalar(0);  ///< in absolute value, over accepted steps
     Scalar largest_step = Scalar(0);
@@ -76,7 +79,7 @@ struct report {
     template <class Bag>
     void carry(Bag& bag) {
         bag(steps, rejected_error, rejected_newton, f, f_jacobian, jacobians, factorisations, solves,
-            error_solves, linear_iterations, linear_failures, linear_trouble);
+            error_solves, linear_iterations, linear_failures, clipped, linear_trouble);
         bag(smallest_step, largest_step, largest_stages, smallest_stages);
     }
 
@@ -98,6 +101,7 @@ struct report {
             rejected_newton += first.rejected_newton;
         f += first.f, f_jacobian += first.f_jacobian, jacobians += first.jacobians;
         factorisations += first.factorisations, solves += first.solves, error_solves += first.error_solves;
+        clipped += first.clipped;
         if (more.steps == 0 || first.smallest_step < smallest_step) smallest_step = first.smallest_step;
         if (first.largest_step > largest_step) largest_step = first.largest_step;
         if (more.steps == 0 || first.smallest_stages < smallest_stages)

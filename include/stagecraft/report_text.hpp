@@ -19,6 +19,14 @@ constexpr const char* reason(status s) {
             return "an observer asked to stop";
         case status::event:
             return "a terminal event took place";
+        case status::steady_state:
+            return "no component changes by more than steady_state() was told";
+        case status::outside_domain:
+            return "every step that t resolves would end outside of problem.domain()";
+        case status::chattering:
+            return "events with actions take place again and again: the solution slides along the zeros of "
+                   "what switches it, or comes to rest there; take f as it is on that surface, or smooth the "
+                   "switch";
         case status::too_many_steps:
             return "options.max_steps attempts were made before t1";
         case status::step_underflow:
@@ -79,6 +87,8 @@ inline void print(std::ostream& out, const found_capabilities& found) {
     name(found.has(capability::linear_solver), "linear_solver");
     name(found.has(capability::add_up), "add_up");
     name(found.has(capability::measure), "measure");
+    name(found.has(capability::break_points), "break_points");
+    name(found.has(capability::domain), "domain");
     if (found.jacobian == jacobian_source::automatic_differentiation)
         out << "; Jacobian by automatic differentiation";
     if (found.jacobian == jacobian_source::differences) out << "; Jacobian by finite differences";
@@ -114,6 +124,7 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
     line("rejected") << r.rejected() << "  " << r.rejected_error << " by the error test, "
                      << r.rejected_newton << " by Newton\n";
     line("f") << r.f << "  and " << r.f_jacobian << " in Jacobians\n";
+    if (r.clipped > 0) line("clipped") << r.clipped << "  components below zero by less than their atol\n";
     line("Jacobians") << r.jacobians << '\n';
     line("factorisations") << r.factorisations << '\n';
     line("solves") << r.solves << "  and " << r.error_solves << " error estimates\n";
@@ -127,7 +138,8 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
 template <class Scalar>
 constexpr const char* advice(status s, const report<Scalar>& r) {
     if (!r.found.has(capability::mass) || s == status::success || s == status::stopped ||
-        s == status::event || s == status::too_many_steps || s == status::size_changed ||
+        s == status::event || s == status::steady_state || s == status::outside_domain ||
+        s == status::chattering || s == status::too_many_steps || s == status::size_changed ||
         s == status::linear_solver_failed || s == status::function_threw)
         return "";
     if (s == status::singular_matrix && !r.found.has(capability::index))

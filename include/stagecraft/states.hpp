@@ -305,7 +305,7 @@ concept observes_split =
     !std::is_same_v<std::remove_const_t<Observer>, no_observer> &&
     !has_member_named<Observer, start_member> && !has_member_named<Observer, correct_member> &&
     !has_member_named<Observer, save_member> && !has_member_named<Observer, conclude_member> &&
-    !has_member_named<Observer, end_inside_member> &&
+    !has_member_named<Observer, end_inside_member> && !has_member_named<Observer, change_member> &&
     can_observe<split_observer<Observer, State>, typename state_parts<State>::vector, Output>;
 
 }  // namespace detail

@@ -10,6 +10,9 @@ enum class status {
     success,         ///< t1 was reached with every step accepted
     stopped,         ///< an observer asked to stop
     event,           ///< a terminal event ended the run; the result is the state there
+    steady_state,    ///< steady_state() has seen one
+    outside_domain,  ///< every step that t resolves would end outside of problem.domain()
+    chattering,  ///< events with actions take place again and again without end; result.exception names them
     too_many_steps,  ///< options.max_steps attempts were made before t1
     step_underflow,  ///< the error test wants a step below the resolution of t or below options.min_step
     newton_failed,   ///< the stage equations could not be solved with any admissible step
@@ -30,6 +33,12 @@ constexpr const char* name(status s) {
             return "stopped";
         case status::event:
             return "event";
+        case status::steady_state:
+            return "steady_state";
+        case status::outside_domain:
+            return "outside_domain";
+        case status::chattering:
+            return "chattering";
         case status::too_many_steps:
             return "too_many_steps";
         case status::step_underflow:

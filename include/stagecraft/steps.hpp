@@ -145,6 +145,7 @@ auto steps(const Method& method, Problem&& problem, const Eigen::MatrixBase<Deri
         "operator()(double "
         "t, const Vector& y, Vector& f) const` with Vector the type of y0 (of fixed size if that is); "
         "integrate() says more");
+    o.break_points.validate("steps: break_points", t0, t1, true);
     if constexpr (callable)
         return step_range<Method, Problem, vector>(method, std::forward<Problem>(problem), y0, t0, t1, o);
     else
@@ -173,6 +174,7 @@ step_range<Method, Problem, typename Derived::PlainObject> steps(
     const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
     std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
     const options<typename Derived::Scalar>& o, Correction&& correction) {
+    o.break_points.validate("steps: break_points", t0, t1, true);
     return {method, std::forward<Problem>(problem), y0, t0, t1, o, std::forward<Correction>(correction)};
 }
 

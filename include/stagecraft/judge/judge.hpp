@@ -26,6 +26,14 @@ class judge {
         : controller_(o.control), guards_(std::move(guards)) {
         each([&](auto& guard) { guard.start(o, t0); });
     }
+    /// A run goes on at t0 as one that begins, with new guards.
+    void start(const options<Scalar>& o, const Scalar& t0, Guards guards) {
+        guards_ = std::move(guards);
+        controller_.forget();
+        order_.start();
+        last_ = {};
+        each([&](auto& guard) { guard.start(o, t0); });
+    }
 
     /// Number of the method in use.
     int method() const { return order_.current(); }

@@ -34,6 +34,7 @@ template <class Scalar, int Count>
 class order_controller {
   public:
     static constexpr int current() { return 0; }
+    static constexpr void start() {}
     template <class Bag>
     static void carry(Bag&) {}
 };
@@ -48,6 +49,8 @@ template <class Scalar, int Count>
 requires(Count > 1) class order_controller<Scalar, Count> {
   public:
     int current() const { return current_; }
+    /// A run begins: with the fewest stages.
+    void start() { current_ = 0, wait_ = 2; }
 
     /// Makes method k known. More than seven stages are chosen only where rtol <= 1e-10: above it their gain
     /// is not worth their Newton iterations.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <stdexcept>
 #include <type_traits>
 
 #include <stagecraft/observe/occurrence.hpp>
@@ -24,10 +25,21 @@ namespace stagecraft {
 ///   observer.correct(t, y)
 ///       Called after every accepted step, before the call operator. It may change y and then returns true;
 ///       the run goes on from the changed state (dae/projection.hpp).
+///   observer.break_points()
+///       Times at which the run is to make steps end and go on afresh (break_points.hpp): a std::vector, say.
+///   observer.change(t, y)
+///       Called at t0 after start(), and after every step behind all call operators, with the time and the state there (where
+///       end_inside() has cut the step, with those). It may change y, or what the problem holds by reference, and
+///       then returns true: the run goes on from there as one that begins (observe/at.hpp, event.hpp).
+///   observer.changed(t, y)
+///       Called after a change with the state behind it.
+///   observer.ends_at_start()
+///       Called after that at t0. If it returns true the run ends before its first step.
 ///   observer.end_inside(t, y, h, output)
 ///       Called after every accepted step before any observer's call operator, with the same arguments. Where the run
 ///       ends inside this step it returns a pointer to an occurrence with the time and the state of that end, else null.
-///       All observers are then called with these in place of t and y, so that none sees what lies beyond the end.
+///       All observers are then called with these in place of t and y, so that none sees what lies beyond the end. (Or it
+///       goes on from there, where change() says so.)
 ///       Its own call operator is not called in a run.
 ///   observer.save(take)
 ///       Called after every accepted step, last, unless the run ends inside it; take() makes a checkpoint of the run
@@ -65,6 +77,13 @@ struct end_inside_member {
     template <class T>
     static constexpr bool visible_in = requires {
         &T::end_inside;
+    };
+};
+struct change_member {
+    int change;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::change;
     };
 };
 struct conclude_member {
@@ -199,6 +218,62 @@ void correct([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[m
             "process alone and cannot be used in a distributed run");
         y = run.y();
         if (correct_state(observer, run.t(), y)) run.replace_state(y);
+    }
+}
+
+template <class Observer, class Scalar, class Vector>
+concept changing_observer = requires(Observer& observer, const Scalar& t, Vector& y) {
+    { observer.change(t, y) } -> std::convertible_to<bool>;
+};
+
+/// Lets the observer change y; true if it did.
+template <class Observer, class Scalar, class Vector>
+bool change_state([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t,
+                  [[maybe_unused]] Vector& y) {
+    constexpr bool callable = changing_observer<Observer, Scalar, Vector>;
+    static_assert(
+        callable || !has_member_named<Observer, change_member>,
+        "observer.change must be callable as change(t, y), y a reference to the state, and return "
+        "true where the run is to go on from there afresh, else false; times of at<float>(...) in a "
+        "run of floats");
+    if constexpr (callable)
+        return observer.change(t, y);
+    else
+        return false;
+}
+/// Tells the observer what y is behind a change.
+template <class Observer, class Scalar, class Vector>
+void tell_change([[maybe_unused]] Observer& observer, [[maybe_unused]] const Scalar& t,
+                 [[maybe_unused]] const Vector& y) {
+    if constexpr (requires { observer.changed(t, y); }) observer.changed(t, y);
+}
+template <class Observer>
+bool ends_at_start([[maybe_unused]] const Observer& observer) {
+    if constexpr (requires { observer.ends_at_start(); })
+        return observer.ends_at_start();
+    else
+        return false;
+}
+
+/// Lets the observer change the state where the run is, or where the step is cut; true if it did. y is scratch.
+template <class Observer, class Run, class Vector>
+bool change([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[maybe_unused]] Vector& y,
+            [[maybe_unused]] const occurrence<Vector>* cut = nullptr) {
+    if constexpr (has_member_named<Observer, change_member> ||
+                  changing_observer<Observer, typename Vector::Scalar, Vector>) {
+        if (cut) run.restart(cut->t, cut->y);
+        const typename Vector::Scalar t = run.t();
+        y = run.y();
+        const bool inside = run.inside(t, y);
+        if (!change_state(observer, t, y)) return false;
+        if (inside && !run.inside(t, y))
+            throw std::invalid_argument(
+                "integrate: a change by at() or event() must not leave problem.domain()");
+        run.restart(t, y);
+        tell_change(observer, t, run.y());
+        return true;
+    } else {
+        return false;
     }
 }
 

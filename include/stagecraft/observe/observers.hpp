@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/observe/observer.hpp>
 
 namespace stagecraft {
@@ -22,6 +23,17 @@ struct optional_correction<List, true> {
     }
 };
 
+/// A member change(t, y) for a List of observers of which one has that.
+template <class List, bool Exists>
+struct optional_change {};
+template <class List>
+struct optional_change<List, true> {
+    template <class Scalar, class Vector>
+    bool change(const Scalar& t, Vector& y) {
+        return static_cast<List&>(*this).change_all(t, y);
+    }
+};
+
 /// A member save(take) for a List of observers of which one has that.
 template <class List, bool Exists>
 struct optional_saving {};
@@ -32,6 +44,21 @@ struct optional_saving<List, true> {
         static_cast<List&>(*this).save_all(take);
     }
 };
+
+template <class Observer>
+struct breaks_of {
+    using scalar = float;  // gives way to any other
+};
+template <has_break_points Observer>
+struct breaks_of<Observer> {
+    using scalar = std::remove_cvref_t<decltype(*std::declval<Observer&>().break_points().numbers().begin())>;
+};
+template <class Observer>
+using scalar_of_breaks = typename breaks_of<Observer>::scalar;
+template <class Observer, class Breaks>
+void add_breaks([[maybe_unused]] const Observer& observer, [[maybe_unused]] Breaks& all) {
+    if constexpr (has_break_points<const Observer>) all.add(Breaks(observer.break_points()));
+}
 
 /// True if one of the observers has a member so named, or may have.
 template <class Named, class... Observers>
@@ -46,6 +73,8 @@ template <class... Observers>
 class observer_list
     : public detail::optional_correction<observer_list<Observers...>,
                                          detail::one_may_have<detail::correct_member, Observers...>>,
+      public detail::optional_change<observer_list<Observers...>,
+                                     detail::one_may_have<detail::change_member, Observers...>>,
       public detail::optional_saving<observer_list<Observers...>,
                                      detail::one_may_have<detail::save_member, Observers...>> {
   public:
@@ -83,6 +112,27 @@ class observer_list
         bool changed = false;
         each([&](auto& o) { changed = detail::correct_state(o, t, y) || changed; });
         return changed;
+    }
+    /// The changes of all, in the order given, each of what those before it have left.
+    template <class Scalar, class Vector>
+    bool change_all(const Scalar& t, Vector& y) {
+        bool changed = false;
+        each([&](auto& o) { changed = detail::change_state(o, t, y) || changed; });
+        return changed;
+    }
+    template <class Scalar, class Vector>
+    void changed(const Scalar& t, const Vector& y) {
+        each([&](auto& o) { detail::tell_change(o, t, y); });
+    }
+    bool ends_at_start() const {
+        return std::apply([](const auto&... o) { return (detail::ends_at_start(o) || ...); }, list_);
+    }
+    /// Those of all.
+    auto break_points() const requires((has_break_points<std::remove_reference_t<Observers>> || ...)) {
+        using scalar = std::common_type_t<detail::scalar_of_breaks<std::remove_reference_t<Observers>>...>;
+        break_times<scalar> all;
+        std::apply([&](const auto&... o) { (detail::add_breaks(o, all), ...); }, list_);
+        return all;
     }
     template <class Take>
     void save_all(const Take& take) {

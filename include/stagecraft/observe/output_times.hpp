@@ -15,7 +15,8 @@ namespace stagecraft {
 ///     output_times<Vector3d> table({0, 0.1, 1, 10});
 ///     integrate(method, problem, y0, 0, 10, options, table);     // then table.y(i) at table.time(i)
 ///
-/// Where a step ends at one of the times the value is the accepted state, elsewhere it is that of the
+/// Where the run changes y at one of the times (observe/at.hpp), this time given once has the value behind the change; given
+/// twice or more often, its first has the value before. Where a step ends at one of the times the value is the accepted state, elsewhere it is that of the
 /// continuous solution, whose order dense_output.hpp gives. The run takes the same steps as without this
 /// observer. Storage: n numbers per time, twice that with derivatives, allocated before the first step.
 template <class Vector>
@@ -89,6 +90,11 @@ class output_times {
             for (; slopes_ < filled_; ++slopes_) derivatives_.col(slopes_) = output.derivative(time(slopes_));
     }
 
+    void changed(const scalar& t, const Vector& y) {
+        int first = filled_;
+        while (first > 0 && time(first - 1) == t) --first;
+        for (int i = filled_ - first > 1 ? first + 1 : first; i < filled_; ++i) y_.col(i) = y;
+    }
     /// A run that an event has ended earlier reaches fewer times.
     template <class Result>
     void conclude(const Result& r) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -20,8 +21,9 @@ namespace stagecraft {
 ///     solution<Vector3d> y;
 ///     integrate(method, problem, y0, t0, t1, options, y);        // then y(t), y.derivative(t)
 ///
-/// It is continuous, also in algebraic components, and of the order given in dense_output.hpp. Where two
-/// steps meet, the polynomial of the earlier one is evaluated; it satisfies the equation there if the method
+/// It is continuous, also in algebraic components, and of the order given in dense_output.hpp; where the run has changed y
+/// (observe/at.hpp) it is continuous from the right, y.before(t) from the left. Where two
+/// steps meet otherwise, the polynomial of the earlier one is evaluated; it satisfies the equation there if the method
 /// is stiffly accurate. Storage: n (d + 1) + 2 numbers per step, d being the degree of its polynomial. Cost
 /// of one value: O(log steps) for the search by bisection and O(n d).
 template <class Vector>
@@ -43,16 +45,13 @@ class solution {
     /// y(t). Throws std::out_of_range naming t if it is not between t0() and t1() or no run was made.
     Vector operator()(const scalar& t) const {
         demand_inside(t);
-        Vector y = y0_;
-        if (t == t0_) return y;
-        const piece& p = find(t);
-        const auto& nodes = nodes_[p.nodes];
-        const auto values = numbers(p, nodes.size);
-        basis_values<scalar, dynamic> l(nodes.size);
-        nodes.basis((t - p.t0) / p.h, l.data());
-        y = values.col(0);
-        for (int j = 0; j < nodes.size; ++j) y += l[j] * values.col(j + 1);
-        return y;
+        for (const jump& c : changes_at(t)) return c.y;
+        return t == t0_ ? y0_ : value(t);
+    }
+    /// The same before a change of y at t; otherwise y(t).
+    Vector before(const scalar& t) const {
+        demand_inside(t);
+        return t == t0_ ? y0_ : value(t);
     }
 
     /// y'(t), of one order less than y(t). Throws std::out_of_range like operator(), and where the run has
@@ -74,12 +73,17 @@ class solution {
         pieces_.clear();
         numbers_.clear();
         nodes_.clear();
+        changes_.clear();
         t0_ = t1_ = t0;
         y0_ = y0;
         backwards_ = t1 < t0;
         started_ = true;
     }
 
+    void changed(const scalar& t, const Vector& y) {
+        if (!changes_.empty() && changes_.back().t == t) changes_.pop_back();
+        changes_.push_back({t, y});
+    }
     template <class State, class Output>
     requires(State::SizeAtCompileTime == Vector::SizeAtCompileTime ||
              State::SizeAtCompileTime == Eigen::Dynamic || Vector::SizeAtCompileTime == Eigen::Dynamic) void
@@ -113,6 +117,7 @@ class solution {
         if (after(t1_, r.t)) t1_ = r.t;
         while (!pieces_.empty() && !after(t1_, pieces_.back().t0)) pieces_.pop_back();
         if (!pieces_.empty() && after(pieces_.back().t1, t1_)) pieces_.back().t1 = t1_;
+        while (!changes_.empty() && after(changes_.back().t, t1_)) changes_.pop_back();
     }
 
   private:
@@ -121,6 +126,18 @@ class solution {
         std::size_t first;  ///< where its numbers begin
         std::size_t nodes;
     };
+
+    struct jump {
+        scalar t;
+        Vector y;  ///< behind it
+    };
+    /// The change at t, if there is one.
+    auto changes_at(const scalar& t) const {
+        const auto at = std::lower_bound(changes_.begin(), changes_.end(), t,
+                                         [this](const jump& c, const scalar& u) { return after(u, c.t); });
+        const bool there = at != changes_.end() && at->t == t;
+        return std::span<const jump>(changes_.data() + (at - changes_.begin()), there ? 1 : 0);
+    }
 
     bool after(const scalar& t, const scalar& u) const { return backwards_ ? t < u : t > u; }
 
@@ -137,6 +154,18 @@ class solution {
         std::copy_n(nodes.omega.begin(), nodes.size, copy.omega.begin());
         nodes_.push_back(std::move(copy));
         return nodes_.size() - 1;
+    }
+
+    Vector value(const scalar& t) const {
+        const piece& p = find(t);
+        Vector y = y0_;
+        const auto& nodes = nodes_[p.nodes];
+        const auto values = numbers(p, nodes.size);
+        basis_values<scalar, dynamic> l(nodes.size);
+        nodes.basis((t - p.t0) / p.h, l.data());
+        y = values.col(0);
+        for (int j = 0; j < nodes.size; ++j) y += l[j] * values.col(j + 1);
+        return y;
     }
 
     auto numbers(const piece& p, int degree) const {
@@ -163,6 +192,7 @@ class solution {
     }
 
     std::vector<piece> pieces_;
+    std::vector<jump> changes_;
     std::vector<scalar> numbers_;
     std::vector<interpolation_nodes<scalar, dynamic>> nodes_;
     scalar t0_{0}, t1_{0};

@@ -84,6 +84,12 @@ class table_writer {
         *out_ << row.str() << (json ? "}\n" : "\n");
     }
 
+    /// Another row where the run has changed y.
+    template <class Scalar, class State>
+    void changed(const Scalar& t, const State& y) {
+        (*this)(t, y);
+    }
+
   private:
     template <class State>
     static std::size_t count(const State& y) {

@@ -133,6 +133,13 @@ constexpr int position_components(int n) {
     return Problem::second_order_components == Eigen::Dynamic ? n / 2 : Problem::second_order_components;
 }
 
+/// Optional: `problem.domain(t, y)` returns false outside of the domain of the solution, in which no accepted state lies then
+/// (problem/with_domain.hpp).
+template <class Problem, class Vector>
+concept has_domain = requires(Problem& p, const typename Vector::Scalar& t, const Vector& y) {
+    { p.domain(t, y) } -> std::convertible_to<bool>;
+};
+
 /// Optional: `problem.measure(work)` returns an object that lives as long as that work takes
 /// (problem/time_split.hpp).
 template <class Problem>

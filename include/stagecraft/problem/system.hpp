@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/jacobian/coloured.hpp>
 #include <stagecraft/jacobian/finite_difference.hpp>
@@ -316,6 +317,25 @@ class system
                         "integrate: problem.second_order_components does not hold: f_i is not y_{m+i}");
     }
 
+    /// True if the problem has no domain, or y lies in it, on every process.
+    bool inside([[maybe_unused]] const scalar& t, [[maybe_unused]] const Vector& y) const {
+        if constexpr (has_domain<Problem, Vector>)
+            return succeeds([&] { return static_cast<bool>(problem_.domain(t, y)); });
+        else
+            return true;
+    }
+    /// Clips components of y below zero by less than atol(i) where the problem says so; how many.
+    template <class Tolerance>
+    long clip([[maybe_unused]] Vector& y, [[maybe_unused]] const Tolerance& atol) const {
+        if constexpr (clips)
+            return problem_.clip(y, atol);
+        else
+            return 0;
+    }
+    static constexpr bool clips = requires(Problem & p, Vector& y, scalar (*atol)(Eigen::Index)) {
+        p.clip(y, atol);
+    };
+
     bool constant_jacobian() {
         if constexpr (has_constant_jacobian<Problem>)
             return problem_.constant_jacobian();
@@ -340,6 +360,8 @@ class system
         add(has_linear_solver<Problem>, capability::linear_solver);
         add(has_add_up<Problem, scalar>, capability::add_up);
         add(has_stopwatch<Problem>, capability::measure);
+        add(has_break_points<Problem>, capability::break_points);
+        add(has_domain<Problem, Vector>, capability::domain);
         return all;
     }
 

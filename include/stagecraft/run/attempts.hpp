@@ -23,6 +23,11 @@ class attempts {
         ++counts.rejected_error;
         ++refused_.all;
     }
+    /// An attempt would have ended outside of the domain.
+    void outside(report<Scalar>& counts) {
+        forbidden(counts);
+        obstacle_ = status::outside_domain;
+    }
     /// The stage equations of an attempt have not been solved.
     void unsolved(status why, report<Scalar>& counts) {
         obstacle_ = why;

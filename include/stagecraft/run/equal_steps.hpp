@@ -30,6 +30,16 @@ struct equal_steps {
 };
 
 /// As few equal steps as keep each at most `largest` > 0, and one more where rounding leaves that open.
+template <class Scalar>
+equal_steps<Scalar> divide_equally(const Scalar& t0, const Scalar& t1, const Scalar& largest) {
+    using std::abs;
+    using std::ceil;
+    const long count = static_cast<long>(ceil(abs(t1 - t0) / largest * (Scalar(1) - Scalar(1) / 1000000000)));
+    const long n = count > 0 ? count : 1;
+    return {n, t0, t1, (t1 - t0) / Scalar(n)};
+}
+
+/// The same for a whole run.
 /// Throws std::invalid_argument (fixed_step) if their number or their size is beyond the arithmetic.
 template <class Scalar>
 equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const Scalar& largest) {
@@ -39,11 +49,10 @@ equal_steps<Scalar> plan_equal_steps(const Scalar& t0, const Scalar& t1, const S
     const Scalar count = ceil(abs(t1 - t0) / largest * (Scalar(1) - Scalar(1) / 1000000000));
     if (!(count < Scalar(1) / eps && count < Scalar(std::numeric_limits<long>::max())))
         throw std::invalid_argument("integrate: fixed_step is too small for t1 - t0");
-    const long n = static_cast<long>(count) > 0 ? static_cast<long>(count) : 1;
-    const Scalar h = (t1 - t0) / Scalar(n);
-    if (t1 != t0 && !(abs(h) > 4 * eps * (start < end ? start : end)))
+    const equal_steps<Scalar> steps = divide_equally(t0, t1, largest);
+    if (t1 != t0 && !(abs(steps.h) > 4 * eps * (start < end ? start : end)))
         throw std::invalid_argument("integrate: fixed_step is below the resolution of t");
-    return {n, t0, t1, h};
+    return steps;
 }
 
 }  // namespace stagecraft

@@ -51,15 +51,16 @@ class integrator {
     integrator(const Method& method, Problem& problem, const Vector& y0, const scalar& t0, const scalar& t1,
                const options<scalar>& o, bool keeps_output = true)
         : start_(sums_over<scalar>(problem)),
-          options_(o),
+          options_(with_break_points_of(problem, o)),
           n_(static_cast<int>(y0.size())),
           system_(problem, y0, report_),
           steps_(steps::make(detail::as_tuple(method), n_)),
-          plan_(checked_plan(y0, t0, t1, o)),
+          plan_(checked_plan(y0, t0, t1, options_)),
           norm_(options_, system_.raised(), y0, system_.sums()),
           linear_(n_),
-          judge_(o, t0, detail::guards_in<system_type>(detail::guards_of<Method>::of(method))),
-          t_(t0),
+          guards_(detail::guards_of<Method>::of(method)),
+          judge_(o, t0, detail::guards_in<system_type>(guards_)),
+          t_(plan_.begin(t0)),
           y_(y0),
           y1_(n_),
           error_(n_),
@@ -68,6 +69,8 @@ class integrator {
           keeps_output_(keeps_output) {
         system_.set_extent(start_.agree(system_.extent(), o, t0, t1, largest_columns()));
         report_.set_tolerances(o);
+        if (!system_.inside(t0, y0))
+            throw std::invalid_argument("integrate: y0 must lie in problem.domain()");
         h_ = plan_.equal().h;
         if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
         for (int k = 0; k < method_count<Method>; ++k)
@@ -80,7 +83,7 @@ class integrator {
     integrator& operator=(const integrator&) = delete;
 
     /// Where the run is: the last accepted state, t0 and y0 before the first.
-    const scalar& t() const { return t_; }
+    const scalar& t() const { return plan_.time_at(t_); }
     const Vector& y() const { return y_; }
     /// The continuous solution over the last accepted step; there is none before the first.
     const output_type& output() const { return *output_; }
@@ -89,7 +92,7 @@ class integrator {
     const report<scalar>& counts() const { return report_; }
     /// success as long as nothing has ended the run.
     stagecraft::status status() const { return status_; }
-    bool finished() const { return t_ == plan_.end() || status_ != status::success; }
+    bool finished() const { return t() == plan_.last() || status_ != status::success; }
     /// Ends the run here: status::stopped.
     void stop() { status_ = status::stopped; }
     /// Does what `watch` does between two steps; where that returns false the run ends here. In a distributed run
@@ -114,11 +117,22 @@ class integrator {
         visit_current([](auto& m) { m.replaced(); });
     }
 
+    /// Goes back to t, within the last step or at its end, and on from y there, finite and of the same size, as a run that
+    /// begins: a dose, a reset.
+    void restart(const scalar& t, const Vector& y) {
+        t_ = t;
+        y_ = y;
+        plan_.go_on_afresh();
+    }
+
+    bool inside(const scalar& t, const Vector& y) const { return system_.inside(t, y); }
+
     /// All that the next step depends on, into or out of a checkpoint of t() and y() (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
+        if (plan_.afresh(t_)) plan_.go_on_afresh();
         std::apply([&](auto&... m) { (bag.same_method(m.method(), m.order()), ...); }, steps_);
-        bag(h_, started_, has_output_, report_, plan_, judge_, linear_, extrapolation_, f_, system_);
+        bag(h_, started_, has_output_, before_, report_, plan_, judge_, linear_, extrapolation_, f_, system_);
         std::apply([&](auto&... m) { bag(m...); }, steps_);
         if (has_output_) bag(*output_);
         if constexpr (Bag::unpacks)
@@ -139,6 +153,7 @@ class integrator {
     /// (status()).
     bool step() {
         if (finished()) return false;
+        if (plan_.afresh(t_)) begin_afresh();
         if (!started_ && !start()) {
             system_.failed_elsewhere();
             return false;
@@ -174,6 +189,22 @@ class integrator {
         return progress::given_up;
     }
 
+    /// Behind a break point or a change of y nothing of the steps before is left.
+    [[gnu::noinline, gnu::cold]] void begin_afresh() {
+        t_ = plan_.begin(t());
+        h_ = plan_.equal().h;
+        before_ = report_.steps;
+        started_ = has_output_ = false;
+        norm_.at(y_);
+        f_.forget();
+        linear_ = linearisation<system_type, Vector>(n_);
+        extrapolation_ = {};
+        judge_.start(options_, t_, detail::guards_in<system_type>(guards_));
+        std::apply([](auto&... m) { (m.replaced(), ...); }, steps_);
+    }
+    /// No step has been accepted since the run began, or went on afresh.
+    bool first() const { return report_.steps == before_; }
+
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
     bool start() {
         using std::abs;
@@ -199,7 +230,7 @@ class integrator {
     /// One attempt at the next step: plan, linearise, solve, judge, and then accept or propose another.
     template <class Step>
     progress attempt(Step& method) {
-        const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps, refused().all);
+        const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps - before_, refused().all);
         unsolved_before_ = report_.linear_failures;
         if (plan.obstacle != status::success)
             return give_up(plan.obstacle == status::step_underflow ? attempts_.obstacle() : plan.obstacle);
@@ -210,6 +241,7 @@ class integrator {
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
         if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
         method.advance(y_, now, y1_);
+        if (!ends_inside(plan)) return refuse_outside(plan);
         if (!plan_.fixed()) {
             const verdict<scalar> said = judged(method, plan, newton, now);
             if (!said.accepted) return refuse_error(plan, said);
@@ -223,7 +255,7 @@ class integrator {
                                                   const newton_outcome<scalar>& newton,
                                                   const output_type& now) {
         measured_step measured(method, system_, norm_, y_, now, f_, y1_, error_, report_);
-        measured.begins(t_, plan, judge_.method(), refused());
+        measured.begins(t_, plan, judge_.method(), refused(), first());
         measured.iterations = newton.iterations;
         measured.theta = linear_.theta();
         if (method.implicit()) measured.hold = linear_.hold();
@@ -245,7 +277,7 @@ class integrator {
             judge_.linearised();
         }
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
-        if (report_.steps == 0 && refused().all == 0 && !method.forgets())
+        if (first() && refused().all == 0 && !method.forgets())
             demand_consistent_start(system_, slope, norm_.of_state(), scalar(plan_.fixed() ? 1000 : 10));
         const scalar last = extrapolates() ? output_->step() : scalar(0);
         const factored_step tried{system_, method.stages(), slope, norm_, h, 2 * abs(h) > 3 * abs(last)};
@@ -262,8 +294,8 @@ class integrator {
         newton_outcome<scalar> newton;
         newton_limits<scalar> limits{};
         if (method.iterates()) {
-            const bool affine = report_.steps > 0 && linear_.constant(system_) &&
-                                linear_.factored_within(h, options_.rtol / 100);
+            const bool affine =
+                !first() && linear_.constant(system_) && linear_.factored_within(h, options_.rtol / 100);
             limits = newton_room(options_, method.coupled_stages_count(), system_.largest_index(),
                                  system_type::mass_type::identity, refused().by_newton, affine);
         }
@@ -275,7 +307,7 @@ class integrator {
             if (solve_by_homotopy(method, system_, t_, y_, h, norm_, limits, now, report_, newton))
                 linear_.factored_for(h, judge_.method());
         if (newton.end == newton_end::converged && method.iterates())
-            linear_.solved(newton, factorisation_cost(method, system_), report_.steps == 0);
+            linear_.solved(newton, factorisation_cost(method, system_), first());
         return newton;
     }
 
@@ -326,6 +358,24 @@ class integrator {
         return give_up(attempts_.obstacle());
     }
 
+    /// Where the problem has a domain: whether the step, clipped if the problem asks for it, ends there.
+    bool ends_inside(const planned_step<scalar>& plan) {
+        if constexpr (!system_type::clips) return system_.inside(plan.t_next, y1_);
+        error_ = y1_;
+        clip(error_);
+        return system_.inside(plan.t_next, error_);
+    }
+    long clip(Vector& y) const {
+        return system_.clip(y, [this](Eigen::Index i) { return absolute_tolerance(options_, i); });
+    }
+    progress refuse_outside(const planned_step<scalar>& plan) {
+        attempts_.outside(report_);
+        if (plan_.fixed()) return give_up(status::outside_domain);
+        f_.retry();
+        linear_.rejected(system_);
+        return shorten(plan, plan.h / 2);
+    }
+
     /// The error is too large, or not finite.
     progress refuse_error(const planned_step<scalar>& plan, const verdict<scalar>& said) {
         if (said.error - said.error == scalar(0))
@@ -360,6 +410,11 @@ class integrator {
         t_ = plan.t_next;
         y_ = y1_;
         norm_.at(y_);
+        if constexpr (system_type::clips)
+            if (const long count = clip(y1_); count > 0) {
+                report_.clipped += count;
+                replace_state(y1_);
+            }
         return progress::accepted;
     }
 
@@ -382,6 +437,7 @@ class integrator {
     step_plan<scalar> plan_;
     norm_type norm_;
     linearisation<system_type, Vector> linear_;
+    [[no_unique_address]] typename detail::guards_of<Method>::type guards_;  // as judges begin with them
     judge<scalar, method_count<Method>, guards_type> judge_;
     extrapolation_trust extrapolation_;
     scalar t_, h_{0};
@@ -389,6 +445,7 @@ class integrator {
     end_slope<Vector> f_;
     std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
     output_type *output_ = &outputs_[0], *tried_ = &outputs_[1];
+    long before_ = 0;           // report_.steps when the run began, or went on afresh
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
     attempts<scalar> attempts_;
     bool keeps_output_, started_ = false, has_output_ = false;

@@ -37,7 +37,6 @@ class measured_step : public step_facts<typename System::scalar> {
           y1_(y1),
           error_(error),
           counts_(counts) {
-        this->first = counts.steps == 0;
         this->stages = m.count();
         this->power = m.estimate_power();
         this->index = system.largest_index();
@@ -46,13 +45,14 @@ class measured_step : public step_facts<typename System::scalar> {
 
     /// Where the attempt begins, how it has been planned, with which method, and what has been refused before.
     void begins(const scalar& from, const planned_step<scalar>& plan, int method_number,
-                const refusals<scalar>& before) {
+                const refusals<scalar>& before, bool first_of_run) {
         this->t = from;
         this->h = plan.h;
         this->t_next = plan.t_next;
         this->smallest = plan.smallest;
         this->method = method_number;
         this->refused = before;
+        this->first = first_of_run;
     }
 
     // Estimates of the error at the end of the step.

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/options.hpp>
 #include <stagecraft/run/equal_steps.hpp>
 #include <stagecraft/status.hpp>
@@ -24,16 +26,37 @@ struct planned_step {
 template <class Scalar>
 class step_plan {
   public:
+    /// Keeps a pointer to o.break_points.
     step_plan(const Scalar& t0, const Scalar& t1, const options<Scalar>& o)
-        : t1_(t1),
+        : breaks_(&o.break_points),
+          last_(t1),
+          begin_(t0),
+          from_(t0),
+          t1_(t1),
+          until_(t1),
           direction_(t1 < t0 ? -1 : 1),
           least_(o.min_step),
           most_(o.max_step),
           most_attempts_(o.max_steps) {
-        if (o.fixed_step > Scalar(0)) equal_ = plan_equal_steps(t0, t1, o.fixed_step);
+        if (o.fixed_step > Scalar(0)) equal_ = plan_equal_steps(t0, t1, largest_ = o.fixed_step);
     }
 
+    /// The run begins, or goes on afresh, at t: where f is to be asked first, which is beyond t if that is a break point.
+    Scalar begin(Scalar t) {
+        restarts_ = false;
+        if (breaks_->empty() && !fixed()) return t;
+        return begin_between_breaks(t);
+    }
+    /// The time of a run whose steps have come to t: the last one before a break point ends there.
+    const Scalar& time_at(const Scalar& t) const { return t == t1_ ? until_ : t == from_ ? begin_ : t; }
+    /// True if the next step, from t, does not follow from those before.
+    bool afresh(const Scalar& t) const { return restarts_ || (t == t1_ && until_ != last_); }
+    void go_on_afresh() { restarts_ = true; }
+    /// The end of the run.
+    const Scalar& last() const { return last_; }
+
     bool fixed() const { return equal_.count > 0; }
+    /// The end of the steps up to the next break point.
     const Scalar& end() const { return t1_; }
     const equal_steps<Scalar>& equal() const { return equal_; }
 
@@ -64,11 +87,31 @@ class step_plan {
     template <class Bag>
     void carry(Bag& bag) {
         bag.same(fixed(), "kind: options.fixed_step is to be given, or left out, as it was");
-        bag(attempts_, equal_.count, equal_.first, equal_.last, equal_.h);
-        if (fixed() && equal_.last != t1_) bag.refuse("t1, which equal steps lead to");
+        bag(attempts_, restarts_, equal_.count, equal_.first, equal_.last, equal_.h);
+        if (fixed() && !restarts_ && equal_.last != t1_) bag.refuse("t1, which equal steps lead to");
     }
 
   private:
+    [[gnu::noinline, gnu::cold]] Scalar begin_between_breaks(Scalar t) {
+        begin_ = t;
+        until_ = breaks_->next(t, last_);
+        from_ = breaks_->contains(t) ? neighbour(t, last_) : t;
+        t1_ = breaks_->contains(until_) ? neighbour(until_, t) : until_;
+        if (!(direction_ * (t1_ - from_) > Scalar(0))) from_ = t, t1_ = until_;  // no double lies between
+        if (fixed()) equal_ = divide_equally(from_, t1_, largest_);
+        return from_;
+    }
+    /// The number next to t on the way to `end`.
+    static Scalar neighbour(const Scalar& t, const Scalar& end) {
+        using std::abs;
+        if constexpr (std::is_floating_point_v<Scalar>) {
+            return std::nextafter(t, end);
+        } else {
+            const Scalar apart = t == Scalar(0) ? std::numeric_limits<Scalar>::min()
+                                                : std::numeric_limits<Scalar>::epsilon() * abs(t);
+            return t < end ? t + apart : t - apart;
+        }
+    }
     planned_step<Scalar> next_equal(const Scalar& t, const Scalar& h, long done) const {
         const Scalar to = equal_.end(done + 1);
         return {to == t1_ ? not_beyond(t, h, t1_) : h, to};
@@ -97,11 +140,28 @@ class step_plan {
     static Scalar stretch() { return Scalar(1) + Scalar(1) / 100000; }
     static constexpr int most_failures = 60;  // halvings from any step to below the resolution of t
 
+    const break_times<Scalar>* breaks_;
     equal_steps<Scalar> equal_;
-    Scalar t1_;
+    Scalar last_;  // t1 of the run
+    Scalar begin_, from_, t1_,
+        until_;          // between two break points or ends: their times, and inside where f is asked
+    Scalar largest_{0};  // of equal steps
+    bool restarts_ = false;
     Scalar direction_, least_, most_;
     long most_attempts_, attempts_ = 0;
 };
+
+/// The options of a run with the break points that its problem knows itself.
+template <class Problem, class Scalar>
+decltype(auto) with_break_points_of([[maybe_unused]] Problem& problem, const options<Scalar>& o) {
+    if constexpr (has_break_points<Problem>) {
+        options<Scalar> all = o;
+        all.break_points.add(break_times<Scalar>(problem.break_points()));
+        return all;
+    } else {
+        return (o);
+    }
+}
 
 /// The plan of a run, where its arguments are good; std::invalid_argument names the one that is not.
 template <class Vector, class Scalar>
@@ -109,6 +169,7 @@ step_plan<Scalar> checked_plan(const Vector& y0, const Scalar& t0, const Scalar&
                                const options<Scalar>& o) {
     validate(o, y0.size());
     validate_interval(y0, t0, t1);
+    o.break_points.validate("integrate: break_points", t0, t1, false);
     return {t0, t1, o};
 }
 

@@ -58,6 +58,7 @@ class adjoint_run {
           functionals_(functionals) {
         // Arguments are checked before anything else is made.
         run_type(method_, problem_, y0_, t0, t1, options_);
+        options_.break_points.validate("adjoint_gradient: break_points", t0, t1, true);
         if (estimate) finer_.emplace(method, problem, y0, o);
     }
 

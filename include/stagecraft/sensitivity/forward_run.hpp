@@ -152,6 +152,7 @@ class forward_run {
     template <class Observer>
     result_type operator()(const scalar& t0, const Vector& y0, Observer& observer) {
         check_sensitivity_options(more_, y0.size(), p_.size(), t0, t1_);
+        options_.break_points.validate("sensitivities: break_points", t0, t1_, true);
         result_type r{{t0, y0, status::success, {}, nullptr},
                       more_.S0 ? *more_.S0 : matrix(matrix::Zero(y0.size(), p_.size()))};
         bool begins = true;

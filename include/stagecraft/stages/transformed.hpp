@@ -313,7 +313,7 @@ class transformed_stages {
     Scalar norm(const matrix& x, const vector& weights, const Sums& sums) const {
         using std::sqrt;
         const int s = stages();
-        Scalar n(size()), sum = weighted_squares<Stages>(size(), s, x.data(), weights.data());
+        Scalar n = Scalar(size()), sum = weighted_squares<Stages>(size(), s, x.data(), weights.data());
         if constexpr (!Sums::complete) {
             Scalar part[2] = {sum, n};
             sums(part, 2);

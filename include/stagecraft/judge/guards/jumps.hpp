@@ -128,7 +128,7 @@ class jump_guard : public guard_defaults {
         using std::pow;
         switch (watch_.judge(step.h, sign, step.power_at_blind_spots())) {
             case jump_watch<Scalar>::verdict::suspicion:
-                return pow(halving_error(), step.power);
+                return Scalar(pow(halving_error(), Scalar(step.power)));
             case jump_watch<Scalar>::verdict::jump:
                 return sign;
             case jump_watch<Scalar>::verdict::smooth:

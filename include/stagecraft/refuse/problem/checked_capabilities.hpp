@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/refuse/detect/named_member.hpp>
 
@@ -85,6 +86,20 @@ struct precondition_member {
         &T::precondition;
     };
 };
+struct domain_member {
+    int domain;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::domain;
+    };
+};
+struct break_points_member {
+    int break_points;
+    template <class T>
+    static constexpr bool visible_in = requires {
+        &T::break_points;
+    };
+};
 template <class T>
 concept has_type_named_matrix = requires {
     typename T::matrix;
@@ -145,6 +160,15 @@ struct checked_capabilities {
         "problem.precondition is used without a Jacobian only: leave jacobian out and give "
         "matrix_free(problem, n) (stagecraft/problem/matrix_free.hpp) in place of the problem; give a "
         "member that means something else another name");
+    static_assert(absent<detail::domain_member> || has_domain<Problem, Vector>,
+                  "problem.domain must be a member function `bool domain(double t, const Vector& y) const` "
+                  "that is false outside of the domain, Vector the type of y0; give a member that means "
+                  "something else another name");
+    static_assert(
+        absent<detail::break_points_member> || has_break_points<Problem>,
+        "problem.break_points must be a member function `auto break_points() const` that returns a "
+        "std::vector of times, or every(period, first) (break_points.hpp); give a member that means "
+        "something else another name");
     static_assert(absent<detail::measure_member> || has_stopwatch<Problem>,
                   "problem.measure must be a member function `auto measure(stagecraft::work) const`");
 };
