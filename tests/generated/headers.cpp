@@ -52,7 +52,8 @@ BOOST_AUTO_TEST_CASE(arrays_are_unpacked_into_their_places) {
     static_assert(std::is_same_v<decltype(lobatto_iiia<3>()), tableau<double, 3>>);
     BOOST_TEST((radau_iia<5, float>().A == radau_iia<5>().A.cast<float>()));
     BOOST_TEST((gauss<3, float>().T_inverse == gauss<3>().T_inverse.cast<float>()));
-    BOOST_TEST((lobatto_iiia<3, float>().A(1, 2) == -1.0F / 24.0F && lobatto_iiia<3, float>().facts.order == 4));
+    BOOST_TEST(
+        (lobatto_iiia<3, float>().A(1, 2) == -1.0F / 24.0F && lobatto_iiia<3, float>().facts.order == 4));
     BOOST_TEST(lobatto_iiia<3>().A(1, 2) == -1.0 / 24.0);
     BOOST_TEST(lobatto_iiib<3>().A(1, 0) == 1.0 / 6.0);
     BOOST_TEST(lobatto_iiib<3>().A(0, 2) == 0.0);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/owned_value.hpp>
 #include <stagecraft/problem/capabilities.hpp>
@@ -111,6 +112,9 @@ auto erased(Problem problem) {
             !has_linear_solver<Problem> && !has_add_up<Problem, double>,
         "erased(problem): the problem chooses its linear algebra by bandwidth(), sparsity(), matrix(), "
         "linear_solver or add_up(), and an erased one is dense: give it to integrate() as it is");
+    static_assert(!has_break_points<Problem> && !has_domain<Problem, State>,
+                  "erased(problem): break_points() and domain() of the problem would be lost: give "
+                  "options.break_points, and with_domain(erased(problem), inside)");
     if constexpr (detail::returning_right_hand_side<Problem, State>) {
         return erased<State>(detail::writes_returned<Problem>{std::move(problem)});
     } else {
