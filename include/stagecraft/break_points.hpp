@@ -52,7 +52,8 @@ class break_times {
     template <class Times>
     void add_group(const Scalar& period, const Times& times) {
         const std::size_t at = numbers_.size();
-        numbers_.insert(numbers_.end(), 2, period);
+        numbers_.push_back(period);
+        numbers_.push_back(Scalar(0));
         for (const auto& t : times) numbers_.push_back(Scalar(t));
         if (numbers_.size() == at + 2)
             numbers_.resize(at);

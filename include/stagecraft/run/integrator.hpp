@@ -197,7 +197,7 @@ class integrator {
         started_ = has_output_ = false;
         norm_.at(y_);
         f_.forget();
-        linear_ = linearisation<system_type, Vector>(n_);
+        linear_.start();
         extrapolation_ = {};
         judge_.start(options_, t_, detail::guards_in<system_type>(guards_));
         std::apply([](auto&... m) { (m.replaced(), ...); }, steps_);

@@ -52,6 +52,14 @@ class linearisation {
 
     explicit linearisation(int n) : negligible_(n) {}
 
+    /// A run begins: nothing is known.
+    void start() {
+        factored_for(scalar(0), 0);
+        theta_ = fresh_theta_ = scalar(0);
+        hold_ = scalar(6) / 5;
+        jacobian_ = age::wanted;
+        ahead_ = contradicted_ = false;
+    }
     bool wanted() const { return jacobian_ == age::wanted; }
     /// Evaluated in this step.
     bool fresh() const { return jacobian_ == age::fresh; }
