@@ -50,13 +50,19 @@ Eigen::Matrix<S, Size, 1> joined(const Eigen::Matrix<S, X, 1>& x, const Eigen::M
 
 /// A x.
 template <class S, int Rows, int Columns>
-Eigen::Matrix<S, Rows, 1> times(const Eigen::Matrix<S, Rows, Columns>& A,
-                                const Eigen::Matrix<S, Columns, 1>& x) {
+requires(Rows > 0) Eigen::Matrix<S, Rows, 1> times(const Eigen::Matrix<S, Rows, Columns>& A,
+                                                   const Eigen::Matrix<S, Columns, 1>& x) {
     Eigen::Matrix<S, Rows, 1> r;
     for (int i = 0; i < Rows; ++i) r[i] = A(i, 0) * x[0];
     for (int j = 1; j < Columns; ++j)
         for (int i = 0; i < Rows; ++i) r[i] += A(i, j) * x[j];
     return r;
+}
+
+/// The same of an A of any kind whose size is known at run time, a sparse one as well.
+template <class Matrix, class Vector>
+requires(int(Matrix::RowsAtCompileTime) == Eigen::Dynamic) Vector times(const Matrix& A, const Vector& x) {
+    return A * x;
 }
 
 /// A B.
@@ -74,10 +80,17 @@ Eigen::Matrix<S, Rows, Columns> product(const Eigen::Matrix<S, Rows, Inner>& A,
 
 /// r -= A^T x.
 template <class S, int Rows, int Columns>
-void subtract_transposed(const Eigen::Matrix<S, Rows, Columns>& A, const Eigen::Matrix<S, Rows, 1>& x,
-                         Eigen::Matrix<S, Columns, 1>& r) {
+requires(Rows > 0) void subtract_transposed(const Eigen::Matrix<S, Rows, Columns>& A,
+                                            const Eigen::Matrix<S, Rows, 1>& x,
+                                            Eigen::Matrix<S, Columns, 1>& r) {
     for (int j = 0; j < Columns; ++j)
         for (int i = 0; i < Rows; ++i) r[j] -= A(i, j) * x[i];
+}
+
+template <class Matrix, class Vector>
+requires(int(Matrix::RowsAtCompileTime) ==
+         Eigen::Dynamic) void subtract_transposed(const Matrix& A, const Vector& x, Vector& r) {
+    r -= A.transpose() * x;
 }
 
 /// The largest |A_ij|; not a number if one of them is not.
@@ -85,8 +98,8 @@ template <class S, int Rows, int Columns>
 S largest(const Eigen::Matrix<S, Rows, Columns>& A) {
     using std::abs;
     S most(0);
-    for (int j = 0; j < Columns; ++j)
-        for (int i = 0; i < Rows; ++i)
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+        for (Eigen::Index i = 0; i < A.rows(); ++i)
             if (const S size = abs(A(i, j)); !(size <= most)) most = size;
     return most;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <stagecraft/mechanics/model.hpp>
+#include <stagecraft/refuse/mechanics/checked_model.hpp>
 
 namespace stagecraft {
 
@@ -61,8 +62,7 @@ struct velocity_constraint_jacobian {
     static_assert(
         detail::fits_on_the_stack(sizeof(dual) * n * (has_balance<Model> ? m : n)),
         "mechanical_model: n is too large for matrices of dual numbers on the stack (25 fit by default); "
-        "a sized_mechanical_model, with M, F and G on Eigen::VectorXd, has any size "
-        "(stagecraft/mechanics/sized_model.hpp)");
+        "with M, F and G on Eigen::VectorXd it has any size (stagecraft/mechanics/sized_model.hpp)");
     Eigen::Matrix<dual, m, n> dG;  ///< G with its derivatives by q
     matrix G, Gv_q;
 

@@ -3,78 +3,237 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
 
-#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
 #include <stagecraft/mechanics/free_motion.hpp>
 #include <stagecraft/mechanics/start.hpp>
-#include <stagecraft/refuse/detect/refused_call.hpp>
+#include <stagecraft/refuse/mechanics/another_size.hpp>
+#include <stagecraft/refuse/mechanics/checked_model.hpp>
 
 namespace stagecraft {
 
-/// The index-2 system of a mechanical model in the state (q, v, lambda):
-///
-///     q' = v,   v' = M(q)^-1 (F - G(q)^T lambda),   0 = G(q) v + b
-///
-/// (HLR89, section 1; thesis (1.10); a Hessenberg form: q and v have index 1, lambda index 2). M is factored
-/// once per evaluation, or never where the model brings `solve_mass`. Made by `index_2`.
-template <mechanical_model Model, class Scalar = double>
-class index_2_dae : detail::start_of_another_size<Model, 1> {
-  public:
-    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + m;
-    static constexpr int second_order_components = n;
+/// On which level the constraints of a formulation stand.
+enum class constraint_level { velocity, position, both };
 
-    explicit index_2_dae(Model model) : model_(std::move(model)) {}
+namespace detail {
+
+/// The positions come first and move with the velocities that follow.
+template <class Model, bool Moves = true>
+struct second_order {};
+template <fixed_size_model Model>
+struct second_order<Model, true> {
+    static constexpr int second_order_components = Model::coordinates;
+};
+
+/// What every formulation in (q, v, lambda, ...) shares, with `Multipliers` vectors of the size of lambda: the rows q' = v
+/// and M v' = F - G^T lambda, here as v' = M^-1 (F - G^T lambda). M is factored once per evaluation, or never where the
+/// model brings `solve_mass`. The equations of the constraints are written by
+///
+///     derived.constrain(t, y, G, f);         // into f, after the rows of motion
+///     derived.differentiate(d, y, J);        // their derivatives, after those of motion
+///
+/// For models whose size is known at run time see sized_formulations.hpp.
+template <class Derived, class Model, class Scalar, int Multipliers>
+class equations_of_motion : start_of_another_size<Model, Multipliers>, checked_model<Model> {
+  public:
+    static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n + Multipliers * m;
+    using state = Eigen::Matrix<Scalar, size, 1>;
+
+    explicit equations_of_motion(Model model) : model_(std::move(model)) {}
 
     template <class S>
     void operator()(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, 1>& f) const {
-        const coordinate_vector<S, Model> q = detail::part<n>(y, 0);
-        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, q, t);
-        detail::motion<S, Model>(model_, t, y, G, detail::part<m>(y, 2 * n), f);
-        detail::put(velocity_constraint<S>(model_, G, q, detail::part<n>(y, n), t), f, 2 * n);
+        const Eigen::Matrix<S, m, n> G = constraint_gradient<S>(model_, position(y), t);
+        motion<S, Model>(model_, t, y, G, multipliers(y), f);
+        derived().constrain(t, y, G, f);
     }
-
     template <class S>
     void jacobian(const S& t, const Eigen::Matrix<S, size, 1>& y, Eigen::Matrix<S, size, size>& J) const {
-        const acceleration_jacobian<S, Model> d(model_, detail::part<n>(y, 0), detail::part<n>(y, n),
-                                                detail::part<m>(y, 2 * n), t);
-        detail::motion_jacobian(d, 2 * n, J);
-        detail::put(d.Gv_q, J, 2 * n, 0);
-        detail::put(d.G, J, 2 * n, n);
+        const acceleration_jacobian<S, Model> d(model_, position(y), velocity(y), multipliers(y), t);
+        motion_jacobian(d, 2 * n, J);
+        derived().differentiate(d, y, J);
     }
 
     /// diag(1, ..., 1, 0, ..., 0): singular in the rows of the constraint.
-    Eigen::Matrix<Scalar, size, size> mass() const { return detail::leading_identity<Scalar, size>(2 * n); }
-    std::array<int, size> index() const { return detail::index_flags<size>(2 * n); }
+    Eigen::Matrix<Scalar, size, size> mass() const { return leading_identity<Scalar, size>(2 * n); }
 
-    /// (q, v, lambda) with the multiplier consistent with q and v at time t. Throws std::invalid_argument
+    /// (q, v, lambda, 0) with the multiplier consistent with q and v at time t. Throws std::invalid_argument
     /// with the size of each violation if the constraints do not hold to rounding, std::domain_error as
     /// consistent_multiplier does.
-    Eigen::Matrix<Scalar, size, 1> initial_state(const coordinate_vector<Scalar, Model>& q,
-                                                 const coordinate_vector<Scalar, Model>& v,
-                                                 const Scalar& t = Scalar(0)) const {
-        detail::check_start(model_, q, v, t);
-        return detail::joined<size>(q, v, consistent_multiplier(model_, q, v, t));
+    state initial_state(const coordinate_vector<Scalar, Model>& q, const coordinate_vector<Scalar, Model>& v,
+                        const Scalar& t = Scalar(0)) const {
+        check_start(model_, q, v, t);
+        return joined<size>(q, v, consistent_multiplier(model_, q, v, t));
     }
-    using detail::start_of_another_size<Model, 1>::initial_state;
+    using start_of_another_size<Model, Multipliers>::initial_state;
     /// The multiplier in a state.
-    multiplier_vector<Scalar, Model> multiplier(const Eigen::Matrix<Scalar, size, 1>& y,
-                                                const Scalar& = Scalar(0)) const {
-        return detail::part<m>(y, 2 * n);
+    multiplier_vector<Scalar, Model> multiplier(const state& y, const Scalar& = Scalar(0)) const {
+        return multipliers(y);
     }
-
     const Model& model() const { return model_; }
 
-  private:
+  protected:
+    template <class S>
+    static coordinate_vector<S, Model> position(const Eigen::Matrix<S, size, 1>& y) {
+        return part<n>(y, 0);
+    }
+    template <class S>
+    static coordinate_vector<S, Model> velocity(const Eigen::Matrix<S, size, 1>& y) {
+        return part<n>(y, n);
+    }
+    /// lambda, or the k-th vector of its size after it.
+    template <class S>
+    static multiplier_vector<S, Model> multipliers(const Eigen::Matrix<S, size, 1>& y, int k = 0) {
+        return part<m>(y, 2 * n + k * m);
+    }
+    template <class S>
+    static void put_position(const coordinate_vector<S, Model>& q, Eigen::Matrix<S, size, 1>& f) {
+        put(q, f, 0);
+    }
+    template <class S>
+    static void put_multipliers(const multiplier_vector<S, Model>& r, Eigen::Matrix<S, size, 1>& f,
+                                int k = 0) {
+        put(r, f, 2 * n + k * m);
+    }
+    static std::array<int, size> flags(int second, int third = size) {
+        return index_flags<size>(second, third);
+    }
+    static constexpr int coordinates() { return n; }
+
     Model model_;
+
+  private:
+    const Derived& derived() const { return static_cast<const Derived&>(*this); }
 };
 
+/// 1/|G_k|.
+template <class S, int m, int n>
+Eigen::Matrix<S, m, 1> inverse_lengths(const Eigen::Matrix<S, m, n>& G) {
+    using std::sqrt;
+    Eigen::Matrix<S, m, 1> result;
+    for (int k = 0; k < m; ++k) {
+        S square(0);
+        for (int j = 0; j < n; ++j) square += G(k, j) * G(k, j);
+        result[k] = S(1) / S(sqrt(square));
+    }
+    return result;
+}
+/// x_k / |G_k|, by which the rows of G become unit vectors.
+template <class S, int m, int n>
+requires(m > 0) Eigen::Matrix<S, m, 1> over_lengths(Eigen::Matrix<S, m, 1> x,
+                                                    const Eigen::Matrix<S, m, n>& G) {
+    const Eigen::Matrix<S, m, 1> unit = inverse_lengths(G);
+    for (int k = 0; k < m; ++k) x[k] *= unit[k];
+    return x;
+}
+template <class Matrix>
+requires(int(Matrix::RowsAtCompileTime) == Eigen::Dynamic) Eigen::VectorXd
+    over_lengths(const Eigen::VectorXd& x, const Matrix& G) {
+    const Eigen::VectorXd lengths = (G.cwiseProduct(G) * Eigen::VectorXd::Ones(G.cols())).cwiseSqrt();
+    return x.cwiseQuotient(lengths);
+}
+
+/// The derivatives of -N^T mu, N with the rows of G divided by their lengths, in the rows of q; mu comes last in the state.
+template <class S, class Model, int Size>
+void stabilisation_jacobian(const acceleration_jacobian<S, Model>& d, multiplier_vector<S, Model> mu,
+                            Eigen::Matrix<S, Size, Size>& J) {
+    constexpr int n = Model::coordinates, m = Model::constraints;
+    const multiplier_vector<S, Model> unit = inverse_lengths(d.G);
+    for (int k = 0; k < m; ++k) mu[k] *= unit[k];
+    const Eigen::Matrix<S, n, n> moved = d.force_derivative(mu);
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) J(i, j) = -moved(i, j);
+    for (int k = 0; k < m; ++k)
+        for (int i = 0; i < n; ++i) {
+            J(i, Size - m + k) = -d.G(k, i) * unit[k];
+            S turned(0);  // mu_k d log|G_k|/dq_i
+            for (int j = 0; j < n; ++j) turned += d.G(k, j) * d.dG(k, j).derivatives()[i];
+            turned *= unit[k] * unit[k] * mu[k];
+            for (int j = 0; j < n; ++j) J(j, i) += d.G(k, j) * turned;
+        }
+}
+
+}  // namespace detail
+
+/// The equations of motion of a model with its constraints as they are, in the state (q, v, lambda):
+///
+///     q' = v,   v' = M(q)^-1 (F - G(q)^T lambda),   0 = G(q) v + b (velocity)  or  0 = g(q) (position)
+///
+/// (HLR89, section 1; thesis (1.10); a Hessenberg form). On the level of velocity q and v have index 1, lambda 2. On that
+/// of position v has index 2, lambda 3: v and lambda are poor, and q accumulates their errors (measured, in
+/// tolerances: four-bar linkage at 1e-10, q 4,200 and v 5e4; chain of 60 links at 1e-8, q 255). On both it is the stabilised
+/// formulation of Gear, Gupta and Leimkuhler (1985; Hairer-Wanner II, (VII.1.48)), state (q, v, lambda, mu), with
+///
+///     q' = v - N^T mu,   0 = G v + b,   0 = g(q);
+///
+/// the rows of N are those of G divided by their lengths, so that mu is a velocity whatever the units of g: where G is
+/// small, rounding errors of g in it would otherwise be larger than a tight tolerance. mu vanishes on the exact
+/// solution, and both constraints are kept. lambda and mu have index 2. Models of a size known at run time keep M on the
+/// left (sized_formulations.hpp). Made by `index_2`, `index_3` and `stabilised_index_2`.
+template <mechanical_model Model, constraint_level Level, class Scalar = double>
+class formulation : public detail::equations_of_motion<formulation<Model, Level, Scalar>, Model, Scalar,
+                                                       Level == constraint_level::both ? 2 : 1>,
+                    public detail::second_order<Model, Level == constraint_level::velocity> {
+    static constexpr bool of_position = Level != constraint_level::velocity,
+                          of_velocity = Level != constraint_level::position,
+                          both = of_position && of_velocity;
+    using base = detail::equations_of_motion<formulation, Model, Scalar, both ? 2 : 1>;
+    friend base;
+
+  public:
+    explicit formulation(Model model) requires fixed_size_model<Model> : base(std::move(model)) {}
+    /// q is a position that the model can be evaluated at; sizes are checked and the sparsity is found there.
+    formulation(Model model, const Eigen::VectorXd& q) requires sized_mechanical_model<Model>
+        : base(std::move(model), q) {
+        this->find_pattern(q);
+    }
+
+    auto index() const {
+        const int first = this->coordinates();
+        return of_velocity ? this->flags(2 * first) : this->flags(first, 2 * first);
+    }
+
+  private:
+    template <class S, class Gradient, class State>
+    void constrain(const S& t, const State& y, const Gradient& G, State& f) const {
+        const auto& model = this->model();
+        const auto q = this->position(y);
+        auto rate = this->velocity(y);
+        if constexpr (of_velocity) this->put_multipliers(velocity_constraint<S>(model, G, q, rate, t), f);
+        if constexpr (of_position) this->put_multipliers(position_constraint<S>(model, q, t), f, both);
+        if constexpr (both) {
+            detail::subtract_transposed(G, detail::over_lengths(this->multipliers(y, 1), G), rate);
+            this->put_position(rate, f);
+        }
+    }
+
+    template <class S, int size>
+    void differentiate(const acceleration_jacobian<S, Model>& d, const Eigen::Matrix<S, size, 1>& y,
+                       Eigen::Matrix<S, size, size>& J) const {
+        if constexpr (both) detail::stabilisation_jacobian<S, Model>(d, this->multipliers(y, 1), J);
+        if constexpr (of_velocity) {
+            detail::put(d.Gv_q, J, 2 * base::n, 0);
+            detail::put(d.G, J, 2 * base::n, base::n);
+        }
+        if constexpr (of_position) detail::put(d.G, J, size - base::m, 0);
+    }
+};
+
+/// The formulations of the three levels.
+template <class Model, class Scalar = double>
+using index_2_dae = formulation<Model, constraint_level::velocity, Scalar>;
+template <class Model, class Scalar = double>
+using index_3_dae = formulation<Model, constraint_level::position, Scalar>;
+template <class Model, class Scalar = double>
+using stabilised_dae = formulation<Model, constraint_level::both, Scalar>;
+
 /// The index-2 system q' = v, v' = M^-1 (F - G^T lambda), 0 = G v of a model, ready for `integrate`.
-template <class Scalar = double, mechanical_model Model>
+template <class Scalar = double, fixed_size_model Model>
 index_2_dae<Model, Scalar> index_2(Model model) {
     return index_2_dae<Model, Scalar>(std::move(model));
 }
@@ -86,11 +245,12 @@ index_2_dae<Model, Scalar> index_2(Model model) {
 /// may be added to r G v, and the violation obeys g'' + r g' + s g = 0 (Baumgarte 1972). With a nearly massless
 /// coordinate take index 2 or GGL: with a mass of 1e-12 beside 1 the rounding of M^-1, of condition 1e12, makes
 /// errors of 2e4 tolerances at 1e-10 here, of 0.9 there. Made by `index_reduced` and `baumgarte`.
-template <mechanical_model Model, class Scalar = double>
-class index_reduced_ode : detail::start_of_another_size<Model, 0> {
+template <fixed_size_model Model, class Scalar = double>
+class index_reduced_ode : public detail::second_order<Model>,
+                          detail::start_of_another_size<Model, 0>,
+                          checked_model<Model> {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints, size = 2 * n;
-    static constexpr int second_order_components = n;
 
     index_reduced_ode(Model model, Scalar r, Scalar s = Scalar(0))
         : model_(std::move(model)), r_(std::move(r)), s_(std::move(s)) {}
@@ -187,7 +347,7 @@ class index_reduced_ode : detail::start_of_another_size<Model, 0> {
 
 /// The index-reduced differential equation of a model in (q, v); see `index_reduced_ode`. An integer r stands
 /// for that double. Throws std::invalid_argument if r is negative.
-template <class Scalar = double, mechanical_model Model>
+template <class Scalar = double, fixed_size_model Model>
 index_reduced_ode<Model, detail::real_scalar<Scalar>> index_reduced(Model model, Scalar r = Scalar(0)) {
     using real = detail::real_scalar<Scalar>;
     real rate = static_cast<real>(std::move(r));
@@ -200,8 +360,9 @@ index_reduced_ode<Model, detail::real_scalar<Scalar>> index_reduced(Model model,
 /// Appl. Mech. Eng. 1; alpha = beta damps critically). Large values damp the drift fast and make the equation
 /// stiff. For constraints of velocity see `index_reduced` with r. Integers stand for those doubles. Throws
 /// std::invalid_argument if alpha or beta is negative.
-template <class Scalar = double, holonomic_model Model, class Beta>
-index_reduced_ode<Model, detail::real_scalar<Scalar, Beta>> baumgarte(Model model, Scalar alpha, Beta beta) {
+template <class Scalar = double, fixed_size_model Model, class Beta>
+requires holonomic_model<Model> index_reduced_ode<Model, detail::real_scalar<Scalar, Beta>> baumgarte(
+    Model model, Scalar alpha, Beta beta) {
     using real = detail::real_scalar<Scalar, Beta>;
     const real a = static_cast<real>(alpha), b = static_cast<real>(beta);
     if (!(a >= real(0)) || !(b >= real(0)))
@@ -209,36 +370,7 @@ index_reduced_ode<Model, detail::real_scalar<Scalar, Beta>> baumgarte(Model mode
     return {std::move(model), real(real(2) * a), real(b * b)};
 }
 
-/// Of constraints of velocity there is no beta.
-template <class Scalar = double, mechanical_model Model, class... Rates>
-requires(!holonomic_model<Model>) index_reduced_ode<Model, double> baumgarte(Model model, const Rates&...) {
-    static_assert(detail::never<Model>,
-                  "baumgarte: the model has constraints of velocity only, G v = 0, no g(q): take "
-                  "index_reduced(model, r), by which G v decays as exp(-r t)");
-    return index_reduced<double>(std::move(model));
-}
-
-/// One of the two rates is missing, or both.
-template <class Scalar = double, holonomic_model Model, class... Alpha>
-requires(sizeof...(Alpha) < 2) index_reduced_ode<Model, double> baumgarte(Model model, const Alpha&...) {
-    static_assert(
-        detail::never<Model>,
-        "baumgarte(model, alpha, beta): give both rates of g'' + 2 alpha g' + beta^2 g = 0; the usual "
-        "choice alpha = beta damps critically: baumgarte(model, 10, 10)");
-    return index_reduced<double>(std::move(model));
-}
-
-/// Without constraints there is nothing to choose a formulation for.
-template <class Scalar = double, free_model Model>
-free_motion_ode<Model, Scalar> index_2(Model model) {
-    static_assert(detail::never<Model>, "index_2: the model has no constraints: take free_motion(model)");
-    return free_motion_ode<Model, Scalar>(std::move(model));
-}
-template <class Scalar = double, free_model Model, class... Rate>
-free_motion_ode<Model, double> index_reduced(Model model, const Rate&...) {
-    static_assert(detail::never<Model>,
-                  "index_reduced: the model has no constraints: take free_motion(model)");
-    return free_motion_ode<Model, double>(std::move(model));
-}
-
 }  // namespace stagecraft
+
+// The same names with models that they cannot be used with.
+#include <stagecraft/refuse/mechanics/formulations.hpp>

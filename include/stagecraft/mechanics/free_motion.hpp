@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <utility>
 
-#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/consistent_multiplier.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
-#include <stagecraft/refuse/detect/refused_call.hpp>
+#include <stagecraft/refuse/mechanics/another_size.hpp>
+#include <stagecraft/refuse/mechanics/checked_model.hpp>
 
 namespace stagecraft {
 
@@ -80,13 +80,7 @@ free_motion_ode<Model, Scalar> free_motion(Model model) {
     return free_motion_ode<Model, Scalar>(std::move(model));
 }
 
-/// A constraint would be passed over.
-template <class Scalar = double, mechanical_model Model>
-free_motion_ode<Model, Scalar> free_motion(Model model) {
-    static_assert(detail::never<Model>,
-                  "free_motion: the model has constraints: take index_2(model), stabilised_index_2(model) or "
-                  "index_reduced(model)");
-    return free_motion_ode<Model, Scalar>(std::move(model));
-}
-
 }  // namespace stagecraft
+
+// The same name with models that have constraints.
+#include <stagecraft/refuse/mechanics/formulations.hpp>

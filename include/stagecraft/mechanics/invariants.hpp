@@ -16,7 +16,7 @@ namespace stagecraft {
 ///     integrate(method, index_reduced(model), y0, t0, t1, options, keep);
 ///
 /// Made by `invariants`.
-template <mechanical_model Model>
+template <fixed_size_model Model>
 class model_invariants {
   public:
     static constexpr int n = Model::coordinates, m = Model::constraints;
@@ -47,7 +47,7 @@ class model_invariants {
 };
 
 /// The equations that the motion of a model keeps and an index-reduced equation does not.
-template <mechanical_model Model>
+template <fixed_size_model Model>
 model_invariants<Model> invariants(Model model) {
     return model_invariants<Model>(std::move(model));
 }

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include <stagecraft/mechanics/derivatives.hpp>
-#include <stagecraft/mechanics/given_energies.hpp>
 #include <stagecraft/mechanics/model.hpp>
-#include <stagecraft/refuse/detect/refused_call.hpp>
+#include <stagecraft/refuse/mechanics/given_energies.hpp>
 
 namespace stagecraft {
 
@@ -206,54 +205,6 @@ class lagrangian_model : public lagrangian_energies<Coordinates, Parts> {
     }
 };
 
-namespace detail {
-
-/// A model in place of one that has been refused.
-template <int Coordinates, bool Constrained>
-auto refused_lagrangian() {
-    using parts = lagrangian_parts<refused_energy, refused_energy, refused_energy, no_forces>;
-    if constexpr (Constrained)
-        return lagrangian_model<(Coordinates > 1 ? Coordinates : 2), 1, parts>(parts{});
-    else
-        return lagrangian_energies<Coordinates, parts>(parts{});
-}
-
-template <int Coordinates, class Kinetic, class Potential, class Forces>
-auto free_energies(Kinetic T, Potential V, Forces Q) {
-    using given = given_energies<Coordinates, Kinetic, Potential, Forces>;
-    static_assert(given::generic,
-                  "lagrangian: T, V and Q must accept vectors of any scalar, as they are differentiated "
-                  "automatically: [](const auto& q, const auto& v) { ... }");
-    static_assert(given::on_the_stack,
-                  "lagrangian: n is too large for arrays of dual numbers on the stack (24 fit by default); "
-                  "write M^-1 F by hand on Eigen::VectorXd as an ordinary differential equation");
-    static_assert(
-        given::kinetic,
-        "lagrangian: the kinetic energy must be callable as T(q, v), and comes before the potential "
-        "energy V(q)");
-    static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
-    static_assert(given::energy_numbers,
-                  "lagrangian: T and V must return a number, not a matrix or product of Eigen's: write "
-                  "0.5 * v.dot(M * v), or (0.5 * v.transpose() * M * v).value()");
-    static_assert(given::objects,
-                  "lagrangian: Q returns an expression of Eigen's, whose operands may be gone before it is "
-                  "evaluated: write `return (-C * v).eval();`");
-    static_assert(given::forces,
-                  "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
-                  "do not depend on it, and return a vector of n numbers");
-    static_assert(given::forces_time,
-                  "lagrangian: the generalised forces must take t of any scalar as well, as they are "
-                  "differentiated automatically: [](const auto& q, const auto& v, const auto& t) { ... }");
-    if constexpr (given::usable) {
-        using parts = lagrangian_parts<Kinetic, Potential, no_constraint, Forces>;
-        return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
-    } else {
-        return refused_lagrangian<Coordinates, false>();
-    }
-}
-
-}  // namespace detail
-
 /// The model with kinetic energy T(q, v), potential energy V(q) and constraint(q) or constraint(q, t), all
 /// generic callables on Eigen vectors (`[](const auto& q, const auto& v) { return 0.5 * m * v.squaredNorm();
 /// }`) and in t (`const auto& t`). What they return is a number, or a matrix (`.eval()`), not an expression of Eigen's, which
@@ -264,98 +215,29 @@ auto free_energies(Kinetic T, Potential V, Forces Q) {
 /// with their length), add a multiple of (G v + b)^2 to T, which makes M regular and changes neither motion nor lambda.
 /// Q(q, v, t), if given, returns the generalised forces besides the potential: damping, drives, friction. No
 /// derivative is written by hand, so that none can be wrong. Vectors of second derivatives lie on the stack, which limits
-/// n to 24 (EIGEN_STACK_ALLOCATION_LIMIT); beyond, see `sized_mechanical_model`.
+/// n to 24 (EIGEN_STACK_ALLOCATION_LIMIT); beyond, write a mechanical_model of a size known at run time.
 template <int Coordinates, int Constraints, class Kinetic, class Potential, class Constraint,
           class Forces = no_forces>
-auto lagrangian(Kinetic T, Potential V, Constraint constraint, Forces Q = {}) {
-    using given = detail::given_energies<Coordinates, Kinetic, Potential, Forces, Constraint>;
-    static_assert(
-        given::generic,
-        "lagrangian: T, V, constraint and Q must accept vectors of any scalar, as they are differentiated "
-        "automatically: [](const auto& q, const auto& v) { ... }");
-    static_assert(given::on_the_stack,
-                  "lagrangian: n is too large for arrays of dual numbers on the stack (24 fit by default); "
-                  "write M, F and G by hand on Eigen::VectorXd: a sized_mechanical_model "
-                  "(stagecraft/mechanics/sized_model.hpp) has any size");
-    static_assert(
-        given::kinetic,
-        "lagrangian: the kinetic energy must be callable as T(q, v), and comes before the potential "
-        "energy V(q)");
-    static_assert(given::potential, "lagrangian: the potential energy must be callable as V(q)");
-    static_assert(given::energy_numbers,
-                  "lagrangian: T and V must return a number, not a matrix or product of Eigen's: write "
-                  "0.5 * v.dot(M * v), or (0.5 * v.transpose() * M * v).value()");
-    static_assert(
-        given::objects,
-        "lagrangian: the constraint or Q returns an expression of Eigen's, whose operands may be gone "
-        "before it is evaluated: write `return (-C * v).eval();`");
-    static_assert(given::forces,
-                  "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
-                  "do not depend on it, and return a vector of n numbers");
-    static_assert(given::forces_time,
-                  "lagrangian: the generalised forces must take t of any scalar as well, as they are "
-                  "differentiated automatically: [](const auto& q, const auto& v, const auto& t) { ... }");
-    static_assert(given::constraint_time,
-                  "lagrangian: the constraint must take t of any scalar as well, as it is differentiated "
-                  "automatically: [](const auto& q, const auto& t) { ... }");
-    constexpr bool fewer = Constraints < Coordinates;
-    static_assert(
-        fewer,
-        "lagrangian<n, m>: m must be less than n: with as many constraints as coordinates nothing "
-        "moves, unless some depend on others: independent_constraints<m>(constraint, q) keeps m of them");
-    using vector = typename given::vector;
-    constexpr bool constrained = std::is_invocable_v<const Constraint&, const vector&> ||
-                                 std::is_invocable_v<const Constraint&, const vector&, double>;
-    static_assert(constrained,
-                  "lagrangian<n, m>(T, V, g): the constraint must be callable as g(q) or g(q, t) and return "
-                  "its values, a number where m is 1");
-    if constexpr (fewer && constrained && given::usable) {
-        using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
-        using model = lagrangian_model<Coordinates, Constraints, parts>;
-        constexpr bool columns = model::columns_fit, rows = model::rows_fit;
-        static_assert(
-            columns,
-            "lagrangian: the constraint must return a number or a column of position constraints, the matrix "
-            "G of n columns, or (G, b) of n + 1 columns");
-        static_assert(rows, "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
-        return model(parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
-    } else {
-        return detail::refused_lagrangian<Coordinates, true>();
-    }
+requires(Constraints > 0 && detail::given_energies<Coordinates, Constraints, Kinetic, Potential, Constraint,
+                                                   Forces>::usable) auto lagrangian(Kinetic T, Potential V,
+                                                                                    Constraint constraint,
+                                                                                    Forces Q = {}) {
+    using parts = detail::lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
+    return lagrangian_model<Coordinates, Constraints, parts>(
+        parts{std::move(T), std::move(V), std::move(constraint), std::move(Q)});
 }
 
 /// The model without constraints that these energies give, and with the forces Q(q, v, t): M and F for `free_motion`,
 /// where the coordinates are as many as the degrees of freedom (angles, say). Constraints, if given, is 0.
-template <int Coordinates, int Constraints = 0, class Kinetic, class Potential>
-auto lagrangian(Kinetic T, Potential V) {
-    static_assert(Constraints == 0, "lagrangian<n, m>(T, V, g): the m constraints g are missing");
-    return detail::free_energies<Coordinates>(std::move(T), std::move(V), no_forces{});
-}
-template <int Coordinates, class Kinetic, class Potential, class Forces>
-requires detail::forces_on<Forces, Coordinates>
-auto lagrangian(Kinetic T, Potential V, Forces Q) {
-    return detail::free_energies<Coordinates>(std::move(T), std::move(V), std::move(Q));
-}
-
-/// The number of constraints is missing, or forces do not take t.
-template <int Coordinates, class Kinetic, class Potential, class Constraint, class Forces = no_forces>
-requires(!detail::forces_on<Constraint, Coordinates>) auto lagrangian(const Kinetic&, const Potential&,
-                                                                      const Constraint&, const Forces& = {}) {
-    constexpr bool constraint =
-        std::is_invocable_v<const Constraint&, const Eigen::Matrix<double, Coordinates, 1>&>;
-    static_assert(detail::never<Constraint>,
-                  "lagrangian<n, m>: give m, the number of constraints, as well: lagrangian<2, 1>(T, V, g); "
-                  "forces without constraints, lagrangian<n>(T, V, Q), must be callable as Q(q, v, t)");
-    return detail::refused_lagrangian<Coordinates, constraint>();
-}
-
-/// So are both numbers.
-template <class Kinetic, class... Parts>
-auto lagrangian(const Kinetic&, const Parts&...) {
-    static_assert(detail::never<Kinetic>,
-                  "lagrangian<n, m>(T, V, constraint): give n, the number of coordinates, and m, that of "
-                  "constraints; lagrangian<n>(T, V) has none");
-    return detail::refused_lagrangian<2, true>();
+template <int Coordinates, int Constraints = 0, class Kinetic, class Potential, class Forces = no_forces>
+requires(Constraints == 0 && detail::given_energies<Coordinates, 0, Kinetic, Potential, no_constraint,
+                                                    Forces>::usable) auto lagrangian(Kinetic T, Potential V,
+                                                                                     Forces Q = {}) {
+    using parts = detail::lagrangian_parts<Kinetic, Potential, no_constraint, Forces>;
+    return lagrangian_energies<Coordinates, parts>(parts{std::move(T), std::move(V), {}, std::move(Q)});
 }
 
 }  // namespace stagecraft
+
+// The same name with what cannot be meant.
+#include <stagecraft/refuse/mechanics/lagrangian.hpp>

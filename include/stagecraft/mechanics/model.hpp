@@ -11,25 +11,107 @@
 #include <stagecraft/linear/small_ldlt.hpp>
 #include <stagecraft/linear/small_loops.hpp>
 #include <stagecraft/owned_value.hpp>
-#include <stagecraft/refuse/detect/named_member.hpp>
 
 namespace stagecraft {
 
+namespace detail {
+
+template <class Model>
+concept sizes_at_compile_time = requires {
+    requires(0 < Model::constraints) && (Model::constraints < Model::coordinates);
+};
+template <class Model>
+concept sizes_at_run_time = requires(const Model& model) {
+    { model.coordinates() } -> std::convertible_to<int>;
+    { model.constraints() } -> std::convertible_to<int>;
+};
+
+/// What a model states; Eigen::Dynamic where it is told at run time.
+template <class Model>
+requires sizes_at_run_time<Model> || requires { Model::coordinates; }
+constexpr int coordinates_of() {
+    if constexpr (sizes_at_run_time<Model>)
+        return Eigen::Dynamic;
+    else
+        return Model::coordinates;
+}
+template <class Model>
+requires sizes_at_run_time<Model> || requires { Model::constraints; }
+constexpr int constraints_of() {
+    if constexpr (sizes_at_run_time<Model>)
+        return Eigen::Dynamic;
+    else
+        return Model::constraints;
+}
+
+}  // namespace detail
+
+/// q, q', q'' and forces of a model; its multipliers; G M^-1 G^T.
+template <class S, class Model>
+using coordinate_vector = Eigen::Matrix<S, detail::coordinates_of<Model>(), 1>;
+template <class S, class Model>
+using multiplier_vector = Eigen::Matrix<S, detail::constraints_of<Model>(), 1>;
+template <class S, class Model>
+using multiplier_matrix = Eigen::Matrix<S, detail::constraints_of<Model>(), detail::constraints_of<Model>()>;
+
+namespace detail {
+
+inline constexpr auto M_of = [](const auto& m, const auto&... x) -> decltype(m.M(x...)) { return m.M(x...); };
+inline constexpr auto F_of = [](const auto& m, const auto&... x) -> decltype(m.F(x...)) { return m.F(x...); };
+inline constexpr auto G_of = [](const auto& m, const auto&... x) -> decltype(m.G(x...)) { return m.G(x...); };
+inline constexpr auto b_of = [](const auto& m, const auto&... x) -> decltype(m.b(x...)) { return m.b(x...); };
+inline constexpr auto g_of = [](const auto& m, const auto&... x) -> decltype(m.g(x...)) { return m.g(x...); };
+
+/// That member of a model has one of these forms, with such values: without arguments, of q or of q and t.
+template <class Member, class Value, class Model, class... X>
+concept member_with = std::is_invocable_r_v<Value, const Member&, const Model&, const X&...> ||
+    std::is_invocable_r_v<Value, const Member&, const Model&, const X&..., const double&>;
+template <class Member, class Value, class Model>
+concept member_at = member_with<Member, Value, Model, coordinate_vector<double, Model>>;
+
+template <class Member, class Model, class X = const coordinate_vector<double, Model>&>
+concept callable_at = std::is_invocable_v<const Member&, const Model&, X> ||
+    std::is_invocable_v<const Member&, const Model&, X, const double&>;
+template <class Model, int n = coordinates_of<Model>()>
+concept inert_model = member_at<decltype(M_of), Eigen::Matrix<double, n, n>, Model> ||
+    member_with<decltype(M_of), Eigen::Matrix<double, n, n>, Model>;
+template <class Model, class Vector = coordinate_vector<double, Model>>
+concept forced_model = member_with<decltype(F_of), Vector, Model, Vector, Vector>;
+template <class Model, int n = coordinates_of<Model>(), int m = constraints_of<Model>()>
+concept constrained_model = member_at<decltype(G_of), Eigen::Matrix<double, m, n>, Model>;
+template <class Model>
+concept sized_model = sizes_at_compile_time<Model> || sizes_at_run_time<Model>;
+
+}  // namespace detail
+
 /// A constrained mechanical system M(q) q'' = F(q, q') - G(q)^T lambda, 0 = G(q) q' (constraints on the
-/// velocities, for instance rolling without slip), as a type `Model` with
+/// velocities, for instance rolling without slip), as a type `Model`. Its size is known at compile time:
 ///
-///     static constexpr int coordinates = n, constraints = m;   // m < n
+///     static constexpr int coordinates = n, constraints = m;   // 0 < m < n
 ///     template <class S> Eigen::Matrix<S, n, n> M(const Eigen::Matrix<S, n, 1>& q) const;
 ///     template <class S>
 ///     Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, const Eigen::Matrix<S, n, 1>& v) const;
 ///     template <class S> Eigen::Matrix<S, m, n> G(const Eigen::Matrix<S, n, 1>& q) const;
 ///
-/// F may take the time as a third argument, G as a second one. All three are templates on the scalar:
-/// derivatives are taken by automatic differentiation and the same model runs at any precision. They return matrices, not
-/// expressions of Eigen's (as `auto` would), which refer to what may be gone. M is
-/// symmetric positive definite and G has full rank wherever the motion goes. Optional members:
+/// where all three are templates on the scalar: derivatives are taken by automatic differentiation and the same model
+/// runs at any precision. Or it is known at run time, however large (chains, nets, models read from a file):
+///
+///     int coordinates() const;  int constraints() const;          // n >= 1, 0 <= m <= n
+///     matrix M() const  or  M(const Eigen::VectorXd& q) const;    // M() is constant
+///     Eigen::VectorXd F(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+///     matrix G(const Eigen::VectorXd& q) const;
+///
+/// where a matrix is dense, diagonal or sparse, and derivatives are differences; a sparse G makes the linear algebra of the
+/// whole system sparse, and its formulations (sized_formulations.hpp) are given a position as well. F may take the
+/// time as a third argument, G as a second one. They return matrices, not expressions of Eigen's (as `auto` would),
+/// which refer to what may be gone. M is symmetric positive definite and G has full rank wherever the motion goes.
+/// Optional members of both kinds:
 ///
 ///     b(q, t) or b(q)     // affine and moving constraints 0 = G(q, t) v + b(q, t): a turntable, a driven wheel
+///     g(q) or g(q, t)     // constraints of position, 0 = g, with G = dg/dq and b = dg/dt: a holonomic_model
+///
+/// and of those of a size known at compile time:
+///
 ///     solve_mass(q, r)    // M(q)^-1 r in closed form, in place of a factorisation of M(q)
 ///     G_rate(q, v)        // dG/dt along q' = v, in place of automatic differentiation
 ///     balance(q, v, a, t) // F - M(q) a, where the two together cost less than each: derivatives take this one
@@ -39,45 +121,25 @@ namespace stagecraft {
 ///
 /// Everything below is derived from the model without further input.
 template <class Model>
-concept mechanical_model = Model::coordinates >
-0 && Model::constraints > 0 &&
-    Model::constraints <
-        Model::coordinates&& requires(const Model& model,
-                                      const Eigen::Matrix<double, Model::coordinates, 1>& q) {
-    { model.M(q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, Model::coordinates>>;
-}
-&&(
-    requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
-        { model.G(q) } -> std::convertible_to<Eigen::Matrix<double, Model::constraints, Model::coordinates>>;
-    } ||
-    requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q, double t) {
-        {
-            model.G(q, t)
-            } -> std::convertible_to<Eigen::Matrix<double, Model::constraints, Model::coordinates>>;
-    }) &&
-    (
-        requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
-            { model.F(q, q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
-        } ||
-        requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q, double t) {
-            { model.F(q, q, t) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, 1>>;
-        });
+concept mechanical_model = detail::sized_model<Model> && detail::inert_model<Model> &&
+    detail::forced_model<Model> && detail::constrained_model<Model>;
+/// One whose size is a constant, or is told at run time.
+template <class Model>
+concept fixed_size_model = mechanical_model<Model> && detail::sizes_at_compile_time<Model>;
+template <class Model>
+concept sized_mechanical_model = mechanical_model<Model> && detail::sizes_at_run_time<Model>;
+
+/// A mechanical model whose constraint is one of position. Its velocity constraint G v + b = 0 alone makes it a
+/// mechanical_model already.
+template <class Model>
+concept holonomic_model = mechanical_model<Model> &&
+    detail::member_at<decltype(detail::g_of), multiplier_vector<double, Model>, Model>;
 
 /// A mechanical model without constraints, M(q) q'' = F(q, q'): as `mechanical_model`, without G and `constraints`.
 template <class Model>
 concept free_model = Model::coordinates >
 0 && !requires { Model::constraints; }
-&&requires(const Model& model, const Eigen::Matrix<double, Model::coordinates, 1>& q) {
-    { model.M(q) } -> std::convertible_to<Eigen::Matrix<double, Model::coordinates, Model::coordinates>>;
-};
-
-/// q, q', q'' and forces of a model; its multipliers; its state (q, q') and (q, q', lambda).
-template <class S, class Model>
-using coordinate_vector = Eigen::Matrix<S, Model::coordinates, 1>;
-template <class S, class Model>
-using multiplier_vector = Eigen::Matrix<S, Model::constraints, 1>;
-template <class S, class Model>
-using multiplier_matrix = Eigen::Matrix<S, Model::constraints, Model::constraints>;
+&&detail::inert_model<Model>;
 
 template <class Model>
 concept has_mass_solver = requires(const Model& m, const coordinate_vector<double, Model>& q) {
@@ -93,10 +155,7 @@ concept has_balance = requires(const Model& m, const coordinate_vector<double, M
 };
 /// True if the velocity constraint is affine, 0 = G v + b.
 template <class Model>
-concept has_prescribed_velocity = requires(const Model& m, const coordinate_vector<double, Model>& q) {
-    m.b(q);
-}
-|| requires(const Model& m, const coordinate_vector<double, Model>& q, double t) { m.b(q, t); };
+concept has_prescribed_velocity = detail::callable_at<decltype(detail::b_of), Model>;
 template <class Model>
 concept has_potential = requires(const Model& m, const coordinate_vector<double, Model>& q) {
     { m.potential(q) } -> detail::owned_number;
@@ -107,110 +166,14 @@ concept names_singular_positions = requires(const Model& m, const coordinate_vec
     { Model::singular_position } -> std::convertible_to<std::string>;
 };
 
-namespace detail {
-
-/// True if Eigen takes a matrix of so many bytes in place.
-constexpr bool fits_on_the_stack(std::size_t bytes) {
-    return EIGEN_STACK_ALLOCATION_LIMIT == 0 || bytes <= EIGEN_STACK_ALLOCATION_LIMIT;
+/// M(q), or M() where it is constant.
+template <class S, class Model>
+auto mass_matrix(const Model& model, [[maybe_unused]] const coordinate_vector<S, Model>& q) {
+    if constexpr (requires { model.M(); })
+        return model.M();
+    else
+        return model.M(q);
 }
-
-struct solve_mass_member {
-    int solve_mass;
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::solve_mass;
-    };
-};
-struct constraint_rate_member {
-    int G_rate;
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::G_rate;
-    };
-};
-struct balance_member {
-    int balance;
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::balance;
-    };
-};
-struct potential_member {
-    int potential;
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::potential;
-    };
-};
-struct singularity_member {
-    int singularity;
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::singularity;
-    };
-};
-struct singular_position_member {
-    int singular_position;
-    template <class T>
-    static constexpr bool visible_in = requires {
-        &T::singular_position;
-    };
-};
-
-inline constexpr auto M_of = [](const auto& m, const auto&... x) -> decltype(m.M(x...)) { return m.M(x...); };
-inline constexpr auto F_of = [](const auto& m, const auto&... x) -> decltype(m.F(x...)) { return m.F(x...); };
-inline constexpr auto G_of = [](const auto& m, const auto&... x) -> decltype(m.G(x...)) { return m.G(x...); };
-inline constexpr auto b_of = [](const auto& m, const auto&... x) -> decltype(m.b(x...)) { return m.b(x...); };
-inline constexpr auto g_of = [](const auto& m, const auto&... x) -> decltype(m.g(x...)) { return m.g(x...); };
-
-/// M, F, G, b and g of a model with positions of the type V return objects, in whichever form there is.
-template <class Model, class V, class M = const Model&, class X = const V&>
-concept model_of_objects = owned_or_none<decltype(M_of), M> && owned_or_none<decltype(M_of), M, X> &&
-    owned_or_none<decltype(F_of), M, X, X> && owned_or_none<decltype(F_of), M, X, X, double> &&
-    owned_or_none<decltype(G_of), M, X> && owned_or_none<decltype(G_of), M, X, double> &&
-    owned_or_none<decltype(b_of), M, X> && owned_or_none<decltype(b_of), M, X, double> &&
-    owned_or_none<decltype(g_of), M, X> && owned_or_none<decltype(g_of), M, X, double>;
-
-}  // namespace detail
-
-/// Refuses a Model whose functions take one scalar only (the address of a template cannot be taken), or with an
-/// optional member that is there by its name but cannot be used.
-template <class Model>
-struct checked_model {
-    static_assert(
-        !requires { &Model::M; } && !requires { &Model::F; } && !requires { &Model::G; } &&
-            !requires { requires std::is_member_function_pointer_v<decltype(&Model::g)>; } &&
-            !requires { requires std::is_member_function_pointer_v<decltype(&Model::b)>; },
-        "M, F, G, g and b of a mechanical model must accept any scalar, as they are differentiated "
-        "automatically: template <class S> Eigen::Matrix<S, n, 1> F(const Eigen::Matrix<S, n, 1>& q, "
-        "const Eigen::Matrix<S, n, 1>& v) const");
-
-    static_assert(
-        detail::model_of_objects<Model, coordinate_vector<double, Model>>,
-        "M, F, G, g and b of a mechanical model must return matrices, not expressions of Eigen's, whose "
-        "operands may be gone: write their types, Eigen::Matrix<S, n, 1> say, in place of auto, or "
-        ".eval()");
-
-    template <class Name>
-    static constexpr bool absent = !detail::has_member_named<Model, Name>;
-
-    static_assert(absent<detail::solve_mass_member> || has_mass_solver<Model>,
-                  "model.solve_mass must be callable as solve_mass(q, r) on a const model, in any scalar, "
-                  "and return a vector (no expression)");
-    static_assert(absent<detail::constraint_rate_member> || has_constraint_rate<Model>,
-                  "model.G_rate must be callable as G_rate(q, v) on a const model, in any scalar, and "
-                  "return a matrix (no expression)");
-    static_assert(absent<detail::balance_member> || has_balance<Model>,
-                  "model.balance must be callable as balance(q, v, a, t) on a const model, in any scalar, "
-                  "and return a vector (no expression)");
-    static_assert(absent<detail::potential_member> || has_potential<Model>,
-                  "model.potential must be callable as potential(q) on a const model, in any scalar, and "
-                  "return a number (no product of Eigen's: .value())");
-    static_assert((absent<detail::singularity_member> && absent<detail::singular_position_member>) ||
-                      names_singular_positions<Model>,
-                  "model.singularity must be callable as singularity(q) on a const model, and "
-                  "model.singular_position be a static string: give both or neither");
-};
 
 /// F(q, v) or F(q, v, t), whichever the model has.
 template <class S, class Model, class Time>
@@ -222,14 +185,28 @@ coordinate_vector<S, Model> force(const Model& model, const coordinate_vector<S,
         return model.F(q, v);
 }
 
-/// G(q, t) or G(q), whichever the model has.
+/// G(q, t) or G(q), whichever the model has: an object of whatever type it returns.
 template <class S, class Model, class Time>
-Eigen::Matrix<S, Model::constraints, Model::coordinates> constraint_gradient(
-    const Model& model, const coordinate_vector<S, Model>& q, const Time& t) {
-    if constexpr (requires { model.G(q, S(t)); })
-        return model.G(q, S(t));
+auto constraint_gradient(const Model& model, const coordinate_vector<S, Model>& q, const Time& t) {
+    constexpr int m = detail::constraints_of<Model>(), n = detail::coordinates_of<Model>();
+    const auto G = [&]() -> decltype(auto) {
+        if constexpr (requires { model.G(q, S(t)); })
+            return model.G(q, S(t));
+        else
+            return model.G(q);
+    };
+    using returned = std::remove_cvref_t<decltype(G())>;
+    return std::conditional_t<detail::sizes_at_run_time<Model>, returned, Eigen::Matrix<S, m, n>>(G());
+}
+
+/// g(q, t) or g(q), whichever the model has.
+template <class S, holonomic_model Model, class Time>
+multiplier_vector<S, Model> position_constraint(const Model& model, const coordinate_vector<S, Model>& q,
+                                                const Time& t) {
+    if constexpr (requires { model.g(q, S(t)); })
+        return model.g(q, S(t));
     else
-        return model.G(q);
+        return model.g(q);
 }
 
 /// The velocity that an affine constraint prescribes, b of 0 = G v + b; zero unless the model has a member b.
@@ -245,10 +222,10 @@ multiplier_vector<S, Model> prescribed_velocity([[maybe_unused]] const Model& mo
 }
 
 /// The velocity constraint G(q, t) v + b(q, t), which vanishes along the motion, with this G.
-template <class S, class Model>
-multiplier_vector<S, Model> velocity_constraint(
-    const Model& model, const Eigen::Matrix<S, Model::constraints, Model::coordinates>& G,
-    const coordinate_vector<S, Model>& q, const coordinate_vector<S, Model>& v, const S& t) {
+template <class S, class Model, class Gradient>
+multiplier_vector<S, Model> velocity_constraint(const Model& model, const Gradient& G,
+                                                const coordinate_vector<S, Model>& q,
+                                                const coordinate_vector<S, Model>& v, const S& t) {
     multiplier_vector<S, Model> w = detail::times(G, v);
     if constexpr (has_prescribed_velocity<Model>) w += prescribed_velocity<S>(model, q, t);
     return w;
@@ -263,7 +240,7 @@ multiplier_vector<S, Model> velocity_constraint(const Model& model, const coordi
 
 /// M(q)^-1 for one q: the model's closed form, or one factorisation at construction.
 template <class S, class Model>
-class mass_inverse : checked_model<Model> {
+class mass_inverse {
   public:
     mass_inverse(const Model& model, const coordinate_vector<S, Model>& q)
         : model_(model), q_(q), factors_(model, q) {}
@@ -360,7 +337,7 @@ std::string singular_position(const Model& model, const coordinate_vector<double
 template <class S, class Model>
 S kinetic_energy(const Model& model, const coordinate_vector<S, Model>& q,
                  const coordinate_vector<S, Model>& v) {
-    return v.dot(model.M(q) * v) / S(2);
+    return v.dot(mass_matrix<S>(model, q) * v) / S(2);
 }
 
 /// Kinetic plus potential energy; constant along the motion of a conservative model.

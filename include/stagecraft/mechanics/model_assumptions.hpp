@@ -33,7 +33,7 @@ struct model_assumptions {
 };
 
 /// Assumptions 1 to 3, at q.
-template <mechanical_model Model>
+template <fixed_size_model Model>
 model_assumptions check_assumptions(const Model& model, const coordinate_vector<double, Model>& q,
                                     double t = 0) {
     constexpr int n = Model::coordinates, m = Model::constraints;
@@ -52,7 +52,7 @@ model_assumptions check_assumptions(const Model& model, const coordinate_vector<
 }
 
 /// All five, at a state of the index-2 system.
-template <mechanical_model Model>
+template <fixed_size_model Model>
 model_assumptions check_assumptions(const Model& model, const coordinate_vector<double, Model>& q,
                                     const coordinate_vector<double, Model>& v,
                                     const multiplier_vector<double, Model>& lambda, double t = 0) {

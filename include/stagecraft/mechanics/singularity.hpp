@@ -21,7 +21,7 @@ namespace stagecraft {
 ///     singularity_watch watch(body);
 ///     auto r = integrate(method, index_2(body), y0, t0, t1, options, watch);
 ///     if (watch.found()) std::cout << watch.message();
-template <mechanical_model Model>
+template <fixed_size_model Model>
 requires names_singular_positions<Model>
 class singularity_watch {
   public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: return a vector of n numbers
-// lines: 11
+// lines: 8
 #include <stagecraft/mechanics/free_motion.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// says: T, V and Q must accept vectors of any scalar
-// lines: 11
+// says: T, V, Q and the constraint must accept vectors of any scalar
+// lines: 8
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/free_motion.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: the kinetic energy must be callable as T(q, v), and comes before the potential energy V(q)
-// lines: 11
+// lines: 8
 #include <stagecraft/mechanics/free_motion.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
 

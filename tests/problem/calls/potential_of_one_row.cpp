@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // says: lagrangian: T and V must return a number, not a matrix or product of Eigen's: write 0.5 * v.dot(M * v), or (0.5 * v.transpose() * M * v).value()
-// lines: 11
+// lines: 8
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
 

@@ -5,9 +5,7 @@
 // says: model.potential must be callable
 // says: model.singularity must be callable
 // says: M, F, G, g and b of a mechanical model must return matrices, not expressions of Eigen's
-// says: M, F, G, b and g of a sized_mechanical_model must return matrices, not expressions of Eigen's
-#include <stagecraft/mechanics/model.hpp>
-#include <stagecraft/mechanics/sized_model.hpp>
+#include <stagecraft/refuse/mechanics/checked_model.hpp>
 
 // A particle in the plane, with optional members that cannot be used, and the same as they must be.
 template <class S, int Rows = 2>
@@ -104,4 +102,4 @@ template struct stagecraft::checked_model<turning>;
 template struct stagecraft::checked_model<falling>;
 template struct stagecraft::checked_model<singular>;
 template struct stagecraft::checked_model<braked>;
-template struct stagecraft::sized::checked_returns<chain>;
+template struct stagecraft::checked_model<chain>;

@@ -41,7 +41,7 @@ struct regularisation_conditions {
 };
 
 /// Evaluates them at q for the spring c and the damper d.
-template <mechanical_model Model>
+template <fixed_size_model Model>
 regularisation_conditions conditions(const Model& model, const coordinate_vector<double, Model>& q, double c,
                                      double d) {
     const multiplier_matrix<double, Model> S = constraint_inertia(model, q);

@@ -96,7 +96,7 @@ class linearised_about_motion {
 /// `times` increase from 0 on and need not hold 0. The system of index 2 is integrated with the three-stage
 /// Radau IIA method at `tolerance`; Lambda is of no use at t = 0. Throws std::invalid_argument unless c > 0
 /// and the times are in order, std::runtime_error if the run fails.
-template <mechanical_model Model>
+template <fixed_size_model Model>
 std::vector<regularisation_term> regularisation_error(const Model& model,
                                                       const coordinate_vector<double, Model>& q,
                                                       const coordinate_vector<double, Model>& v, double c,

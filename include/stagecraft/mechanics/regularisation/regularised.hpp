@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include <stagecraft/mechanics/another_size.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/formulations.hpp>
+#include <stagecraft/refuse/mechanics/another_size.hpp>
 
 namespace stagecraft {
 
@@ -81,7 +81,7 @@ class regularised_form : start_of_another_size<Model, Extra> {
 /// once more than (3 - sqrt 5)/2 = 0.38 of the power is that of h_{n-1}: steps would go up and down by a factor of 4.
 /// This is why each step is judged by its own share (`acceptance::weigh`), and they do not. The default form. Made by
 /// `regularised`.
-template <mechanical_model Model, class Scalar = double>
+template <fixed_size_model Model, class Scalar = double>
 class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {
     using base = detail::regularised_form<Model, Scalar, 2>;
     using base::contact_, base::model_;
@@ -144,7 +144,7 @@ class regularised_problem : public detail::regularised_form<Model, Scalar, 2> {
 ///     lambda' = (c/eps) w + (d/eps^kappa) w',   w = G v + b.
 ///
 /// Made by `regularised_multiplier_form`.
-template <mechanical_model Model, class Scalar = double>
+template <fixed_size_model Model, class Scalar = double>
 class multiplier_form : public detail::regularised_form<Model, Scalar, 1> {
     using base = detail::regularised_form<Model, Scalar, 1>;
     using base::contact_, base::model_;
@@ -191,7 +191,7 @@ class multiplier_form : public detail::regularised_form<Model, Scalar, 1> {
 ///
 /// The costliest form for small eps: with kappa = 1, eps = 1e-10 and a tolerance of 1e-8 it takes eight times
 /// the steps of the others. Made by `regularised_creep_form`.
-template <mechanical_model Model, class Scalar = double>
+template <fixed_size_model Model, class Scalar = double>
 class creep_form : public detail::regularised_form<Model, Scalar, 1> {
     using base = detail::regularised_form<Model, Scalar, 1>;
     using base::contact_, base::model_;
@@ -254,7 +254,7 @@ class creep_form : public detail::regularised_form<Model, Scalar, 1> {
 ///
 /// a singular perturbation problem in the standard form in e, to which Theorem 6 applies under (3.61).
 /// Made by `principal_damping_transformed`.
-template <mechanical_model Model, class Scalar = double>
+template <fixed_size_model Model, class Scalar = double>
 class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
     using base = detail::regularised_form<Model, Scalar, 2>;
     using base::contact_, base::model_;
@@ -321,41 +321,41 @@ class transformed_form : public detail::regularised_form<Model, Scalar, 2> {
 /// is larger than O(eps); moving constraints take the time as the last argument. `multiplier(y, t)` is the
 /// contact force. Constraints of position creep on the level of velocity; `regularised_position` holds g(q)
 /// itself.
-template <mechanical_model Model, class Eps, class Kappa, class C, class D>
+template <fixed_size_model Model, class Eps, class Kappa, class C, class D>
 auto regularised(Model model, Eps eps, Kappa kappa, C c, D d) {
     const auto k = detail::contact_of(eps, kappa, c, d);
     return regularised_problem<Model, typename decltype(k)::scalar>(std::move(model), k);
 }
 
 /// The regularised problem as explicit differential equation in (q, v, lambda).
-template <mechanical_model Model, class Eps, class Kappa, class C, class D>
+template <fixed_size_model Model, class Eps, class Kappa, class C, class D>
 auto regularised_multiplier_form(Model model, Eps eps, Kappa kappa, C c, D d) {
     const auto k = detail::contact_of(eps, kappa, c, d);
     return multiplier_form<Model, typename decltype(k)::scalar>(std::move(model), k);
 }
 
 /// The regularised problem as explicit differential equation in (q, v, z).
-template <mechanical_model Model, class Eps, class Kappa, class C, class D>
+template <fixed_size_model Model, class Eps, class Kappa, class C, class D>
 auto regularised_creep_form(Model model, Eps eps, Kappa kappa, C c, D d) {
     const auto k = detail::contact_of(eps, kappa, c, d);
     return creep_form<Model, typename decltype(k)::scalar>(std::move(model), k);
 }
 
 /// Strong damping, kappa = 1.
-template <mechanical_model Model, class Eps, class C, class D>
+template <fixed_size_model Model, class Eps, class C, class D>
 auto strong_damping(Model model, Eps eps, C c, D d) {
     return regularised(std::move(model), eps, 1, c, d);
 }
 
 /// Principal damping, kappa = 1/2.
-template <mechanical_model Model, class Eps, class C, class D>
+template <fixed_size_model Model, class Eps, class C, class D>
 auto principal_damping(Model model, Eps eps, C c, D d) {
     using scalar = detail::real_scalar<Eps, C, D>;
     return regularised(std::move(model), eps, scalar(scalar(1) / scalar(2)), c, d);
 }
 
 /// Principal damping, kappa = 1/2, in the transformed form (3.60).
-template <mechanical_model Model, class Eps, class C, class D>
+template <fixed_size_model Model, class Eps, class C, class D>
 auto principal_damping_transformed(Model model, Eps eps, C c, D d) {
     using scalar = detail::real_scalar<Eps, C, D>;
     const auto k = detail::contact_of(eps, scalar(scalar(1) / scalar(2)), c, d);

@@ -73,7 +73,7 @@ perturbed_problem<Problem> perturbed(Problem problem, double eps) {
 
 /// Strong damping of a mechanical model as singular perturbation problem (thesis (3.13)-(3.14)): y = (q, q'),
 /// z = lambda, g = c G q' + d ((dG/dt) q' + G M^-1 (F - G^T lambda)).
-template <mechanical_model Model>
+template <fixed_size_model Model>
 struct strongly_damped {
     static constexpr int n = Model::coordinates, slow = 2 * n, fast = Model::constraints;
     Model model;

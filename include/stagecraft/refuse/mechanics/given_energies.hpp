@@ -11,8 +11,12 @@
 #include <stagecraft/owned_value.hpp>
 #include <stagecraft/refuse/detect/named_member.hpp>
 #include <stagecraft/refuse/detect/taken_arguments.hpp>
+#include <stagecraft/refuse/mechanics/checked_model.hpp>
 
 namespace stagecraft {
+
+template <int Coordinates, int Constraints, class Parts>
+class lagrangian_model;
 
 /// No generalised forces: only those of the potential act.
 struct no_forces {};
@@ -89,15 +93,28 @@ concept returns_energy = requires(const Energy& energy, const Vectors&... x) {
     { energy(x...) } -> owned_number;
 };
 
-/// What is to be known of the energies in a call of `lagrangian`, and of what stands beside them. The potential energy is
-/// looked at where the kinetic one is good, so that the first complaint is the only one.
-template <int Coordinates, class Kinetic, class Potential, class Forces, class... Others>
+/// What the constraint of a model returns, where it can be looked at, has so many columns and rows.
+template <bool Seen, class Model>
+struct fit_of {
+    static constexpr bool columns_fit = true, rows_fit = true;
+};
+template <class Model>
+struct fit_of<true, Model> : Model {};
+
+/// What is to be known of the arguments in a call of `lagrangian`, of a Constraint where there is one, M rows. The potential
+/// energy is looked at where the kinetic one is good, so that the first complaint is the only one.
+template <int Coordinates, int M, class Kinetic, class Potential, class Constraint, class Forces>
 struct given_energies {
     using vector = Eigen::Matrix<double, Coordinates, 1>;
+    using parts = lagrangian_parts<Kinetic, Potential, Constraint, Forces>;
     static constexpr std::size_t dual_numbers =
         sizeof(dual_number<dual_number<double, Coordinates>, Coordinates>);
+    static constexpr bool free = std::is_same_v<Constraint, no_constraint>,
+                          without_forces = std::is_same_v<Forces, no_forces>;
+    /// Without M a constraint has been taken for forces, or forces do not take t.
+    static constexpr bool numbered = M > 0 || without_forces || forces_on<Forces, Coordinates>;
     static constexpr bool generic = !takes_one_scalar<Kinetic> && !takes_one_scalar<Potential> &&
-                                    !takes_one_scalar<Forces> && !(takes_one_scalar<Others> || ...),
+                                    !takes_one_scalar<Forces> && !takes_one_scalar<Constraint>,
                           kinetic = std::is_invocable_v<const Kinetic&, const vector&, const vector&>,
                           potential = !kinetic || std::is_invocable_v<const Potential&, const vector&>,
                           energy_numbers =
@@ -110,15 +127,28 @@ struct given_energies {
                                              returns_energy<Potential, vector>;
                               }(),
                           objects = owned_or_none<const Forces&, const vector&, const vector&, double> &&
-                                    (owned_or_none<const Others&, const vector&> && ...) &&
-                                    (owned_or_none<const Others&, const vector&, double> && ...),
-                          forces = returns_forces<Forces, Coordinates>,
-                          constraint_time = !(constraint_in_plain_time<Others, Coordinates> || ...),
+                                    owned_or_none<const Constraint&, const vector&> &&
+                                    owned_or_none<const Constraint&, const vector&, double>,
+                          forces = !numbered || returns_forces<Forces, Coordinates>,
+                          constraint_time = !constraint_in_plain_time<Constraint, Coordinates>,
                           forces_time = !forces_in_plain_time<Forces, Coordinates>,
                           on_the_stack = fits_on_the_stack(Coordinates * dual_numbers),
-                          usable = generic && kinetic && potential && energy_numbers && objects && forces &&
-                                   constraint_time && forces_time && on_the_stack;
+                          fewer = M < Coordinates, missing = free && M > 0,
+                          constrained = free || std::is_invocable_v<const Constraint&, const vector&> ||
+                                        std::is_invocable_v<const Constraint&, const vector&, double>,
+                          alone = numbered && generic && kinetic && potential && energy_numbers && objects &&
+                                  forces && constraint_time && forces_time && on_the_stack && fewer &&
+                                  !missing && constrained;
+    using fit = fit_of<alone && !free, lagrangian_model<Coordinates, M, parts>>;
+    static constexpr bool columns = fit::columns_fit, rows = fit::rows_fit, usable = alone && columns && rows;
 };
+
+/// The same for what stands after the energies: a constraint, if there are M > 0, and forces.
+template <int Coordinates, int M, class Kinetic, class Potential, class First = no_constraint,
+          class Second = no_forces>
+using given_to_lagrangian =
+    given_energies<Coordinates, M, Kinetic, Potential, std::conditional_t<M == 0, no_constraint, First>,
+                   std::conditional_t<M == 0 && !std::is_same_v<First, no_constraint>, First, Second>>;
 
 }  // namespace detail
 
