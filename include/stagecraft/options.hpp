@@ -65,7 +65,7 @@ namespace detail {
 
 /// Throws std::invalid_argument that names the first option out of range; n is the size of the state.
 template <class Scalar>
-void validate(const options<Scalar>& o, Eigen::Index n) {
+[[gnu::cold]] void validate(const options<Scalar>& o, Eigen::Index n) {
     const auto finite = [](const Scalar& x) { return x - x == Scalar(0); };
     const auto demand = [](bool good, const char* what) {
         if (!good) detail::refuse(what);
@@ -108,6 +108,13 @@ void validate(const options<Scalar>& o, Eigen::Index n) {
     demand(o.newton_iterations >= 0, "newton_iterations must not be negative");
     demand(finite(o.newton_factor) && o.newton_factor >= Scalar(0),
            "newton_factor must be finite and not negative");
+}
+
+/// The same of a state that takes the place of one, which has n components here.
+template <class Vector, class Sums>
+void validate_corrected(const Vector& y, Eigen::Index n, const Sums& sums) {
+    if (y.size() != n || !all_finite(y, static_cast<int>(n), sums))
+        throw std::invalid_argument("integrate: the corrected state must be finite and of the same size");
 }
 
 /// Throws std::invalid_argument that names t0, t1 or y0 if it is not finite.

@@ -237,6 +237,10 @@ BOOST_AUTO_TEST_CASE(of_what_may_help_the_cheapest_is_tried_first) {
     BOOST_TEST((remedy({.noisy_guess = true}) == sc::remedy::constant_guess));
     BOOST_TEST((remedy({.old_jacobian = true, .noisy_guess = true}) == sc::remedy::new_jacobian));
     BOOST_TEST((remedy({.fixed = true, .old_jacobian = true}) == sc::remedy::new_jacobian));
+    BOOST_TEST((remedy({.finite_stages = false, .fixed = true, .old_jacobian = true, .new_border = true}) ==
+                sc::remedy::continued_f));
+    BOOST_TEST((remedy({.finite_stages = false, .unsolved_linear = true, .new_border = true}) ==
+                sc::remedy::shorter_step));
     BOOST_TEST((remedy({.fixed = true, .noisy_guess = true}) == sc::remedy::none));
 }
 

@@ -15,6 +15,7 @@ struct unsolved_attempt {
     // What could be changed.
     bool fixed = false;         ///< the step may not be another one
     bool old_jacobian = false;  ///< J is of an earlier step, and not constant
+    bool new_border = false;    ///< the first iterate at which f is not finite
     bool noisy_guess = false;   ///< the iteration began at an extrapolated polynomial that may be noisy
 };
 
@@ -26,11 +27,12 @@ inline status why_unsolved(const unsolved_attempt& a) {
 }
 
 /// What is changed before the step is tried again.
-enum class remedy { new_jacobian, constant_guess, shorter_step, none };
+enum class remedy { continued_f, new_jacobian, constant_guess, shorter_step, none };
 
-/// The cheapest change first, one at a time: a new Jacobian, then another guess, each with the same step; then a shorter
+/// The cheapest change first, one at a time: f continued beyond the border of its domain, a new Jacobian, then another guess, each with the same step; then a shorter
 /// step, in which the iteration begins closer to its solution and contracts faster (theta = O(h) where f is smooth).
 inline remedy remedy_for(const unsolved_attempt& a) {
+    if (a.new_border && !a.unsolved_linear) return remedy::continued_f;
     if (a.old_jacobian) return remedy::new_jacobian;
     if (a.fixed) return remedy::none;
     return a.noisy_guess ? remedy::constant_guess : remedy::shorter_step;

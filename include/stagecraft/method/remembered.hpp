@@ -13,7 +13,7 @@ namespace stagecraft {
 /// otherwise spend most of their time on looking at order conditions. The last eight methods per thread and
 /// caller are kept; a method is the same if its coefficients and its order are.
 template <class Scalar, int Stages, class Find>
-auto remembered(const tableau<Scalar, Stages>& m, const Find& find) {
+[[gnu::cold]] auto remembered(const tableau<Scalar, Stages>& m, const Find& find) {
     using result = decltype(find());
     struct entry {
         tableau<Scalar, Stages> method;

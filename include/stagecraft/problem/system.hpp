@@ -13,6 +13,7 @@
 #include <stagecraft/linear/linear_solve.hpp>
 #include <stagecraft/problem/capabilities.hpp>
 #include <stagecraft/problem/distributed.hpp>
+#include <stagecraft/problem/domain_border.hpp>
 #include <stagecraft/problem/jacobian_matrix.hpp>
 #include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/problem/unwritten.hpp>
@@ -81,6 +82,7 @@ class system
     using blocks = typename detail::blocks_for<std::remove_const_t<Problem>, matrix>::type;
     using mass_type = decltype(make_mass<scalar>(std::declval<Problem&>(), 0));
     using sums_type = decltype(sums_over<scalar>(std::declval<Problem&>()));
+    using border_type = std::conditional_t<sums_type::complete, domain_border<Vector>, no_domain_border>;
     /// The entries of the Jacobian cannot be looked at.
     static constexpr bool opaque = has_matrix<Problem>;
     static constexpr bool structured = opaque || has_bandwidth<Problem> || has_sparsity<Problem>;
@@ -230,8 +232,23 @@ class system
         count_products();
     }
 
-    /// f(t, y), counted. NaN where a call has thrown and the other processes have not heard of it yet.
+    /// f(t, y), counted; continued beyond the border of its domain where that is watched.
     [[gnu::always_inline]] void operator()(const scalar& t, const Vector& y, Vector& f) {
+        call(t, y, f);
+        if constexpr (sums_type::complete)
+            if (border_.watched()) [[unlikely]]
+                border_.extend(*this, t, y, f);
+    }
+    /// The same, for what is done once a step: the machine code of f stands here once for all.
+    [[gnu::noinline]] void evaluate(const scalar& t, const Vector& y, Vector& f) { (*this)(t, y, f); }
+    /// The same without a continuation: f is not finite beyond its border.
+    [[gnu::noinline]] void evaluate_inside(const scalar& t, const Vector& y, Vector& f) { call(t, y, f); }
+    /// The border of the domain of f, once a run has met it.
+    border_type& border() { return border_; }
+
+  private:
+    /// f(t, y) itself. NaN where a call has thrown and the other processes have not heard of it yet.
+    [[gnu::always_inline]] void call(const scalar& t, const Vector& y, Vector& f) {
         ++report_.f;
         expect_written(f);
         if constexpr (sums_type::complete && !has_stopwatch<Problem>) {
@@ -247,6 +264,7 @@ class system
         }
     }
 
+  public:
     /// Evaluates the Jacobian at (t, y); f0 = f(t, y), `negligible` and, in a first step, `reach` serve finite
     /// differences only.
     void evaluate_jacobian(const scalar& t, const Vector& y, const Vector& f0, const Vector& negligible,
@@ -390,6 +408,7 @@ class system
     matrix J_;
     std::vector<raised_component> raised_;
     int largest_index_ = 1, all_ = n_;
+    [[no_unique_address]] border_type border_;
     [[no_unique_address]] mutable shared_failure<scalar, sums_type> failure_;
 };
 

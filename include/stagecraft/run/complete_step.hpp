@@ -4,18 +4,21 @@
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/report.hpp>
 #include <stagecraft/run/end_slope.hpp>
+#include <stagecraft/run/look_at_end.hpp>
 #include <stagecraft/run/step_plan.hpp>
 
 namespace stagecraft {
 
 /// Completes a step from (t, y) to y1 that has been accepted: `now` becomes its continuous solution, where `keeps` or the
-/// method wants one, and y1 moves onto the constraints where the method ends beside them. True if there is such a solution.
+/// method wants one, and y1 moves onto the constraints where the method ends beside them, or into the domain of f. True if there is such a solution.
 template <class Step, class System, class Vector, class Scalar>
 [[gnu::always_inline]] inline bool complete_step(Step& method, System& system,
-                                                 const planned_step<Scalar>& plan, const Scalar& t,
-                                                 const Vector& y, Vector& y1, end_slope<Vector>& f,
-                                                 bool keeps, typename Step::output& now,
+                                                 const planned_step<Scalar>& plan, domain_end end,
+                                                 const Scalar& t, const Vector& y, Vector& y1,
+                                                 end_slope<Vector>& f, bool keeps, typename Step::output& now,
                                                  report<Scalar>& counts) {
+    if constexpr (System::sums_type::complete)
+        if (end == domain_end::inside) f.take_right(system.border().value());
     if (method.ends_with_value()) {
         const Vector& f1 = f.right(system, plan.t_next, y1);
         if (all_finite(f1, system.size(), system.sums()))
@@ -34,6 +37,10 @@ template <class Step, class System, class Vector, class Scalar>
             counts.error_solves += method.end_on_constraints(system, plan.h, f1, now, y1);
             f.retry();
         }
+    if (end == domain_end::beside) {
+        move_inside(system, y1, f, has_output ? &now : nullptr);
+        method.replaced();
+    }
     return has_output;
 }
 

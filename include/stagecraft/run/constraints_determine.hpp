@@ -6,6 +6,7 @@
 
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/status.hpp>
 
 namespace stagecraft {
 
@@ -45,6 +46,14 @@ bool constraints_determine(const System& system, const Scalar& rtol) {
             if (!(lu.pivot(k) > least)) return false;
         return true;
     }
+}
+
+/// The status of a run that ends with `found`: constraints that do not determine their components are the cause of
+/// iterations that fail.
+template <class System, class Scalar>
+status cause_of(status found, const System& system, const Scalar& rtol) {
+    return found == status::newton_failed && !constraints_determine(system, rtol) ? status::singular_matrix
+                                                                                  : found;
 }
 
 }  // namespace stagecraft

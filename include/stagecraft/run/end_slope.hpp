@@ -19,7 +19,7 @@ class end_slope {
     /// f(t, y) at the beginning of the step.
     template <class System>
     const Vector& left(System& system, const scalar& t, const Vector& y) {
-        if (known_ != end::left) system(t, y, f_);
+        if (known_ != end::left) system.evaluate(t, y, f_);
         known_ = end::left;
         return f_;
     }
@@ -28,10 +28,15 @@ class end_slope {
     const Vector& right(System& system, const scalar& t1, const Vector& y1) {
         if (known_ != end::right) {
             known_ = end::none;
-            system(t1, y1, f_);
+            system.evaluate(t1, y1, f_);
         }
         known_ = end::right;
         return f_;
+    }
+    /// f at its end is known to be f1.
+    void take_right(const Vector& f1) {
+        f_ = f1;
+        known_ = end::right;
     }
     /// The step is tried again: its end will be another one.
     void retry() {

@@ -16,9 +16,10 @@ namespace stagecraft {
 /// as it was. At most 40 systems are tried, down to h/64. Takes storage for one more polynomial and a few
 /// states where the size is dynamic; nothing where the first iteration converges.
 template <class Scalar, class Step, class System, class Norm>
-bool solve_by_homotopy(Step& method, System& system, const Scalar& t, const typename Step::vector& y,
-                       const Scalar& h, const Norm& norm, newton_limits<Scalar> limits,
-                       typename Step::output& now, report<Scalar>& counts, newton_outcome<Scalar>& newton) {
+[[gnu::cold]] bool solve_by_homotopy(Step& method, System& system, const Scalar& t,
+                                     const typename Step::vector& y, const Scalar& h, const Norm& norm,
+                                     newton_limits<Scalar> limits, typename Step::output& now,
+                                     report<Scalar>& counts, newton_outcome<Scalar>& newton) {
     if (system.constant_jacobian()) return false;
     limits.iterations *= 8;  // far from the solution the first iterations contract slowly,
     limits.patience = 2;     // and with index 3 the second increment may be as large as the first
@@ -32,7 +33,7 @@ bool solve_by_homotopy(Step& method, System& system, const Scalar& t, const type
             reached.evaluate(t + ahead, point);
         else
             point = y;
-        if constexpr (System::finite_difference) system(t + ahead, point, f);
+        if constexpr (System::finite_difference) system.evaluate(t + ahead, point, f);
         system.evaluate_jacobian(t + ahead, point, f, negligible);
         ++counts.factorisations;
         newton_outcome<Scalar> outcome;

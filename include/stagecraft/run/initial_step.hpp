@@ -39,4 +39,14 @@ typename Vector::Scalar initial_step(const Mass& mass, const Vector& y, const Ve
     return change * span > size / 1000 ? scalar(size / change / scalar(100)) : scalar(span / 1000);
 }
 
+/// The same of a run from (t, y), f = f(t, y), to `end`.
+template <class System, class Norm, class Vector>
+[[gnu::cold]] typename Vector::Scalar initial_step(const System& system, const Norm& norm,
+                                                   const typename Vector::Scalar& t, const Vector& y,
+                                                   const Vector& f, const typename Vector::Scalar& end) {
+    using std::abs;
+    const weighted_root_mean_square of_state(norm.of_state(), norm.sums());
+    return initial_step(system.mass(), y, f, of_state, typename Vector::Scalar(abs(end - t)));
+}
+
 }  // namespace stagecraft

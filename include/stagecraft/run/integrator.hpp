@@ -21,6 +21,7 @@
 #include <stagecraft/run/inconsistent_start.hpp>
 #include <stagecraft/run/initial_step.hpp>
 #include <stagecraft/run/linearisation.hpp>
+#include <stagecraft/run/look_at_end.hpp>
 #include <stagecraft/run/measured_step.hpp>
 #include <stagecraft/run/newton_room.hpp>
 #include <stagecraft/run/prepare_method.hpp>
@@ -65,19 +66,18 @@ class integrator {
           y1_(n_),
           error_(n_),
           f_(n_),
-          outputs_{output_type(n_, largest_columns()), output_type(n_, largest_columns())},
+          outputs_{output_type(n_, detail::largest_columns(steps_)),
+                   output_type(n_, detail::largest_columns(steps_))},
           keeps_output_(keeps_output) {
-        system_.set_extent(start_.agree(system_.extent(), o, t0, t1, largest_columns()));
+        system_.set_extent(start_.agree(system_.extent(), o, t0, t1, detail::largest_columns(steps_)));
         report_.set_tolerances(o);
         if (!system_.inside(t0, y0))
             throw std::invalid_argument("integrate: y0 must lie in problem.domain()");
         h_ = plan_.equal().h;
+        system_.border().lies_near(y_, norm_.of_state());
         if (std::apply([](auto&... m) { return (m.implicit() || ...); }, steps_)) system_.take_jacobian();
-        for (int k = 0; k < method_count<Method>; ++k)
-            detail::visit_at(steps_, k, [&](auto& m) {
-                prepare_method(m, k, system_, options_, run_demands{plan_.fixed(), keeps_output_, o.jumps},
-                               judge_);
-            });
+        prepare_methods(steps_, system_, options_, run_demands{plan_.fixed(), keeps_output_, o.jumps},
+                        judge_);
     }
     integrator(const integrator&) = delete;
     integrator& operator=(const integrator&) = delete;
@@ -108,8 +108,7 @@ class integrator {
     /// continuous solution of the last step is bent to end there, the next step starts there in every
     /// respect. std::invalid_argument where y is not finite or of another size.
     void replace_state(const Vector& y) {
-        if (y.size() != n_ || !all_finite(y, n_, system_.sums()))
-            throw std::invalid_argument("integrate: the corrected state must be finite and of the same size");
+        validate_corrected(y, n_, system_.sums());
         if (has_output_) output_->move_end(y - y_);
         y_ = y;
         norm_.at(y_);
@@ -180,12 +179,8 @@ class integrator {
     decltype(auto) visit_current(F&& f) {
         return detail::visit_at(steps_, judge_.method(), std::forward<F>(f));
     }
-    int largest_columns() {
-        return std::apply([](auto&... m) { return std::max({m.columns()...}); }, steps_);
-    }
-    progress give_up(stagecraft::status s) {
-        const bool cause_known = s == status::newton_failed && !constraints_determine(system_, options_.rtol);
-        status_ = cause_known ? status::singular_matrix : s;
+    [[gnu::noinline, gnu::cold]] progress give_up(stagecraft::status s) {
+        status_ = cause_of(s, system_, options_.rtol);
         return progress::given_up;
     }
 
@@ -206,8 +201,7 @@ class integrator {
     bool first() const { return report_.steps == before_; }
 
     /// Evaluates f(t0, y0) where the run needs it and chooses the first step.
-    bool start() {
-        using std::abs;
+    [[gnu::noinline, gnu::cold]] bool start() {
         bool left = false;
         visit_current([&](auto& m) { left = this->needs_left_value(m); });
         const bool choose = !plan_.fixed() && options_.initial_step == scalar(0);
@@ -219,10 +213,8 @@ class integrator {
         }
         started_ = true;
         if (plan_.fixed()) return true;
-        const weighted_root_mean_square at_start(norm_.of_state(), norm_.sums());
         h_ = plan_.first(
-            choose ? initial_step(system_.mass(), y_, f_.value(), at_start, scalar(abs(plan_.end() - t_)))
-                   : options_.initial_step,
+            choose ? initial_step(system_, norm_, t_, y_, f_.value(), plan_.end()) : options_.initial_step,
             t_);
         return true;
     }
@@ -236,18 +228,23 @@ class integrator {
             return give_up(plan.obstacle == status::step_underflow ? attempts_.obstacle() : plan.obstacle);
         output_type& now = *tried_;
 
+        const bool begins = needs_left_value(method) && report_.steps > 0 && refused().all == 0;
+        if (begins && !starts_inside(method, system_, t_, y_, h_, norm_, has_output_ ? output_ : nullptr, f_))
+            return give_up(status::non_finite);
         const linear_state linear = linearise(method, plan.h);
         if (linear == linear_state::forbidden) return refuse_forbidden(plan);
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
         if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
         method.advance(y_, now, y1_);
+        const domain_end end = look_at_end(system_, plan, y_, y1_, norm_.of_state(), plan_.fixed());
+        if (end == domain_end::outside) return refuse_error(plan, outside_domain(plan));
         if (!ends_inside(plan)) return refuse_outside(plan);
         if (!plan_.fixed()) {
             const verdict<scalar> said = judged(method, plan, newton, now);
             if (!said.accepted) return refuse_error(plan, said);
             h_ = plan_.bounded(said.next_h);
         }
-        return accept(method, plan, now);
+        return accept(method, plan, now, end);
     }
     /// What the judge says of an attempt whose stage equations are solved.
     template <class Step>
@@ -271,7 +268,8 @@ class integrator {
         method.begin(f_.value());
         if (!method.implicit()) return linear_state::factored;
         if (linear_.wanted()) {
-            const bool ahead = extrapolates() && refused().all == 0 && !plan_.fixed();
+            const bool ahead =
+                extrapolates() && refused().all == 0 && !plan_.fixed() && !system_.border().watched();
             linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? output_ : nullptr, ahead, options_,
                              y1_);
             judge_.linearised();
@@ -319,15 +317,15 @@ class integrator {
     }
 
     /// A guard forbids the step.
-    progress refuse_forbidden(const planned_step<scalar>& plan) {
+    [[gnu::noinline, gnu::cold]] progress refuse_forbidden(const planned_step<scalar>& plan) {
         attempts_.forbidden(report_);
         return linear_.stay_behind() ? progress::again : shorten(plan, plan.h / 4);
     }
 
     /// The stage equations could not be solved: the cheapest change that may help (judge/unsolved.hpp), and again.
     template <class Step>
-    progress refuse_unsolved(Step& method, const planned_step<scalar>& plan, linear_state linear,
-                             newton_end end) {
+    [[gnu::noinline, gnu::cold]] progress refuse_unsolved(Step& method, const planned_step<scalar>& plan,
+                                                          linear_state linear, newton_end end) {
         const bool singular = linear == linear_state::singular, finite = end != newton_end::non_finite;
         const unsolved_attempt failed{
             .singular = singular,
@@ -337,9 +335,13 @@ class integrator {
             .unsolved_linear = !finite && linear_solver_failed(),
             .fixed = plan_.fixed(),
             .old_jacobian = method.implicit() && linear_.may_be_renewed(system_),
+            .new_border = !finite && !distributed && !system_.border().watched(),
             .noisy_guess = system_.rough_stages() && extrapolates()};
         attempts_.unsolved(why_unsolved(failed), report_);
         switch (remedy_for(failed)) {
+            case remedy::continued_f:
+                system_.border().watch();
+                return progress::again;
             case remedy::new_jacobian:
                 linear_.renew(system_);
                 return progress::again;
@@ -377,7 +379,8 @@ class integrator {
     }
 
     /// The error is too large, or not finite.
-    progress refuse_error(const planned_step<scalar>& plan, const verdict<scalar>& said) {
+    [[gnu::noinline, gnu::cold]] progress refuse_error(const planned_step<scalar>& plan,
+                                                       const verdict<scalar>& said) {
         if (said.error - said.error == scalar(0))
             attempts_.too_large(plan.h, said.error, report_);
         else
@@ -397,10 +400,11 @@ class integrator {
 
     /// Moves to the end of the step.
     template <class Step>
-    [[gnu::always_inline]] progress accept(Step& method, const planned_step<scalar>& plan, output_type& now) {
+    [[gnu::always_inline]] progress accept(Step& method, const planned_step<scalar>& plan, output_type& now,
+                                           domain_end end) {
         using std::abs;
         if (!system_.finite(y1_)) return give_up(status::non_finite);
-        has_output_ = complete_step(method, system_, plan, t_, y_, y1_, f_, keeps_output_, now, report_);
+        has_output_ = complete_step(method, system_, plan, end, t_, y_, y1_, f_, keeps_output_, now, report_);
         method.accepted();
         f_.stepped();
         extrapolation_.stepped();
@@ -423,7 +427,7 @@ class integrator {
         return method.needs_left_value(plan_.fixed()) || (method.implicit() && linear_.needs_left_value());
     }
 
-    /// True if the polynomial of the last step is to start the iteration.
+    /// The polynomial of the last step is to start the iteration.
     bool extrapolates() const {
         return has_output_ && (system_.rough_stages() ? extrapolation_.trusted() : refused().all < 2);
     }

@@ -96,7 +96,7 @@ class linearisation {
             // solution, if it moves.
             if constexpr (System::automatic) {
                 if (System::mass_type::identity && !system.finite_jacobian()) {
-                    system(t, y, point);
+                    system.evaluate(t, y, point);
                     point = y + (h / 1000) * point;
                     system.evaluate_jacobian(t, point, f0, negligible_);
                 }

@@ -139,7 +139,7 @@ class measured_step : public step_facts<typename System::scalar> {
         method_.finish(this->t, y_, this->h, y1_, u);
         const scalar between = this->t + this->h * farthest_from(u.nodes());
         vector error(system_.size());
-        system_(between, u(between), error);
+        system_.evaluate(between, u(between), error);
         const vector slope = u.derivative(between);
         add_mass_times(system_.mass(), scalar(-1), slope.data(), error.data(), system_.size());
         counts_.error_solves += method_.solve_for_defect(system_, this->h, error);

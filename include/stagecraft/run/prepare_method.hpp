@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <tuple>
+
 #include <stagecraft/judge/evidence.hpp>
 #include <stagecraft/options.hpp>
 #include <stagecraft/step/one_step_method.hpp>
@@ -25,6 +27,14 @@ void prepare_method(Step& method, int k, const System& system, const options<Sca
              method.stages().work(system.total_size())},
             o.rtol);
     }
+}
+
+/// The same with all methods that a run chooses from.
+template <class Steps, class System, class Scalar, class Judge>
+void prepare_methods(Steps& steps, const System& system, const options<Scalar>& o, const run_demands& demands,
+                     Judge& judge) {
+    int k = 0;
+    std::apply([&](auto&... m) { (prepare_method(m, k++, system, o, demands, judge), ...); }, steps);
 }
 
 }  // namespace stagecraft

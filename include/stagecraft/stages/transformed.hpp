@@ -45,7 +45,7 @@ class transformed_stages {
     using vector = Vector;
     using tableau_type = transformed_tableau<Scalar, Stages>;
 
-    transformed_stages(const tableau_type& method, int n)
+    [[gnu::cold]] transformed_stages(const tableau_type& method, int n)
         : method_(method),
           n_(n),
           W_(n, method.stages()),

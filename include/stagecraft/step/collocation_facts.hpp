@@ -26,7 +26,7 @@ struct collocation_facts {
     int order = 0;
 
     /// std::invalid_argument where the method has no stage, or its matrices are of another size.
-    static collocation_facts of(const transformed_tableau<Scalar, Stages>& method) {
+    [[gnu::cold]] static collocation_facts of(const transformed_tableau<Scalar, Stages>& method) {
         const int s = method.stages();
         if (s < 1 || method.A.rows() != s || method.A_inverse.rows() != s || method.c.size() != s)
             throw std::invalid_argument("integrate: method must have at least one stage and a regular A");

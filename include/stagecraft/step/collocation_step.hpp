@@ -73,7 +73,7 @@ class collocation_step : public step_defaults<Space> {
     int columns() const { return count(); }
     /// Serves every run.
     template <class System>
-    void prepare(const System& system, const run_demands& demands) {
+    [[gnu::cold]] void prepare(const System& system, const run_demands& demands) {
         extrapolation_.prepare(known_.nodes);
         if (demands.fixed) return;
         if constexpr (!System::mass_type::identity && has_entries<typename System::mass_type> &&
@@ -201,7 +201,7 @@ class collocation_step : public step_defaults<Space> {
         if constexpr (!System::mass_type::identity)
             if (!stages_
                      .has_real_block()) {  // the estimate has no sign, and the way to the constraints has one
-                system(t, y, f);
+                system.evaluate(t, y, f);
                 defect(system, h, known_.left, f, now, error);
                 second_.setZero();
                 stages_.solve_first(system, error, second_);
@@ -209,7 +209,7 @@ class collocation_step : public step_defaults<Space> {
             }
         error += y;
         system.for_each_raised([&](int i, int) { error[i] = y[i]; });
-        system(t, error, f);
+        system.evaluate(t, error, f);
         defect(system, h, known_.left, f, now, error);
         system.measure(work::solve, [&] { stages_.filter(system, error, scratch_); });
         if (known_.stiffly_accurate) system.for_each_raised([&](int i, int) { error[i] = rest_[i]; });

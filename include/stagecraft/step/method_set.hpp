@@ -95,6 +95,12 @@ decltype(auto) visit_at(Tuple& tuple, int k, F&& f) {
     }
 }
 
+/// The columns that the continuous solutions of all need.
+template <class Tuple>
+int largest_columns(const Tuple& steps) {
+    return std::apply([](const auto&... m) { return std::max({m.columns()...}); }, steps);
+}
+
 }  // namespace detail
 
 /// How many methods a run chooses from: those of a variable_order, otherwise 1.
