@@ -71,6 +71,10 @@ struct report {
     Scalar largest_step = Scalar(0);
     int largest_stages = 0;  ///< largest and smallest number of stages used by an accepted step
     int smallest_stages = 0;
+    /// Of status::inconsistent_start: the equation that is farthest off (counted from 0; of a combination, the one of
+    /// largest coefficient), what it leaves, and how many tolerances of all components make as much.
+    int unmet_equation = -1;
+    Scalar unmet_rest = Scalar(0), unmet_tolerances = Scalar(0);
     found_capabilities found{};
     Scalar rtol = Scalar(0), atol = Scalar(0);  ///< of the options; atol is 0 where it was given by component
     bool default_atol = false;                  ///< steps are chosen by the atol of options nobody has set

@@ -33,6 +33,9 @@ constexpr const char* reason(status s) {
             return "the error test wants a step below the resolution of t or below options.min_step";
         case status::newton_failed:
             return "the stage equations could not be solved with any admissible step";
+        case status::inconsistent_start:
+            return "y0 does not satisfy an equation without a derivative, and no y was found beside it that "
+                   "does";
         case status::singular_matrix:
             return "the matrix gamma/h M - J, or what constraints leave of it for small h, was singular "
                    "for every admissible step";
@@ -117,6 +120,9 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
         }
         out << '\n';
     }
+    if (r.unmet_equation >= 0)
+        line("start") << "equation " << r.unmet_equation << " (counted from 0) leaves " << r.unmet_rest
+                      << ", as much as " << r.unmet_tolerances << " tolerances of all components make\n";
     line("steps") << r.steps << "  from " << r.smallest_step << " to " << r.largest_step << ", "
                   << r.smallest_stages;
     if (r.largest_stages != r.smallest_stages) out << " to " << r.largest_stages;

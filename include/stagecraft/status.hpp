@@ -16,6 +16,7 @@ enum class status {
     too_many_steps,  ///< options.max_steps attempts were made before t1
     step_underflow,  ///< the error test wants a step below the resolution of t or below options.min_step
     newton_failed,   ///< the stage equations could not be solved with any admissible step
+    inconsistent_start,  ///< y0 does not satisfy an equation without a derivative, and no y near it was found that does
     singular_matrix,  ///< gamma/h M - J, or what constraints leave of it for small h, was singular for every step
     linear_solver_failed,  ///< a linear solver that iterates did not converge, for every admissible step
     non_finite,    ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
@@ -45,6 +46,8 @@ constexpr const char* name(status s) {
             return "step_underflow";
         case status::newton_failed:
             return "newton_failed";
+        case status::inconsistent_start:
+            return "inconsistent_start";
         case status::singular_matrix:
             return "singular_matrix";
         case status::linear_solver_failed:

@@ -6,6 +6,8 @@
 
 #include <stagecraft/linear/mass.hpp>
 #include <stagecraft/linear/split_lu.hpp>
+#include <stagecraft/report.hpp>
+#include <stagecraft/run/inconsistent_start.hpp>
 #include <stagecraft/status.hpp>
 
 namespace stagecraft {
@@ -48,10 +50,12 @@ bool constraints_determine(const System& system, const Scalar& rtol) {
     }
 }
 
-/// The status of a run that ends with `found`: constraints that do not determine their components are the cause of
-/// iterations that fail.
-template <class System, class Scalar>
-status cause_of(status found, const System& system, const Scalar& rtol) {
+/// The status of a run that ends with `found` at (t, y): a start that is not consistent, or constraints that do not determine their components are the
+/// cause of iterations that fail.
+template <class System, class Vector, class Norm, class Scalar>
+status cause_of(status found, System& system, const Scalar& t, const Vector& y, const Norm& norm,
+                const Scalar& rtol, report<Scalar>& counts) {
+    if (counts.steps == 0) found = blame_start(found, system, t, y, norm.of_state(), counts);
     return found == status::newton_failed && !constraints_determine(system, rtol) ? status::singular_matrix
                                                                                   : found;
 }

@@ -16,6 +16,7 @@
 #include <stagecraft/run/complete_step.hpp>
 #include <stagecraft/run/constraints_determine.hpp>
 #include <stagecraft/run/end_slope.hpp>
+#include <stagecraft/run/find_consistent_start.hpp>
 #include <stagecraft/run/guarded.hpp>
 #include <stagecraft/run/homotopy.hpp>
 #include <stagecraft/run/inconsistent_start.hpp>
@@ -180,7 +181,7 @@ class integrator {
         return detail::visit_at(steps_, judge_.method(), std::forward<F>(f));
     }
     [[gnu::noinline, gnu::cold]] progress give_up(stagecraft::status s) {
-        status_ = cause_of(s, system_, options_.rtol);
+        status_ = cause_of(s, system_, t_, y_, norm_, options_.rtol, report_);
         return progress::given_up;
     }
 
@@ -311,9 +312,26 @@ class integrator {
 
     /// A step of h is to be tried in place of the planned one, if t resolves it.
     progress shorten(const planned_step<scalar>& plan, const scalar& h) {
+        if (report_.steps == 0 && !plan_.fixed() && moves_start(plan.h)) return progress::again;
         if (plan.smallest) return give_up(attempts_.obstacle());
         h_ = h;
         return progress::again;
+    }
+
+    /// After the first failure of the first step: y0 moves to the constraints, where they can be satisfied. The method of a
+    /// run that is here forgets y0, which is in no stage of it.
+    bool moves_start(const scalar& h) {
+        if constexpr (system_type::mass_type::identity)
+            return false;
+        else
+            return std::exchange(may_move_start_, false) && visit_current([&](auto& m) {
+                       if (!m.stiffly_accurate() ||
+                           !find_consistent_start(m, system_, linear_, t_, y_, h, norm_, options_, report_))
+                           return false;
+                       norm_.at(y_);
+                       f_.forget();
+                       return true;
+                   });
     }
 
     /// A guard forbids the step.
@@ -452,7 +470,7 @@ class integrator {
     long before_ = 0;           // report_.steps when the run began, or went on afresh
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
     attempts<scalar> attempts_;
-    bool keeps_output_, started_ = false, has_output_ = false;
+    bool keeps_output_, started_ = false, may_move_start_ = true, has_output_ = false;
     stagecraft::status status_ = status::success;
 };
 

@@ -150,6 +150,11 @@ class linearisation {
     void renew(System& system) {
         if (may_be_renewed(system)) jacobian_ = age::wanted;
     }
+    /// The state has been moved: what there is serves another one.
+    void moved() {
+        jacobian_ = age::wanted;
+        factored_for(scalar(0), 0);
+    }
     /// The error of the step is too large: with the next, smaller one the Jacobian is replaced as well if it
     /// served badly.
     void rejected(System& system) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include <stagecraft/linear/mass_kernel.hpp>
+#include <stagecraft/linear/norms.hpp>
+#include <stagecraft/options.hpp>
+#include <stagecraft/report.hpp>
+#include <stagecraft/run/inconsistent_start.hpp>
+#include <stagecraft/run/linearisation.hpp>
+
+namespace stagecraft {
+
+/// Newton's iteration, damped, for the algebraic components of a start (t, y) of index 1 that does not satisfy the equations
+/// without a derivative; y is moved by what M takes to zero only. Each iteration takes a new Jacobian and solves with
+/// M/(h a) - J, h being so small that the other components stay. An increment is taken by a part for which the next one,
+/// with the same matrix, is smaller (Hairer-Wanner II.VI.1 for the equations, Deuflhard 2004, section 3.3 for the test).
+///
+/// True if y has been moved to where they hold; false where they held to a tenth of a tolerance, or where the iteration
+/// does not find such a point: y is as it was then. Where the entries of M or J are not here nothing is tried. Takes
+/// storage; at most 50 factorisations.
+template <class Method, class System, class Vector, class Norm>
+bool find_consistent_start(Method& method, System& system, linearisation<System, Vector>& linear,
+                           const typename Vector::Scalar& t, Vector& y, const typename Vector::Scalar& h,
+                           const Norm& norm, const options<typename Vector::Scalar>& o,
+                           report<typename Vector::Scalar>& counts) {
+    if constexpr (shows_constraints<System>) {
+        using scalar = typename Vector::Scalar;
+        if (system.largest_index() > 1 || !method.implicit()) return false;
+        const int n = system.size();
+        const auto constraints = constraints_of(system.mass(), n);
+        mass_kernel<scalar> algebraic(system.mass(), n), without_derivative(system.mass().transposed(), n);
+        const scalar tiny = h / scalar(1 << 30);
+        Vector x = y, trial = y, f(n), step(n), next(n);
+        typename Method::output* const none = nullptr;
+        const auto correction = [&](const Vector& at, Vector& d) {
+            system.evaluate_inside(t, at, f);
+            d = f;
+            without_derivative.project(d);
+            ++counts.error_solves;
+            method.solve_for_defect(system, tiny, d);
+            algebraic.project(d);
+            return norm(d);
+        };
+        system.evaluate_inside(t, x, f);
+        if (!(worst_constraint(system, constraints, f, norm.of_state()).tolerances > scalar(1) / 10))
+            return false;
+        for (int k = 0; k < 50; ++k) {
+            linear.evaluate(system, t, x, f, h, none, false, o, trial);
+            ++counts.factorisations;
+            if (!method.stages().factor(system, tiny)) break;
+            const scalar size = correction(x, step);
+            if (!(size - size == scalar(0))) break;
+            const scalar least = scalar(1) / 1000;
+            scalar part(1), left;
+            for (;; part /= 2) {
+                trial = x + part * step;
+                left = correction(trial, next);
+                if (left <= least || left <= (scalar(1) - part / 4) * size || part < least) break;
+            }
+            if (part < least) break;
+            x = trial;
+            if (left <= least) {
+                y = x;
+                linear.moved();
+                return true;
+            }
+        }
+        linear.moved();
+    }
+    return false;
+}
+
+}  // namespace stagecraft
