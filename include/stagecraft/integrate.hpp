@@ -86,6 +86,8 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
         vector start = y0;
         run_type run(method, problem, start, t0, t1, with_break_points_of(observer, o),
                      wants_output<Observer, run_type, vector>);
+        if constexpr (looks_between<Observer, vector, typename run_type::output_type>)
+            run.watch_between_ends();
         return run_to_the_end(run, start, t1, observer, true);
     } else {
         return {};
@@ -247,6 +249,9 @@ result<Vector> integrate(const Method& method, Problem&& problem, const checkpoi
         run_type run(method, problem, start, from.t, t1, with_break_points_of(observer, o),
                      detail::wants_output<std::remove_reference_t<Observer>, run_type, Vector>);
         restore(run, from);
+        if constexpr (detail::looks_between<std::remove_reference_t<Observer>, Vector,
+                                            typename run_type::output_type>)
+            run.watch_between_ends();
         if constexpr (observed)
             return detail::run_to_the_end(run, start, t1, observer, false);
         else

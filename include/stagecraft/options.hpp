@@ -45,8 +45,9 @@ struct options {
     Scalar max_step{0};      ///< 0: no bound
     step_control control = step_control::predictive;
     bool continuous = false;  ///< true: the tolerance holds between the ends of the steps as well; for
-                              ///< families of two stages at least but Radau IA, an error with others
-    bool jumps = true;        ///< false: f is smooth, and the run does nothing about jumps that the error
+        ///< families of two stages at least but Radau IA, an error with others. (Of components
+        ///< that a singular M leaves algebraic it does wherever an observer looks there.)
+    bool jumps = true;  ///< false: f is smooth, and the run does nothing about jumps that the error
         ///< estimate does not show in full (judge/guards/jumps.hpp); it never does where
         ///< the method shows all of them
     long max_steps = 1000000;   ///< attempts, accepted or not

@@ -106,6 +106,10 @@ concept observes_with = requires(Observer& observer, const typename Vector::Scal
 template <class Observer, class Vector, class Output>
 inline constexpr bool asks_for_output = observes_with<Observer, Vector, typename Vector::Scalar, Output>;
 
+/// True if it looks between the ends of the steps; several do if one of them does (observers.hpp).
+template <class Observer, class Vector, class Output>
+inline constexpr bool looks_between = asks_for_output<Observer, Vector, Output>;
+
 /// True if the observer can be called after a step in one of its forms.
 template <class Observer, class Vector, class Output>
 inline constexpr bool can_observe =

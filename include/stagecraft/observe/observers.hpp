@@ -158,6 +158,12 @@ class observer_list
     std::tuple<Observers...> list_;
 };
 
+namespace detail {
+template <class... Observers, class Vector, class Output>
+inline constexpr bool looks_between<observer_list<Observers...>, Vector, Output> =
+    (looks_between<std::remove_reference_t<Observers>, Vector, Output> || ...);
+}  // namespace detail
+
 /// One observer that calls several after every step, in the order given. The run goes on if none of them ends
 /// it; where events() ends it inside a step, all of them see the step up to there, wherever events() stands in the list. Lvalues are kept by reference, temporaries are moved in.
 template <class... Observers>

@@ -96,6 +96,11 @@ class integrator {
     bool finished() const { return t() == plan_.last() || status_ != status::success; }
     /// Ends the run here: status::stopped.
     void stop() { status_ = status::stopped; }
+    /// Somebody will look between the ends of the steps: algebraic components are controlled there too.
+    void watch_between_ends() {
+        if constexpr (!system_type::mass_type::identity)
+            if (!plan_.fixed()) watched_.find(system_);
+    }
     /// Does what `watch` does between two steps; where that returns false the run ends here. In a distributed run
     /// all processes call it together, and all of them end where one does; an exception leaves on its own process
     /// and is status::non_finite on the others.
@@ -191,6 +196,7 @@ class integrator {
         h_ = plan_.equal().h;
         before_ = report_.steps;
         started_ = has_output_ = false;
+        may_move_start_ = true;
         norm_.at(y_);
         f_.forget();
         linear_.start();
@@ -229,7 +235,7 @@ class integrator {
             return give_up(plan.obstacle == status::step_underflow ? attempts_.obstacle() : plan.obstacle);
         output_type& now = *tried_;
 
-        const bool begins = needs_left_value(method) && report_.steps > 0 && refused().all == 0;
+        const bool begins = needs_left_value(method) && !first() && refused().all == 0;
         if (begins && !starts_inside(method, system_, t_, y_, h_, norm_, has_output_ ? output_ : nullptr, f_))
             return give_up(status::non_finite);
         const linear_state linear = linearise(method, plan.h);
@@ -257,6 +263,8 @@ class integrator {
         measured.iterations = newton.iterations;
         measured.theta = linear_.theta();
         if (method.implicit()) measured.hold = linear_.hold();
+        if constexpr (!system_type::mass_type::identity)
+            if (watched_.any()) measured.watch(watched_);
         return judge_(measured);
     }
 
@@ -312,7 +320,7 @@ class integrator {
 
     /// A step of h is to be tried in place of the planned one, if t resolves it.
     progress shorten(const planned_step<scalar>& plan, const scalar& h) {
-        if (report_.steps == 0 && !plan_.fixed() && moves_start(plan.h)) return progress::again;
+        if (first() && !plan_.fixed() && moves_start(plan.h)) return progress::again;
         if (plan.smallest) return give_up(attempts_.obstacle());
         h_ = h;
         return progress::again;
@@ -465,6 +473,10 @@ class integrator {
     scalar t_, h_{0};
     Vector y_, y1_, error_;
     end_slope<Vector> f_;
+    struct nothing {};
+    [[no_unique_address]] std::conditional_t<system_type::mass_type::identity, nothing,
+                                             watched_components<Vector>>
+        watched_;
     std::array<output_type, 2> outputs_;  // of the step accepted last, and of the one that is tried
     output_type *output_ = &outputs_[0], *tried_ = &outputs_[1];
     long before_ = 0;           // report_.steps when the run began, or went on afresh

@@ -10,6 +10,7 @@
 #include <stagecraft/report.hpp>
 #include <stagecraft/run/end_slope.hpp>
 #include <stagecraft/run/step_plan.hpp>
+#include <stagecraft/run/watched_components.hpp>
 #include <stagecraft/stages/newton.hpp>
 
 namespace stagecraft {
@@ -67,7 +68,7 @@ class measured_step : public step_facts<typename System::scalar> {
         return last_ = size();
     }
     /// The same once more filtered.
-    scalar estimate_again() {
+    [[gnu::cold]] scalar estimate_again() {
         this->once = last_;
         counts_.error_solves += method_.estimate_again(system_, this->t, y_, this->h, now_, y1_, error_);
         if (this->first && this->refused.all > 0) method_.without_start(system_, now_, error_);
@@ -133,20 +134,39 @@ class measured_step : public step_facts<typename System::scalar> {
     /// (M/(h a) - J)^-1 of the defect of the continuous solution in the middle of the widest gap between nodes and ends.
     /// Algebraic components, whose start need not be consistent, are left out: the solve takes what they do to the others
     /// away. One evaluation of f, one solve.
-    scalar error_between_nodes() {
+    [[gnu::cold]] scalar error_between_nodes() {
         if (!method_.implicit()) return scalar(0);
+        find_error_between();
+        drop_algebraic(system_.mass(), error_);
+        return norm_(error_);
+    }
+    /// The same of all components (`all`), or of those that are watched between the ends of the steps.
+    scalar watched_error_between(bool all) {
+        find_error_between();
+        return all ? norm_(error_) : only_watched().weigh(error_);
+    }
+    /// Components that M leaves algebraic are looked at between the ends of the steps (run/watched_components.hpp).
+    bool is_watched_between() const { return has_identity_mass() ? false : watched_ != nullptr; }
+    scalar watched_output_error() { return method_.output_error(now_, only_watched()); }
+    void watch(const watched_components<vector>& components) { watched_ = &components; }
+
+  private:
+    /// Only where there are such components.
+    typename watched_components<vector>::template norm<typename Norm::sums_type> only_watched() const {
+        return watched_->of(norm_);
+    }
+    /// error_ := (M/(h a) - J)^-1 of the defect between the nodes.
+    void find_error_between() {
         auto u = now_;
         method_.finish(this->t, y_, this->h, y1_, u);
         const scalar between = this->t + this->h * farthest_from(u.nodes());
-        vector error(system_.size());
-        system_.evaluate(between, u(between), error);
+        system_.evaluate(between, u(between), error_);
         const vector slope = u.derivative(between);
-        add_mass_times(system_.mass(), scalar(-1), slope.data(), error.data(), system_.size());
-        counts_.error_solves += method_.solve_for_defect(system_, this->h, error);
-        drop_algebraic(system_.mass(), error);
-        return norm_(error);
+        add_mass_times(system_.mass(), scalar(-1), slope.data(), error_.data(), system_.size());
+        counts_.error_solves += method_.solve_for_defect(system_, this->h, error_);
     }
 
+  public:
     // What the choice among several methods asks.
 
     scalar decay() { return method_.decay(now_, norm_); }
@@ -213,6 +233,7 @@ class measured_step : public step_facts<typename System::scalar> {
     end_slope<vector>& f_;
     vector &y1_, &error_;
     report<scalar>& counts_;
+    const watched_components<vector>* watched_ = nullptr;
     scalar last_{0};
 };
 

@@ -19,6 +19,7 @@ template <class Vector, class Sums, bool Raised>
 class tolerance_norm {
   public:
     using scalar = typename Vector::Scalar;
+    using sums_type = Sums;
 
     /// Keeps references to the options and to the list of components of index 2 and 3.
     tolerance_norm(const options<scalar>& o, const std::vector<raised_component>& raised, const Vector& y,

@@ -71,7 +71,7 @@ class growth_bound {
     /// q^T (P K + c^2 P) q grows by no more than e^{(3 + 1/4) c t} if P K + c^2/2 P and c P - (P D + D^T P)/2
     /// (backwards: plus) are positive definite, as E' = -2 v^T P D v + 2 c^2 v^T P q. (The quarter: what rounding or
     /// differences leave of P K - K^T P.) The amplitude grows like the square root of E.
-    bool energy_holds(const Scalar* J, int n, const Scalar& towards, const Scalar& rate) {
+    [[gnu::cold]] bool energy_holds(const Scalar* J, int n, const Scalar& towards, const Scalar& rate) {
         const int m = n / 2;
         if (n % 2 != 0 || !positions_first(J, m)) return false;
         const Scalar* const K = J + m;  // with the other sign, columns n apart as those of D
@@ -89,7 +89,7 @@ class growth_bound {
         return true;
     }
     /// P_i K_ij = P_j K_ji determines P up to a factor for all that is connected; false if it is not positive.
-    bool find_masses(const Scalar* K, int m) {
+    [[gnu::cold]] bool find_masses(const Scalar* K, int m) {
         masses_.assign(static_cast<std::size_t>(m), Scalar(0));
         found_.clear();
         for (int first = 0, next = 0; first < m; ++first) {

@@ -56,7 +56,15 @@ class phase_guard : public guard_defaults {
     Scalar now_{0}, last_{0};  // output errors of this step and of the one before; 0: not asked for
 };
 
-/// options.continuous: the error between the ends of the step counts as that at its end does.
+/// options.continuous: the error between the ends of the step counts as that at its end does. With a singular M, whose
+/// algebraic components have no error at the ends, however far they are from the solution in between, theirs does wherever
+/// an observer looks there.
+///
+/// The last Legendre coefficients of the stages tell it where the solution is smooth. Of kinks, in a forcing that stiff or
+/// algebraic components follow, they see some and not others: at one more point, farthest from the nodes, the defect shows
+/// what they miss. It is believed where it contradicts them, by ten times.
+///
+/// Cost, where it is asked for: the norms of two coefficients, one evaluation of f and one solve a step.
 template <class Scalar>
 class output_guard : public guard_defaults {
   public:
@@ -64,7 +72,12 @@ class output_guard : public guard_defaults {
 
     template <class Step>
     Scalar look(Step& step, const Scalar& error) {
-        return on_ ? larger(error, step.output_error()) : error;
+        if (!(on_ || step.is_watched_between()) || !(error < Scalar(1)) || !step.knows_output_error())
+            return error;
+        const Scalar output = on_ ? step.output_error() : step.watched_output_error();
+        if (!(output < Scalar(1))) return larger(error, output);
+        const Scalar between = step.watched_error_between(on_);
+        return larger(error, between > 10 * output ? between : output);
     }
 
   private:
