@@ -22,11 +22,11 @@ using predicate = std::function<bool(const V&)>;
 // NaN outside, where it is guarded.
 struct guarded {
     right_hand_side inside;
-    predicate domain;
+    predicate holds;
     bool on = true;
     void operator()(double t, const V& y, V& f) const {
         inside(t, y, f);
-        if (on && !domain(y)) f.setConstant(std::numeric_limits<double>::quiet_NaN());
+        if (on && !holds(y)) f.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
 };
 
