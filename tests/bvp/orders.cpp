@@ -77,7 +77,9 @@ errors of(const sc::tableau<fifty>& m, bool index_1, int intervals) {
     problem p{{index_1}, {index_1}};
     sc::bvp_options<fifty> o;
     o.rtol = fifty("1e-40"), o.intervals = intervals, o.adapt = false, o.conditioning = false;
-    sc::detail::bvp_solver<fifty, Eigen::Dynamic, problem, vector, none> solver(m, p, 2, none(), o);
+    sc::report<fifty> counts;
+    sc::two_point_system<problem, vector, none> functions(p.f, p.r, 2, 0, counts);
+    sc::detail::bvp_solver<Eigen::Dynamic, vector, none> solver(m, functions, none(), o);
     const auto answer = solver.run([&](const fifty& t) { return p.f.exact(t); }, fifty(0), fifty(1) / 2);
     BOOST_TEST(sc::name(answer.status) == std::string("tolerance_not_met"));  // by one mesh it cannot be
     const auto& x = solver.solution_on_mesh();

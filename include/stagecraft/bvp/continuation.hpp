@@ -103,9 +103,9 @@ auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Condi
         detail::validate(o, a, b, "continuation");
         detail::demand_bvp(detail::guess_value(guess, a).size() > 0, "guess must have at least one component",
                            "continuation");
-        detail::path_follower<Scalar, S, Rhs, Conditions, vector, parameters> follower(method, problem, a, b,
-                                                                                       o);
-        for (auto& s : follower.run(guess, parameters(o.from)))
+        detail::path_problem_of<Rhs, Conditions, vector, parameters> of(std::move(problem));
+        for (auto& s :
+             detail::follow_path<S, vector, parameters>(method, of, a, b, guess, parameters(o.from), o))
             path.push_back({s.p, std::move(s.y), s.kind, s.status, s.message, s.arclength, std::move(s.mesh),
                             s.other_p, std::move(s.other_y)});
     }

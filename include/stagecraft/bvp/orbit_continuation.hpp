@@ -150,10 +150,10 @@ orbit_continuation(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Ve
     const unknowns start(guess.period, o.from);
     two_point_problem<rhs, conditions> problem{{f}, {f, at, at, at}};
     problem.r.follow(detail::in_units_of_the_period(guess), start);
-    detail::path_follower<Scalar, S, rhs, conditions, Vector, unknowns> follower(method, problem, Scalar(0),
-                                                                                 Scalar(1), o);
+    detail::path_problem_of<rhs, conditions, Vector, unknowns> of(std::move(problem));
     std::vector<orbit_point<Vector>> path;
-    auto states = follower.run(detail::in_units_of_the_period(guess), start);
+    auto states = detail::follow_path<S, Vector, unknowns>(method, of, Scalar(0), Scalar(1),
+                                                           detail::in_units_of_the_period(guess), start, o);
     const bool shrinks = states.back().kind == point_kind::hopf;
     for (auto& s : states) {
         path.push_back({Eigen::Matrix<Scalar, 1, 1>(s.p[1]), s.p[0], std::move(s.y), std::move(s.multipliers),

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -196,6 +195,21 @@ constexpr const char* words_of(bvp_status judged) {
                                              : "the period is a multiple of the smallest one";
 }
 
+/// An orbit over [0, 1] whose parameter is its period, and where it is found and they are asked for its multipliers.
+template <int S, class Vector>
+bvp_result<Vector, Eigen::Matrix<typename Vector::Scalar, 1, 1>> solve_orbit(
+    const tableau<typename Vector::Scalar, S>& method,
+    two_point_functions<typename Vector::Scalar, Vector::RowsAtCompileTime, 1>& problem,
+    const guess_view<Vector>& guess, const Eigen::Matrix<typename Vector::Scalar, 1, 1>& period,
+    const bvp_options<typename Vector::Scalar>& o,
+    std::vector<floquet_multiplier<typename Vector::Scalar>>* multipliers) {
+    using scalar = typename Vector::Scalar;
+    bvp_solver<S, Vector, Eigen::Matrix<scalar, 1, 1>> solver(method, problem, period, o);
+    auto solved = solver.run(guess, scalar(0), scalar(1));
+    if (multipliers && solved.ok()) *multipliers = multipliers_with_errors(solver, problem.size(), 4);
+    return solved;
+}
+
 struct call_of_periodic_orbit {
     template <class Method>
     static constexpr bool say() {
@@ -240,9 +254,6 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
     b.conditioning = false;
     detail::validate(b, Scalar(0), Scalar(1), "periodic_orbit");
     b.mesh = detail::mesh_of_steps(guess, o.intervals, o.max_intervals);
-    using solver_type = detail::bvp_solver<Scalar, S, problem, Vector, parameters>;
-    std::optional<solver_type> solver;
-    bvp_result<Vector, parameters> solved;
     const auto given = detail::in_units_of_the_period(guess);
     Scalar shift_of_orbit(0), period = guess.period;
     solution<Vector> first;
@@ -252,10 +263,14 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
         const Scalar at_time = s + shift_of_orbit;
         return first(Scalar(at_time - floor(at_time)));
     };
+    bvp_result<Vector, parameters> solved;
     for (;;) {
-        solver.emplace(method, scaled, n, parameters(period), b);
-        solved = solver->run(value, Scalar(0), Scalar(1));
-        if (!o.integral_phase || first.steps() > 0 || solved.status != bvp_status::success) break;
+        const bool last = !o.integral_phase || first.steps() > 0;
+        report<Scalar> counts;
+        two_point_system<problem, Vector, parameters> functions(scaled.f, scaled.r, n, 1, counts);
+        solved = detail::solve_orbit<S, Vector>(method, functions, value, parameters(period), b,
+                                                last ? &r.multipliers : nullptr);
+        if (last || solved.status != bvp_status::success) break;
         shift_of_orbit = detail::shift_to(given, solved.y);
         first = std::move(solved.y);
         period = solved.p[0];
@@ -277,7 +292,6 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
     if (!r.ok()) return r;
     r.status = detail::judge_orbit(r.y, r.error.global);
     if (!r.ok()) r.message = detail::words_of(r.status);
-    r.multipliers = detail::multipliers_with_errors(*solver, n, 4);
     return r;
 }
 

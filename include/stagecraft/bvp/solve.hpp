@@ -9,8 +9,9 @@
 // Before what includes it, so that what is said from there is said in fewer lines.
 #include <stagecraft/jacobian/dual_number.hpp>
 
-#include <stagecraft/bvp/solve/search.hpp>
+#include <stagecraft/bvp/solve/solve_functions.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/problem/two_point.hpp>
 #include <stagecraft/refuse/detect/named_member.hpp>
 #include <stagecraft/refuse/detect/refused_call.hpp>
 
@@ -136,26 +137,13 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
         if constexpr (has_index<Rhs>)
             for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(problem.f.index().size()); ++i)
                 detail::demand_bvp(problem.f.index()[i] <= 1, "problem.index() must not exceed 1");
-        using solver = detail::bvp_solver<Scalar, S, two_point_problem<Rhs, Conditions>, vector, parameters>;
-        int positions = 0;
-        constexpr bool declared = has_second_order_components<Rhs>;
-        if constexpr (declared) positions = position_components<Rhs>(n);
-        solver first(method, problem, n, p, o, positions);
-        if constexpr (!declared) first.look_for_second_order(guess, a, b);
-        try {
-            auto result = first.run(guess, a, b);
-            const bool failed =
-                result.status == bvp_status::newton_failed || result.status == bvp_status::non_finite;
-            if (declared || !failed || !first.of_second_order())
-                return result;  // else once more as it stands
-        } catch (const detail::not_of_second_order&) {
-            if (declared)
-                throw bad_problem(
-                    "solve_bvp: problem.second_order_components does not hold: f_i is not y_{m+i}");
-        }
-        solver again(method, problem, n, p, o);
-        again.count_work_of(first);
-        return again.run(guess, a, b);
+        int positions = -1;
+        if constexpr (has_second_order_components<Rhs>) positions = position_components<Rhs>(n);
+        report<Scalar> counts;
+        two_point_system<two_point_problem<Rhs, Conditions>, vector, parameters> functions(
+            problem.f, problem.r, n, static_cast<int>(p.size()), counts);
+        return detail::solve_functions<S, vector, parameters>(method, functions, guess, a, b, parameters(p),
+                                                              o, positions);
     } else {
         return bvp_result<vector, parameters>{};
     }

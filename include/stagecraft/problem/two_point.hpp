@@ -10,6 +10,7 @@
 
 #include <stagecraft/jacobian/unconverted.hpp>
 #include <stagecraft/problem/system.hpp>
+#include <stagecraft/problem/two_point_functions.hpp>
 #include <stagecraft/refuse/problem/checked_call.hpp>
 #include <stagecraft/refuse/problem/checked_capabilities.hpp>
 
@@ -33,9 +34,6 @@ two_point_problem<Rhs, Conditions> two_point(Rhs f, Conditions r) {
 }
 
 namespace detail {
-
-template <int A, int B>
-inline constexpr int added = A >= 0 && B >= 0 ? A + B : Eigen::Dynamic;
 
 /// What conditions write into: an R whose entries begin as NaN, and a spare number that is written instead where there is
 /// no such entry, in every build. Conditions that ask for an R meet it behind the entries of an R of fixed size.
@@ -175,82 +173,43 @@ struct joint_conditions {
 
 }  // namespace detail
 
-/// A two_point_problem as the collocation sees it: evaluations of f and r that are counted, and their
-/// derivatives with respect to (y, p) and (left, right, p).
+/// The functions of a two_point_problem.
 template <class Problem, class Vector, class Parameters>
-class two_point_system {
+class two_point_system : public two_point_functions<typename Vector::Scalar, Vector::RowsAtCompileTime,
+                                                    Parameters::RowsAtCompileTime> {
     using Rhs = decltype(Problem::f);
     using Conditions = decltype(Problem::r);
 
   public:
+    using base = two_point_functions<typename Vector::Scalar, Vector::RowsAtCompileTime,
+                                     Parameters::RowsAtCompileTime>;
+    using typename base::ends, typename base::joint, typename base::joint_square, typename base::ends_square;
     using scalar = typename Vector::Scalar;
-    using mass_type = decltype(make_mass<scalar>(std::declval<Rhs&>(), 0));
-    static constexpr int N = Vector::RowsAtCompileTime, P = Parameters::RowsAtCompileTime;
-    static constexpr int Z = detail::added<N, P>, X = detail::added<detail::added<N, N>, P>;
-    using joint = Eigen::Matrix<scalar, Z, 1>;
-    using ends = Eigen::Matrix<scalar, X, 1>;
+    static constexpr int N = base::N, P = base::P;
     using rhs_type =
         std::conditional_t<detail::has_member_named<Rhs, detail::jacobian_member>,
                            detail::joint_rhs_with_jacobian<Rhs, N, P>, detail::joint_rhs<Rhs, N, P>>;
     using conditions_type = detail::joint_conditions<Conditions, N, P>;
 
-    /// df/dy comes from differences, and is no better than the square root of epsilon.
-    static constexpr bool differences = system<rhs_type, joint>::finite_difference;
-    /// And so are the derivatives of r.
-    static constexpr bool conditions_by_differences = system<conditions_type, ends>::finite_difference;
-
     two_point_system(Rhs& f, Conditions& r, int n, int parameters, report<scalar>& counts)
-        : n_(n),
-          parameters_(parameters),
+        : base(n, parameters, counts, system<rhs_type, joint>::finite_difference,
+               system<conditions_type, ends>::finite_difference),
+          problem_rhs_(f),
           rhs_{joint_of(f, n, parameters)},
           conditions_{r, n, parameters},
           f_(rhs_, joint::Zero(n + parameters), counts),
-          r_(conditions_, ends::Zero(2 * n + parameters), ignored_),
-          out_(n + parameters),
-          z_(n + parameters),
-          negligible_(joint::Constant(n + parameters, scalar(1) / 1000)),
-          x_(2 * n + parameters),
-          end_values_(2 * n + parameters),
-          small_(ends::Constant(2 * n + parameters, scalar(1) / 1000)) {
+          r_(conditions_, ends::Zero(2 * n + parameters), ignored_) {
         static_assert(!has_bandwidth<Rhs> && !has_sparsity<Rhs>, "solve_bvp: Jacobians are dense");
         f_.take_jacobian();
         r_.take_jacobian();
     }
-    two_point_system(const two_point_system&) = delete;
 
-    int size() const { return n_; }
-    int parameters() const { return parameters_; }
-
-    /// f(t, y, p) as n + n_p numbers, the last n_p zero.
-    template <class Y>
-    const joint& f(const scalar& t, const Y& y, const Parameters& p) {
-        const int n = N > 0 ? N : n_, np = P >= 0 ? P : parameters_;
-        for (int c = 0; c < n; ++c) z_[c] = y[c];
-        for (int k = 0; k < np; ++k) z_[n + k] = p[k];
-        f_(t, z_, out_);
-        return out_;
-    }
-    /// df/d(y, p) where f was evaluated last, n + n_p square.
-    const auto& jacobian(const scalar& t) {
-        f_.evaluate_jacobian(t, z_, out_, negligible_);
-        return f_.jacobian();
-    }
-    /// r(left, right, p) in the first n + n_p numbers.
-    template <class Y, class Z2>
-    const ends& conditions(const Y& left, const Z2& right, const Parameters& p) {
-        x_.head(n_) = left;
-        x_.segment(n_, n_) = right;
-        x_.tail(parameters_) = p;
-        r_(scalar(0), x_, end_values_);
-        return end_values_;
-    }
-    /// dr/d(left, right, p) where r was evaluated last, in the first n + n_p rows. Differences are so large that they show
-    /// beside r.
-    const auto& conditions_jacobian() {
-        const scalar size = end_values_.head(n_ + parameters_).cwiseAbs().maxCoeff();
-        if (size - size == scalar(0)) small_.setConstant((scalar(1) + size) / 1000);
-        r_.evaluate_jacobian(scalar(0), x_, end_values_, small_);
-        return r_.jacobian();
+    optional_mass<scalar> mass() const override {
+        using type = decltype(make_mass<scalar>(std::declval<Rhs&>(), 0));
+        if constexpr (has_entries<type>)
+            return optional_mass<scalar>(make_mass<scalar>(problem_rhs_, this->size()));
+        else
+            throw bad_problem("solve_bvp: problem.mass() must be a matrix whose entries can be looked at");
     }
 
   private:
@@ -261,14 +220,25 @@ class two_point_system {
             return {f, n, parameters};
     }
 
-    int n_, parameters_;
+    void evaluate(const scalar& t, const joint& z, joint& out) override { f_(t, z, out); }
+    const joint_square& differentiate(const scalar& t, const joint& z, const joint& f,
+                                      const joint& negligible) override {
+        f_.evaluate_jacobian(t, z, f, negligible);
+        return f_.jacobian();
+    }
+    void evaluate_conditions(const ends& x, ends& out) override { r_(scalar(0), x, out); }
+    const ends_square& differentiate_conditions(const ends& x, const ends& r,
+                                                const ends& negligible) override {
+        r_.evaluate_jacobian(scalar(0), x, r, negligible);
+        return r_.jacobian();
+    }
+
+    Rhs& problem_rhs_;
     rhs_type rhs_;
     conditions_type conditions_;
     report<scalar> ignored_;
     system<rhs_type, joint> f_;
     system<conditions_type, ends> r_;
-    joint out_, z_, negligible_;
-    ends x_, end_values_, small_;
 };
 
 }  // namespace stagecraft

@@ -10,9 +10,9 @@
 #include <stagecraft/bvp/equations/collocation_blocks.hpp>
 #include <stagecraft/bvp/equations/lifting_rule.hpp>
 #include <stagecraft/linear/norms.hpp>
+#include <stagecraft/linear/optional_mass.hpp>
 #include <stagecraft/linear/two_point_matrix.hpp>
-#include <stagecraft/problem/make_mass.hpp>
-#include <stagecraft/problem/system.hpp>
+#include <stagecraft/problem/two_point_functions.hpp>
 
 namespace stagecraft {
 
@@ -34,12 +34,12 @@ struct bvp_iterate {
 };
 
 /// The collocation equations of a two-point problem on a mesh: residuals, their linearisation (condensed
-/// interval by interval to an n x 2n relation) and solutions with its factors. System is the two_point_system, S the number
+/// interval by interval to an n x 2n relation) and solutions with its factors. System is two_point_functions, S the number
 /// of stages; the first `positions` equations are q' = v.
 template <class System, int S>
 class collocation_equations {
     using Scalar = typename System::scalar;
-    using Mass = typename System::mass_type;
+    using Mass = optional_mass<Scalar>;
     static constexpr int N = System::N, P = System::P;
 
   public:

@@ -80,17 +80,50 @@ auto guess_slope(const Guess& guess, const Scalar& t, const Scalar& h, Eigen::In
     }
 }
 
+/// A guess of whatever type, for as long as that lives.
+template <class Vector>
+class guess_view {
+  public:
+    using scalar = typename Vector::Scalar;
+
+    template <class Guess>
+    guess_view(const Guess& guess)
+        : guess_(&guess),
+          value_([](const void* g, const scalar& t) {
+              return Vector(guess_value(*static_cast<const Guess*>(g), t));
+          }),
+          slope_([](const void* g, const scalar& t, const scalar& h, Eigen::Index n) {
+              return Vector(guess_slope(*static_cast<const Guess*>(g), t, h, n));
+          }) {}
+
+    Vector operator()(const scalar& t) const { return value_(guess_, t); }
+    /// The same, which must have n components at every t.
+    Vector value(const scalar& t, Eigen::Index n) const {
+        Vector y = value_(guess_, t);
+        if (y.size() != n)
+            throw bad_problem("solve_bvp: guess must have the same number of components at every t");
+        return y;
+    }
+    /// That over an interval of length h around t.
+    Vector slope(const scalar& t, const scalar& h, Eigen::Index n) const { return slope_(guess_, t, h, n); }
+
+  private:
+    const void* guess_;
+    Vector (*value_)(const void*, const scalar&);
+    Vector (*slope_)(const void*, const scalar&, const scalar&, Eigen::Index);
+};
+
 /// y of n components at the mesh points of x and its scaled slopes at the nodes c of every interval, from a guess.
-template <class Guess, class Nodes, class Iterate>
-void take_guess(const Guess& guess, int n, const Nodes& c, Iterate& x) {
+template <class Vector, class Nodes, class Iterate>
+void take_guess(const guess_view<Vector>& guess, int n, const Nodes& c, Iterate& x) {
     const int s = static_cast<int>(c.size());
     x.y.resize(n, x.intervals() + 1);
     x.Z.resize(n, s * x.intervals());
-    for (int i = 0; i <= x.intervals(); ++i) x.y.col(i) = guess_value(guess, x.t[i], x.y.rows());
+    for (int i = 0; i <= x.intervals(); ++i) x.y.col(i) = guess.value(x.t[i], x.y.rows());
     for (int i = 0; i < x.intervals(); ++i)
         for (int j = 0; j < s; ++j) {
             auto h = x.h(i);
-            x.Z.col(i * s + j) = h * guess_slope(guess, decltype(h)(x.t[i] + c[j] * h), h, x.y.rows());
+            x.Z.col(i * s + j) = h * guess.slope(decltype(h)(x.t[i] + c[j] * h), h, x.y.rows());
         }
     if (!x.y.allFinite() || !x.p.allFinite()) throw bad_problem("solve_bvp: guess must be finite");
 }

@@ -84,7 +84,7 @@ class lifting_elimination {
     template <int Nodes, class Columns>
     bool sweep(int i, const scalar& h, const Columns& d, Columns& g) {
         using std::abs;
-        if constexpr (!std::decay_t<decltype(equations_.mass())>::identity) return false;
+        if (!equations_.mass().identity()) return false;
         const int n = equations_.n(), m = nodes<Nodes>();
         const scalar* hJ = jacobians<Nodes>(i, h);
         g = d;

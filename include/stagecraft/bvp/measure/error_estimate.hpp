@@ -71,7 +71,7 @@ class error_estimate {
         const bool usual = elimination_.usual();
         for (int i = 0; i < L; ++i)
             if (!(usual ? lift<usual_nodes>(x, i) : lift<0>(x, i))) return false;
-        if constexpr (std::decay_t<decltype(equations_.mass())>::identity)
+        if (equations_.mass().identity())
             detail::add_hidden_jumps(rule_, equations_, x, known_, slopes_, left_over_, delta_, marks_);
         jumps_ = detail::find_jumps(rule_, equations_, x, slopes_, inner_,
                                     scalar(negligible * threshold / 10), unseen_, marks_);

@@ -24,7 +24,7 @@ auto condition_on(Equations& own, typename Equations::iterate x,
     lifting_elimination<Equations> elimination(own, std::move(rule));
     measurements<Equations> measured(own, x, elimination, threshold);
     mesh_evidence<scalar> e;
-    e.unknowns = own.n() + own.np(), e.no_mass = std::decay_t<decltype(own.mass())>::identity;
+    e.unknowns = own.n() + own.np(), e.no_mass = own.mass().identity();
     for (;;) {
         const evidence_reader<scalar> r(e);
         const bool undecided = regularity_judge<scalar>(r).decide(scalar(0)).undecided;

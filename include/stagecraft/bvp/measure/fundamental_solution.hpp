@@ -15,7 +15,6 @@
 #include <stagecraft/bvp/measure/conditioning.hpp>
 #include <stagecraft/bvp/measure/missed_phase.hpp>
 #include <stagecraft/bvp/measure/modes.hpp>
-#include <stagecraft/problem/two_point.hpp>
 
 namespace stagecraft::detail {
 

@@ -81,7 +81,7 @@ auto missed_phase(const Equations& equations, const Iterate& x, int order) {
     using std::abs;
     using std::pow;
     using scalar = std::decay_t<decltype(x.t[0])>;
-    if (!std::decay_t<decltype(equations.mass())>::identity) return scalar(0);
+    if (!equations.mass().identity()) return scalar(0);
     const scalar constant = gauss_error_constant<scalar>(order), power(order + 1),
                  counts = pow(scalar(1 / (constant * scalar(1000 * x.intervals()))), scalar(1 / power));
     scalar angle(0), growth(0);

@@ -32,7 +32,7 @@ template <class Equations, class Iterate, class Scalar>
 Scalar translation_missed(Equations& equations, conditioning_of<Equations>& conditioning, const Iterate& x,
                           const Scalar& threshold, const Scalar& error) {
     using std::abs;
-    if (!std::decay_t<decltype(equations.mass())>::identity || !is_autonomous(equations, x)) return Scalar(0);
+    if (!equations.mass().identity() || !is_autonomous(equations, x)) return Scalar(0);
     const int n = equations.n(), np = equations.np(), L = x.intervals();
     typename Equations::wide v(n, L + 1);
     for (int i = 0; i <= L; ++i) v.col(i) = equations.slope((x.t[0] + x.t[1]) / 2, x.y.col(i), x.p);

@@ -14,7 +14,7 @@
 #include <stagecraft/bvp/paths/multipliers.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/observe/solution.hpp>
-#include <stagecraft/problem/two_point.hpp>
+#include <stagecraft/problem/two_point_functions.hpp>
 
 namespace stagecraft::detail {
 
@@ -42,10 +42,11 @@ struct orbit_swing {
 /// amplitude a (Kuznetsov 2004, section 3.5). p is found by the secant method for the real part along the path of
 /// equilibria, and is thus as accurate as f_y, whatever the orbits are known to.
 ///
-/// Rhs is T f(y, p) with the parameters (T, p), as orbit_continuation has it.
-template <class Rhs, class Conditions, class Vector, class Parameters>
+/// The functions are T f(y, p) with the parameters (T, p), as orbit_continuation has them; their conditions are not looked at.
+template <class Vector, class Parameters>
 class hopf_search {
     using scalar = typename Vector::Scalar;
+    using functions = two_point_functions<scalar, Vector::RowsAtCompileTime, Parameters::RowsAtCompileTime>;
     using complex = std::complex<scalar>;
     using dense = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -55,7 +56,7 @@ class hopf_search {
     scalar change{0};  ///< of p in the last step: how far p may be off
     std::vector<floquet_multiplier<scalar>> multipliers;
 
-    hopf_search(Rhs& f, Conditions& r, int n) : n_(n), system_(f, r, n, 2, counts_) {}
+    explicit hopf_search(functions& system) : n_(system.size()), system_(system) {}
 
     /// From an equilibrium near `from` at `first`, where orbits nearby take `turn` to come round; the Hopf point is
     /// expected at `second`.
@@ -148,8 +149,7 @@ class hopf_search {
     }
 
     int n_;
-    report<scalar> counts_;
-    two_point_system<two_point_problem<Rhs, Conditions>, Vector, Parameters> system_;
+    functions& system_;
     dense f_y_;
     std::vector<complex> values_;
     scalar omega_{0};

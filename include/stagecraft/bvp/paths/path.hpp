@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -14,28 +15,30 @@
 #include <stagecraft/bvp/paths/branch_point.hpp>
 #include <stagecraft/bvp/paths/hopf_point.hpp>
 #include <stagecraft/bvp/paths/multipliers.hpp>
+#include <stagecraft/bvp/paths/path_problem.hpp>
 #include <stagecraft/bvp/paths/path_state.hpp>
 
 namespace stagecraft::detail {
 
-/// One path, point by point. Conditions write n + n_p - 1 numbers; those of periodic orbits, with p = (T, p), have a member
-/// follow(y, p), which moves their phase condition on. Their points get multipliers, and the path may end in a Hopf point.
-template <class Scalar, int S, class Rhs, class Conditions, class Vector, class Parameters>
+/// One path, point by point: of any problem whose solutions have these types (path_problem.hpp). Points of orbits get
+/// multipliers, and their path may end in a Hopf point.
+template <int S, class Vector, class Parameters>
 class path_follower {
+    using Scalar = typename Vector::Scalar;
+
   public:
-    using conditions = path_conditions<Conditions, Scalar>;
+    using problem_type = path_problem<Vector, Parameters>;
+    using demand = path_demand<Scalar>;
     using state = path_state<Vector, Parameters>;
     using column = typename state::column;
-    static constexpr bool orbits = requires(Conditions r, solution<Vector> y, Parameters p) {
-        r.follow(y, p);
-    };
+    using guess_type = guess_view<Vector>;
+    static constexpr bool orbits = problem_type::orbits;
 
-    path_follower(const tableau<Scalar, S>& method, const two_point_problem<Rhs, Conditions>& problem,
-                  Scalar a, Scalar b, const continuation_options<Scalar>& o)
+    path_follower(const tableau<Scalar, S>& method, problem_type& problem, Scalar a, Scalar b,
+                  const continuation_options<Scalar>& o)
         : method_(method), problem_(problem), a_(a), b_(b), o_(o), rtol_(o.rtol) {}
 
-    template <class Guess>
-    std::vector<state> run(const Guess& guess, const Parameters& p) {
+    std::vector<state> run(const guess_type& guess, const Parameters& p) {
         state now;
         if (!first(guess, p, now)) return {now};
         std::vector<state> path{now};
@@ -70,8 +73,8 @@ class path_follower {
             now = std::move(next);
             last_step = step;
             if constexpr (orbits) {
-                problem_.r.follow(now.y, now.p);
-                now.tangent = problem_.r.in_plane(now.tangent);
+                problem_.follow(now.y, now.p);
+                now.tangent = problem_.in_plane(now.tangent);
             }
             if (now.newton_steps < 8) step = std::min(Scalar(step * Scalar(1.5)), o_.largest_step);
             const Scalar q = now.p[now.p.size() - 1];
@@ -94,20 +97,19 @@ class path_follower {
 
     int size() const { return n_; }
 
-    template <class Guess>
-    bool first(const Guess& guess, const Parameters& p, state& out) {
-        const Vector left = guess_value(guess, a_);
+    bool first(const guess_type& guess, const Parameters& p, state& out) {
+        const Vector left = guess(a_);
         n_ = static_cast<int>(left.size());
         const int np = static_cast<int>(p.size());
         column x = column::Zero(2 * n_ + np), along = column::Zero(2 * n_ + np);
         x.tail(np) = p;
         along[2 * n_ + np - 1] = Scalar(1);
-        return solve(conditions{problem_.r, x, along}, guess, p, {}, out);
+        return solve(demand{x, along}, guess, p, {}, out);
     }
 
     bool advance(const state& now, const state& before, const Scalar& last_step, const Scalar& step,
                  state& out) {
-        const conditions further{problem_.r, now.x, now.tangent, step};
+        const demand further{now.x, now.tangent, step};
         const Scalar factor = last_step > Scalar(0) ? Scalar(step / last_step) : Scalar(0);
         const Parameters p = now.p + step * now.tangent.tail(now.p.size());
         const auto mesh = now.coarser(method_.stages(), rtol_, o_.intervals);
@@ -121,14 +123,12 @@ class path_follower {
                out.tangent.dot(chord) > half_turn;
     }
 
-    template <class Guess>
-    bool solve(const conditions& r, const Guess& guess, const Parameters& p, const std::vector<Scalar>& mesh,
+    bool solve(const demand& r, const guess_type& guess, const Parameters& p, const std::vector<Scalar>& mesh,
                state& out) {
         bvp_options<Scalar> b;
         b.rtol = rtol_, b.intervals = o_.intervals, b.mesh = mesh, b.conditioning = false;
-        two_point_problem<Rhs, conditions> problem{problem_.f, r};
-        bvp_solver<Scalar, S, two_point_problem<Rhs, conditions>, Vector, Parameters> s(method_, problem, n_,
-                                                                                        p, b);
+        const auto functions = problem_.with(r, n_, static_cast<int>(p.size()));
+        bvp_solver<S, Vector, Parameters> s(method_, *functions, p, b);
         auto solved = s.run(guess, a_, b_);
         out.status = solved.status, out.message = solved.message;
         out.p = solved.p;
@@ -160,7 +160,7 @@ class path_follower {
                 found.push_back(std::move(end));
                 return true;
             }
-            if (!problem_.r.crosses(Vector(l.next.x.head(n_)), l.next.p)) return false;
+            if (!problem_.crosses(Vector(l.next.x.head(n_)), l.next.p)) return false;
         }
         const auto fold = [](const state& s) { return s.slope(); };
         if (fold(l.now) * fold(l.next) < Scalar(0)) {
@@ -203,7 +203,8 @@ class path_follower {
         if (!(a2 < more)) return false;
         const Parameters expected = l.now.p - a2 / (more - a2) * (l.before.p - l.now.p);
         if (!(expected[0] > Scalar(0))) return false;
-        hopf_search<Rhs, Conditions, Vector, Parameters> hopf(problem_.f, problem_.r, n_);
+        const auto functions = problem_.with({}, n_, static_cast<int>(expected.size()));
+        hopf_search<Vector, Parameters> hopf(*functions);
         if (!hopf.run(now.mean, expected[0], l.now.p[1], expected[1])) return false;
         const Parameters size(hopf.period, Scalar(1) + abs(hopf.p)), at(hopf.period, hopf.p);
         const auto far = [&](const Parameters& p) { return (p - expected).cwiseQuotient(size).norm(); };
@@ -235,9 +236,8 @@ class path_follower {
         surface(path_follower& path, const state& near)
             : path_(path),
               near_(near),
-              r_{path.problem_.r, near.x, near.tangent},
-              whole_(r_),
-              original_(path.problem_.f, whole_, path.n_, static_cast<int>(near.p.size()), ignored_) {
+              r_{near.x, near.tangent},
+              original_(path.problem_.with(r_, path.n_, static_cast<int>(near.p.size()))) {
             const auto kernel = near.traces.largest();
             kernel.conditions.head(kernel.conditions.size() - 1).cwiseAbs().maxCoeff(&r_.replaced);
             r_.kernel = (kernel.x - near.tangent.dot(kernel.x) * near.tangent).normalized();
@@ -247,8 +247,8 @@ class path_follower {
             if (!path_.solve(r_, near_.y, near_.p, near_.mesh, here)) return false;
             const int n = path_.n_;
             const auto& x = here.x;
-            value_ = original_.conditions(x.head(n), x.segment(n, n), here.p)[r_.replaced];
-            row_ = original_.conditions_jacobian().row(r_.replaced).transpose();
+            value_ = original_->conditions(x.head(n), x.segment(n, n), here.p)[r_.replaced];
+            row_ = original_->conditions_jacobian().row(r_.replaced).transpose();
             return true;
         }
         bool operator()(const pair& at, pair& gradient) {
@@ -268,9 +268,8 @@ class path_follower {
       private:
         path_follower& path_;
         const state& near_;
-        conditions r_, whole_;
-        report<Scalar> ignored_;
-        two_point_system<two_point_problem<Rhs, conditions>, Vector, Parameters> original_;
+        demand r_;
+        std::unique_ptr<typename problem_type::functions> original_;
         column row_;
         Scalar value_{0};
     };
@@ -302,8 +301,8 @@ class path_follower {
                 (saddle.other[0] * on.along() + saddle.other[1] * on.across()).normalized();
             good = on.move(saddle.at + o_.step / 2 * saddle.other);
             state other;
-            if (good && solve(conditions{problem_.r, found.x, direction, o_.step / 2}, on.here.y, on.here.p,
-                              found.mesh, other))
+            if (good &&
+                solve(demand{found.x, direction, o_.step / 2}, on.here.y, on.here.p, found.mesh, other))
                 found.other_p = other.p, found.other_y = std::move(other.y);
             near = std::move(found);
         }
@@ -347,11 +346,20 @@ class path_follower {
     }
 
     const tableau<Scalar, S>& method_;
-    two_point_problem<Rhs, Conditions> problem_;
+    problem_type& problem_;
     Scalar a_, b_;
     continuation_options<Scalar> o_;
     Scalar rtol_;
     int n_ = 0;
 };
+
+/// The path of `problem` on [a, b] from the solution near `guess` and p on.
+template <int S, class Vector, class Parameters>
+std::vector<path_state<Vector, Parameters>> follow_path(
+    const tableau<typename Vector::Scalar, S>& method, path_problem<Vector, Parameters>& problem,
+    const typename Vector::Scalar& a, const typename Vector::Scalar& b, const guess_view<Vector>& guess,
+    const Parameters& p, const continuation_options<typename Vector::Scalar>& o) {
+    return path_follower<S, Vector, Parameters>(method, problem, a, b, o).run(guess, p);
+}
 
 }  // namespace stagecraft::detail

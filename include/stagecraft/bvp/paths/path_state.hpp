@@ -15,17 +15,24 @@
 
 namespace stagecraft::detail {
 
-/// The conditions of a problem with one unknown too many, and that (y(a), y(b), p) lies `step` further along a
-/// direction. With replaced >= 0 that condition of the problem gives way to another of this kind (branch_point.hpp).
-template <class Conditions, class Scalar>
-struct path_conditions {
+/// What is demanded beside the conditions of a problem with one unknown too many: that (y(a), y(b), p) lies `step` further
+/// along a direction. With replaced >= 0 that condition of the problem gives way to another of this kind (branch_point.hpp).
+template <class Scalar>
+struct path_demand {
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    Conditions r;
     column from, along;
     Scalar step{0};
     int replaced = -1;
     column kernel{};  ///< a direction, along which (y(a), y(b), p) lies `amount` away
     Scalar amount{0};
+};
+
+/// The conditions of the problem together with that.
+template <class Conditions, class Scalar>
+struct path_conditions {
+    using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    Conditions r;
+    path_demand<Scalar> more;
 
     template <class Y, class P, class R>
     requires(std::is_invocable_v<Conditions&, const Y&, const Y&, const P&, R&>) void operator()(
@@ -33,14 +40,15 @@ struct path_conditions {
         r(left, right, p, out);
         auto& last = out[left.size() + p.size() - 1];
         if (last == last) throw bad_problem("continuation: the conditions must write n numbers, not more");
-        last = distance(along, left, right, p) - step;
-        if (replaced >= 0) out[replaced] = distance(kernel, left, right, p) - amount;
+        last = distance(more.along, left, right, p) - more.step;
+        if (more.replaced >= 0) out[more.replaced] = distance(more.kernel, left, right, p) - more.amount;
     }
 
   private:
     template <class Y, class P>
     typename Y::Scalar distance(const column& d, const Y& left, const Y& right, const P& p) const {
         const Eigen::Index n = left.size();
+        const column& from = more.from;
         typename Y::Scalar sum = left[0] * Scalar(0);
         for (Eigen::Index i = 0; i < n; ++i)
             sum = sum + d[i] * (left[i] - from[i]) + d[n + i] * (right[i] - from[n + i]);

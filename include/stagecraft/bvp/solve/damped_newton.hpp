@@ -29,8 +29,6 @@ class damped_newton {
     using iterate = typename Equations::iterate;
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     using outcome = damped_newton_outcome<scalar>;
-    using system = std::decay_t<decltype(std::declval<Equations&>().system())>;
-    static constexpr bool differences = system::differences || system::conditions_by_differences;
 
     damped_newton(Equations& equations, bvp_report& counts, const scalar& threshold)
         : equations_(equations), counts_(counts), threshold_(threshold) {}
@@ -57,7 +55,8 @@ class damped_newton {
                 linear_ = !equations_.jacobians_differ(trial_);
                 tested_ = true;
             }
-            if (linear_ && !(test && differences)) {  // errors of differences leave something of a large step
+            if (linear_ &&
+                !(test && differences())) {  // errors of differences leave something of a large step
                 moved_ = left;
                 add(x, scalar(1), d_, x);
                 return {damped_newton_end::converged, std::numeric_limits<scalar>::epsilon() * moved_};
@@ -86,6 +85,10 @@ class damped_newton {
     bool linear() const { return linear_; }
 
   private:
+    bool differences() {
+        const auto& functions = equations_.system();
+        return functions.differences || functions.conditions_by_differences;
+    }
     using damping = detail::newton_damping<scalar>;
     /// A relative step of this size shows whether Jacobians depend on x.
     static constexpr double visible_step = 1e-3;

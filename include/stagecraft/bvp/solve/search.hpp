@@ -19,29 +19,37 @@
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/bvp/solve/damped_newton.hpp>
 #include <stagecraft/bvp/solve/mesh_choice.hpp>
-#include <stagecraft/problem/two_point.hpp>
+#include <stagecraft/problem/two_point_functions.hpp>
 
 namespace stagecraft::detail {
 
 /// One problem on its way to the solution: Newton's iteration on a coarse mesh, the errors, the next mesh, until
 /// the tolerance holds or it is clear that it will not. It measures and acts; judge/mesh_judge.hpp decides.
-template <class Scalar, int S, class Problem, class Vector, class Parameters>
+///
+/// Nothing here depends on the types of f, r and the guess: problems of the same sizes share one bvp_solver.
+template <int S, class Vector, class Parameters>
 class bvp_solver {
-    using system_type = two_point_system<Problem, Vector, Parameters>;
-    using equations_type = collocation_equations<system_type, S>;
+    using Scalar = typename Vector::Scalar;
+
+  public:
+    using functions = two_point_functions<Scalar, Vector::RowsAtCompileTime, Parameters::RowsAtCompileTime>;
+    using guess_type = guess_view<Vector>;
+
+  private:
+    using equations_type = collocation_equations<functions, S>;
     using iterate = typename equations_type::iterate;
     using result_type = bvp_result<Vector, Parameters>;
     using evidence = mesh_evidence<Scalar>;
     using verdict = mesh_verdict<Scalar>;
 
   public:
-    bvp_solver(const tableau<Scalar, S>& method, Problem& problem, int n, const Parameters& p,
+    bvp_solver(const tableau<Scalar, S>& method, functions& problem, const Parameters& p,
                const bvp_options<Scalar>& o, int positions = 0)
         : o_(o),
           threshold_(o.atol > Scalar(0) ? Scalar(o.atol / o.rtol) : Scalar(1)),
           judge_({o.rtol, std::numeric_limits<Scalar>::epsilon(), o.max_intervals, o.adapt}),
-          system_(problem.f, problem.r, n, static_cast<int>(p.size()), counts_),
-          mass_(make_mass<Scalar>(problem.f, n)),
+          system_(problem),
+          mass_(problem.mass()),
           equations_(method, system_, mass_, positions),
           elimination_(equations_, lifting_rule_of(method)),
           estimate_(equations_, elimination_, o.fixed_points),
@@ -52,23 +60,18 @@ class bvp_solver {
 
     /// Looks whether the first equations are q' = v: in the middle, near the guess. From then on they are taken for it, and
     /// run() throws not_of_second_order where another evaluation of f shows that they are not.
-    template <class Guess>
-    void look_for_second_order(const Guess& guess, const Scalar& a, const Scalar& b) {
-        if (!decltype(mass_)::identity) return;
+    void look_for_second_order(const guess_type& guess, const Scalar& a, const Scalar& b) {
+        if (!mass_.identity()) return;
         try {
-            equations_.look_for_second_order((a + b) / 2, guess_value(guess, (a + b) / 2), x_.p);
+            equations_.look_for_second_order((a + b) / 2, guess((a + b) / 2), x_.p);
         } catch (...) {
         }  // run() says what is wrong with f
     }
     bool of_second_order() const { return equations_.positions() > 0; }
-    /// Adds the work of another solver, which was given up.
-    void count_work_of(const bvp_solver& other) {
-        counts_ = other.counts_;
-        result_.report = other.result_.report;
-    }
+    /// Adds the work of another solver of the same problem, which was given up.
+    void count_work_of(const bvp_solver& other) { result_.report = other.result_.report; }
 
-    template <class Guess>
-    result_type run(const Guess& guess, const Scalar& a, const Scalar& b) {
+    result_type run(const guess_type& guess, const Scalar& a, const Scalar& b) {
         guess_mesh_ = first_mesh(o_, a, b, usual_intervals);
         trial_ = o_.intervals == 0 && o_.mesh.empty() && o_.adapt;
         begin(guess, trial_ ? first_mesh(o_, a, b, trial_intervals) : guess_mesh_);
@@ -109,8 +112,7 @@ class bvp_solver {
     static constexpr int usual_intervals = 10, trial_intervals = 6;
 
     /// Newton on meshes that follow the error, coarse first.
-    template <class Guess>
-    void search(const Guess& guess) {
+    void search(const guess_type& guess) {
         if (trial_ && !slow_beside(x_, system_, equations_.s())) trial_ = false, begin(guess, guess_mesh_);
         for (;;) {
             evidence e = iterate_on_mesh();
@@ -121,8 +123,7 @@ class bvp_solver {
         }
     }
     /// The next mesh and x on it; false where that cannot be computed.
-    template <class Guess>
-    bool go_on(const verdict& v, const Guess& guess) {
+    bool go_on(const verdict& v, const guess_type& guess) {
         if (v.act == mesh_act::halve_last) return halve_last();
         if (v.act == mesh_act::usual_mesh)
             begin(guess, guess_mesh_);
@@ -135,8 +136,7 @@ class bvp_solver {
         return true;
     }
 
-    template <class Guess>
-    void begin(const Guess& guess, const std::vector<Scalar>& mesh) {
+    void begin(const guess_type& guess, const std::vector<Scalar>& mesh) {
         from_guess_ = true;
         x_.t = mesh;
         take_guess(guess, system_.size(), equations_.method().c, x_);
@@ -155,7 +155,7 @@ class bvp_solver {
         e.remainder = outcome_.remainder, e.linear = newton_.linear();
         e.intervals = x_.intervals(), e.unknowns = equations_.n() + equations_.np();
         e.trial = std::exchange(trial_, false), e.from_guess = from_guess_, e.guess_size = guess_size_;
-        e.differences = system_type::differences, e.no_mass = decltype(mass_)::identity;
+        e.differences = system_.differences, e.no_mass = mass_.identity();
         return e;
     }
 
@@ -297,8 +297,8 @@ class bvp_solver {
     void finish() {
         auto& r = result_.report;
         r.intervals = x_.intervals();
-        r.f = counts_.f, r.f_jacobian = counts_.f_jacobian;
-        r.jacobians = counts_.jacobians;
+        r.f = system_.counts().f, r.f_jacobian = system_.counts().f_jacobian;
+        r.jacobians = system_.counts().jacobians;
         result_.p = x_.p, result_.mesh = x_.t;
         const bool known = converged() && result_.status != bvp_status::non_finite;
         result_.error.global = error_;
@@ -323,10 +323,9 @@ class bvp_solver {
     Scalar threshold_;  ///< values below it count as if they were of that size: atol/rtol
     mesh_judge<Scalar> judge_;
     mesh_history<Scalar> history_;
-    report<Scalar> counts_;
     result_type result_;
-    system_type system_;
-    typename system_type::mass_type mass_;
+    functions& system_;
+    optional_mass<Scalar> mass_;
     equations_type equations_;
     lifting_elimination<equations_type> elimination_;
     error_estimate<equations_type> estimate_;
