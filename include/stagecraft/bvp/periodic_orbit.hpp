@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/bvp/instances.hpp>
 #include <stagecraft/bvp/paths/multipliers.hpp>
 #include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/observe/solution.hpp>
@@ -303,3 +304,10 @@ orbit_result<Eigen::VectorXd> periodic_orbit(detail::refused_call<detail::call_o
                                              detail::anything = 0, detail::anything = 0, ...);
 
 }  // namespace stagecraft
+
+#ifdef STAGECRAFT_BVP_TAKEN
+namespace stagecraft::detail {
+STAGECRAFT_BVP_ORBIT(extern template, 5, 2)
+STAGECRAFT_BVP_ORBIT(extern template, 5, 3)
+}  // namespace stagecraft::detail
+#endif

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <stagecraft/bvp/continuation_options.hpp>
+#include <stagecraft/bvp/instances.hpp>
 #include <stagecraft/bvp/paths/branch_point.hpp>
 #include <stagecraft/bvp/paths/hopf_point.hpp>
 #include <stagecraft/bvp/paths/multipliers.hpp>
@@ -363,3 +364,10 @@ std::vector<path_state<Vector, Parameters>> follow_path(
 }
 
 }  // namespace stagecraft::detail
+
+#ifdef STAGECRAFT_BVP_TAKEN
+namespace stagecraft::detail {
+STAGECRAFT_BVP_PATHS(extern template, 2)
+STAGECRAFT_BVP_PATHS(extern template, 3)
+}  // namespace stagecraft::detail
+#endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/bvp/instances.hpp>
 #include <stagecraft/bvp/solve/search.hpp>
 
 namespace stagecraft::detail {
@@ -33,3 +34,13 @@ bvp_result<Vector, Parameters> solve_functions(const tableau<typename Vector::Sc
 }
 
 }  // namespace stagecraft::detail
+
+#ifdef STAGECRAFT_BVP_TAKEN
+namespace stagecraft::detail {
+STAGECRAFT_BVP_SIZE(extern template, 2)
+STAGECRAFT_BVP_SIZE(extern template, 3)
+STAGECRAFT_BVP_SIZE(extern template, 4)
+STAGECRAFT_BVP_SIZE(extern template, 6)
+STAGECRAFT_BVP_SIZE(extern template, Eigen::Dynamic)
+}  // namespace stagecraft::detail
+#endif

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <stagecraft/bvp/solve/solve_functions.hpp>
+
+#ifdef STAGECRAFT_BVP_TAKEN
+namespace stagecraft::detail {
+STAGECRAFT_BVP_SIZE(template, 4)
+}  // namespace stagecraft::detail
+#endif
