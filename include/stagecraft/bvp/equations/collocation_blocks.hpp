@@ -73,6 +73,7 @@ class collocation_blocks {
           np_(parameters),
           m_(positions),
           panel_(slopes() + n, slopes() + 2 * n + parameters, slopes()) {
+        moved_.setZero(s());
         if (m_ > 0) twice_ = remembered(method, [&] { return weights_of_q<Scalar, S>(method); });
     }
 

@@ -64,29 +64,35 @@ void make_orthogonal(Matrix& u) {
 }
 
 /// The spectral norm of a small matrix A: of 2 x 2 matrices in closed form, else by the largest eigenvalue of A A^T, relative
-/// to the largest entry so that squares do not overflow. All singular `values` by Jacobi's method. Any scalar.
+/// to the largest entry so that squares do not overflow. Any scalar.
 template <class Matrix>
-typename Matrix::Scalar spectral_norm(const Matrix& a,
-                                      std::vector<typename Matrix::Scalar>* values = nullptr) {
+typename Matrix::Scalar spectral_norm(const Matrix& a) {
     using scalar = typename Matrix::Scalar;
-    using std::abs;
+    using std::sqrt;
+    const scalar largest = a.size() == 0 ? scalar(0) : a.cwiseAbs().maxCoeff();
+    if (!(largest > scalar(0)) || !(largest - largest == scalar(0))) return largest;
+    const Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
+    if constexpr (Matrix::RowsAtCompileTime == 2 && Matrix::ColsAtCompileTime == 2) {
+        // |z| + |w| of the rotations z and reflections w of which u is the sum
+        const scalar p = u(0, 0), q = u(0, 1), r = u(1, 0), t = u(1, 1);
+        return largest *
+               (sqrt((p + t) * (p + t) + (r - q) * (r - q)) + sqrt((p - t) * (p - t) + (r + q) * (r + q))) /
+               2;
+    } else {
+        return largest * sqrt(largest_eigenvalue(u.lazyProduct(u.transpose()).eval()));
+    }
+}
+
+/// The same with all singular `values`, by Jacobi's method.
+template <class Matrix>
+typename Matrix::Scalar spectral_norm(const Matrix& a, std::vector<typename Matrix::Scalar>* values) {
+    using scalar = typename Matrix::Scalar;
     using std::sqrt;
     const int n = static_cast<int>(a.cols()), rows = static_cast<int>(a.rows());
     const scalar largest = a.size() == 0 ? scalar(0) : a.cwiseAbs().maxCoeff();
-    if (values) values->assign(static_cast<std::size_t>(n), scalar(0));
+    values->assign(static_cast<std::size_t>(n), scalar(0));
     if (!(largest > scalar(0)) || !(largest - largest == scalar(0))) return largest;
     Eigen::Matrix<scalar, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> u = a / largest;
-    if constexpr (Matrix::RowsAtCompileTime == 2 && Matrix::ColsAtCompileTime == 2) {
-        if (!values) {  // |z| + |w| of the rotations z and reflections w of which u is the sum
-            const scalar p = u(0, 0), q = u(0, 1), r = u(1, 0), t = u(1, 1);
-            return largest *
-                   (sqrt((p + t) * (p + t) + (r - q) * (r - q)) +
-                    sqrt((p - t) * (p - t) + (r + q) * (r + q))) /
-                   2;
-        }
-    } else {
-        if (!values) return largest * sqrt(largest_eigenvalue(u.lazyProduct(u.transpose()).eval()));
-    }
     make_orthogonal(u);
     scalar best(0);
     for (int j = 0; j < n; ++j) {
@@ -258,9 +264,11 @@ class conditioning_of {
         typename Equations::parameters p(equations_.np());
         parameters_.resize(equations_.np(), m);
         phi_.resize(static_cast<std::size_t>(m));
+        const wide none = wide::Zero(n, L);
         for (int k = 0; k < m; ++k) {
+            const column unit = column::Unit(m, k);
             phi_[k].resize(n, L + 1);
-            equations_.factors().solve(wide::Zero(n, L), column::Unit(m, k), phi_[k], p);
+            equations_.factors().solve(none, unit, phi_[k], p);
             parameters_.col(k) = p;
             ++solves_;
         }
