@@ -10,6 +10,7 @@
 
 #include "certify_file.hpp"
 #include "command.hpp"
+#include "export_coq.hpp"
 #include "method_argument.hpp"
 
 namespace {
@@ -20,6 +21,7 @@ struct options {
     std::vector<std::string> methods;
     std::string decimals = "auto", ulps = "1/2", tolerance = "0", from = "json";
     tool::certify_options files;
+    tool::coq_options coq;
 };
 
 tableaux::rational number(const char* argument, const std::string& text) {
@@ -40,6 +42,7 @@ void certify_family(const options& o) {
     const auto [f, s] =
         tool::member_of_family(o.methods.front(), o.methods.size() == 2 ? o.methods[1] : "", 1000);
     const auto certificate = theory::certify(f, s);
+    if (!o.coq.path.empty()) tool::export_coq(f, s, certificate, o.coq);
     if (!o.files.json) {
         std::cout << certificate.text();
         return;
@@ -74,15 +77,24 @@ void certify_family_pair(const options& o, std::size_t plus) {
 }
 
 void run(options o) {
+    if (o.coq.split && o.coq.path.empty()) throw std::invalid_argument("coq-split: goes with --coq FILE.v");
     if (const auto plus = o.methods.front().find('+');
-        plus != std::string::npos && tool::is_family(o.methods.front()))
+        plus != std::string::npos && tool::is_family(o.methods.front())) {
+        if (!o.coq.path.empty()) throw std::invalid_argument("coq: a pair of families is not exported");
         return certify_family_pair(o, plus);
+    }
     if (tool::is_family(o.methods.front())) return certify_family(o);
     if (o.from != "json" && o.from != "text")
         throw std::invalid_argument("from: '" + o.from + "', allowed: json, text");
     o.files.from_text = o.from == "text";
     o.files.how = {tableaux::decimals_from_name(o.decimals), number("ulps", o.ulps),
                    number("tolerance", o.tolerance)};
+    if (!o.coq.path.empty()) {
+        if (o.methods.size() != 1 || o.methods.front() == "-")
+            throw std::invalid_argument(
+                "coq: one tableau file or one member of a family is exported at a time");
+        tool::export_coq(o.methods.front(), o.files.how, o.coq);
+    }
     const int code = tool::certify_files(o.methods, o.files);
     if (code != 0) throw CLI::RuntimeError(code);
 }
@@ -104,6 +116,10 @@ const tool::command certify{[](CLI::App& app) {
                     "units of its last digit that a rounded entry may be off (default 1/2)");
     sub->add_option("--tolerance", o.tolerance, "absolute error that every entry but whole numbers may have");
     sub->add_option("--junit", o.files.junit, "write a JUnit report to this file");
+    sub->add_option("--coq", o.coq.path,
+                    "write what is proved as theorems to this file, which `coqc FILE.v` checks");
+    sub->add_flag("--coq-split", o.coq.split,
+                  "the part that all such files share beside it, as stagecraft.v");
     sub->footer(
         "Files may hold several tableaux: additive, partitioned, separable and Nystrom methods. A pair of\n"
         "families, lobatto_iiia+lobatto_iiib 4, is certified as symplectic.\n"
