@@ -1,0 +1,86 @@
+(** * gauss of 2 stages
+
+    Proved here of its 2 stages: order 4, A-stable, algebraically stable, symplectic, nodes real, distinct and in [0, 1]. *)
+
+From Coq Require Import List Arith ZArith QArith Reals.
+Require Import stagecraft.
+Import ListNotations.
+Open Scope nat_scope.
+
+Module Method.
+
+Definition d : Q := 0.
+Lemma d_positive : (0 <= d)%Q.
+Proof. discriminate. Qed.
+Definition N : list coefficient :=
+  map q [(-1 # 6); 1]%Q.
+
+(** Order 4: the conditions of all trees of at most 4 nodes hold, and that of one of 5 nodes does not: b^T c^4 == 1/5. *)
+Theorem order_of_the_method : forall (F : field d) (T : tableau F) (c : nat -> F), collocation T c N ->
+  order_is T 4.
+Proof.
+  intros F T c H.
+  apply (@acts_order_is d F T c N (integrals d N) (inverses (length N)) 4 (graft (graft (graft (graft leaf leaf) leaf) leaf) leaf) (collocation_acts H)).
+  vm_cast_no_check (eq_refl true).
+Qed.
+
+(** R(z) = top / bottom. *)
+Definition top : list coefficient :=
+  map q [1; (1 # 2); (1 # 12)]%Q.
+Definition bottom : list coefficient :=
+  map q [1; (-1 # 2); (1 # 12)]%Q.
+Theorem stability_function_of_the_method : forall (F : field d) (T : tableau F) (c : nat -> F), collocation T c N ->
+  stability_function T top bottom.
+Proof.
+  intros F T c H.
+  apply (@acts_function_is d F T c N (integrals d N) (inverses (length N)) 0 [q 1] top bottom (collocation_acts H)).
+  vm_cast_no_check (eq_refl true).
+Qed.
+
+(** W |Q|^2 - 1 and W (|Q|^2 - |P|^2) at z = -u + iy have no negative coefficient. *)
+Definition W : list coefficient :=
+  map q [1]%Q.
+Theorem a_stable_method : a_stable d_positive top bottom.
+Proof.
+  apply (a_stable_is_checked d_positive [W]).
+  vm_cast_no_check (eq_refl true).
+Qed.
+
+(** R(infinity) is not 0: top has the degree of bottom. *)
+Theorem not_l_stable_method : ~ l_stable d_positive top bottom.
+Proof.
+  intros [_ [L _]]. apply Nat.ltb_lt in L. vm_compute in L. discriminate.
+Qed.
+
+(** b >= 0, and M = B A + A^T B - b b^T >= 0: a sum of D (L^T v)^2 for each pair (D, L). *)
+Definition squares_of_b : squares :=
+  [ ((1, 0)%Q, map q [1; (1 # 2)]%Q);
+    (((1 # 12), 0)%Q, map q [0; 1]%Q) ].
+Definition squares_of_m : squares :=
+  [].
+Theorem algebraically_stable_method : forall (T : tableau (reals d_positive)) (c : nat -> R), collocation T c N ->
+  distinct (stages T) c -> algebraically_stable T.
+Proof.
+  intros T c H D. apply (acts_algebraic_is (collocation_acts H) D squares_of_b squares_of_m).
+  vm_cast_no_check (eq_refl true).
+Qed.
+
+(** M = 0. *)
+Theorem symplectic_method : forall (T : tableau (reals d_positive)) (c : nat -> R), collocation T c N ->
+  distinct (stages T) c -> symplectic T.
+Proof.
+  intros T c H D. apply (acts_symplectic_is (collocation_acts H) D).
+  vm_cast_no_check (eq_refl true).
+Qed.
+
+(** The nodes are real, distinct, and in [0, 1]: each in one of these brackets. *)
+Definition node_brackets : list (Q * Q) :=
+  [(0, (1 # 4)); ((3 # 4), 1)]%Q.
+Theorem nodes_of_the_method : has_nodes d_positive N.
+Proof.
+  apply (nodes_are_checked d_positive N node_brackets).
+  vm_cast_no_check (eq_refl true).
+Qed.
+
+Print Assumptions order_of_the_method.
+End Method.
