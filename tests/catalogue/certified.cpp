@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "../catalogue.hpp"
-#include "certify_once.hpp"
+#include "../checked.hpp"
 
 using namespace stagecraft;
 using namespace stagecraft::theory;
@@ -34,7 +34,7 @@ const std::map<std::string, file_certificate>& catalogue() {
     static const std::map<std::string, file_certificate> all = [] {
         std::map<std::string, file_certificate> made;
         for (const fs::path& file : tableau_files_in(source / "tableaux/catalogue"))
-            made.emplace(file.stem().string(), certify_once::certify_file(file.string()));
+            made.emplace(file.stem().string(), checked::certify_file(file.string()));
         return made;
     }();
     return all;
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(every_misprint_is_refuted_and_its_wrong_entry_named_with_th
         const std::string text = text_of(path);
         std::smatch note;
         BOOST_REQUIRE_MESSAGE(std::regex_search(text, note, form), path);
-        const auto c = certify_once::certify(text);
+        const auto c = checked::certify(text);
         BOOST_TEST(c.exit_code() == 1, path);
         const std::string entry = note[1], right = note[2];
         if (entry.starts_with("claims.")) {
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(rows_say_what_is_proved_refuted_or_open) {
         std::string::npos);
     BOOST_TEST(method_row(catalogue().at("kvaerno_3_2")).find("| 4 | 3(2) | 2 | (yes) | (yes) | no |") !=
                std::string::npos);
-    auto misprint = certify_once::certify_file((source / "tests/data/misprints/fehlberg_3554.json").string());
+    auto misprint = checked::certify_file((source / "tests/data/misprints/fehlberg_3554.json").string());
     BOOST_TEST(method_row(misprint).find("| 4(1) |") != std::string::npos);
     BOOST_CHECK_THROW(tableau_files_in(source / "README.md"), std::invalid_argument);
     misprint.name = "a|b";

@@ -16,7 +16,7 @@
 #include <stagecraft/theory/models/matrix_model.hpp>
 #include <stagecraft/theory/trees/tree_text.hpp>
 
-#include "certify_once.hpp"
+#include "../checked.hpp"
 
 using namespace stagecraft;
 using theory::file_certificate;
@@ -27,7 +27,7 @@ namespace {
 const std::filesystem::path source = STAGECRAFT_SOURCE_DIR;
 
 file_certificate misprint(const std::string& name) {
-    return certify_once::certify_file(source / "tests/data/misprints" / (name + ".json"));
+    return checked::certify_file(source / "tests/data/misprints" / (name + ".json"));
 }
 
 bool suspected(const file_certificate& c, const std::string& entry, const std::string& suggest) {
@@ -40,7 +40,7 @@ bool fails(const file_certificate& c, const std::string& condition, const std::s
                        [&](const auto& f) { return f.condition == condition && f.residual == residual; });
 }
 
-file_certificate judged(const std::string& json) { return certify_once::certify(json); }
+file_certificate judged(const std::string& json) { return checked::certify(json); }
 
 // Kutta's method of order 4 with the entry A[3][2] and the claims left open.
 file_certificate rk4(const std::string& entry, const std::string& claims, const std::string& nodes = "") {
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(every_catalogue_file_is_free_of_refuted_claims) {
     for (const auto& f : std::filesystem::directory_iterator(source / "tableaux/catalogue")) {
         if (f.path().extension() != ".json") continue;
         ++files;
-        const auto c = certify_once::certify_file(f.path());
+        const auto c = checked::certify_file(f.path());
         BOOST_TEST(c.exit_code() == 0, f.path().filename() << ": " << to_text(c));
     }
     BOOST_TEST(files >= 60);
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(every_misprint_is_refuted_and_the_wrong_entry_is_named_with
         std::smatch parts;
         BOOST_REQUIRE(std::regex_match(note, parts, form));
         const std::string entry = parts[1];
-        const auto c = certify_once::certify_file(f.path());
+        const auto c = checked::certify_file(f.path());
         BOOST_TEST(c.exit_code() == 1, f.path());
         if (entry.starts_with("claims.")) {
             ++claims;
@@ -358,17 +358,17 @@ BOOST_AUTO_TEST_CASE(the_command_gives_0_1_or_2) {
     std::string out, err;
     const std::string good = R"({"A":[["1/2"]],"b":["1"],"claims":{"order":2}})";
     const std::string bad = R"({"A":[["1/2"]],"b":["1"],"claims":{"order":3}})";
-    BOOST_TEST(certify_once::exit_code(good, true, out, err) == 0);
+    BOOST_TEST(checked::exit_code(good, true, out, err) == 0);
     const auto json = nlohmann::json::parse(out);
     BOOST_TEST(json["order"]["value"] == 2);
     BOOST_TEST(json["order"]["claim"] == "proved");
     BOOST_TEST(json["suspects"].empty());
-    BOOST_TEST(certify_once::exit_code(bad, true, out, err) == 1);
+    BOOST_TEST(checked::exit_code(bad, true, out, err) == 1);
     const auto refuted = nlohmann::json::parse(out);
     BOOST_TEST(refuted["failures"][0]["tree"] == "[[tau]]");
     BOOST_TEST(refuted["failures"][0]["condition"] == "dot(b, A*c) == 1/6");
     BOOST_TEST(refuted["failures"][0]["residual"] == "1/12");
     BOOST_TEST(err.empty());
-    BOOST_TEST(certify_once::exit_code("{", false, out, err) == 2);
+    BOOST_TEST(checked::exit_code("{", false, out, err) == 2);
     BOOST_TEST(err == "line 1: not JSON: the text ends too early\n");
 }

@@ -2,18 +2,18 @@
 #define BOOST_TEST_MODULE dense
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <certify_once.hpp>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <string>
 #include <vector>
+#include "../checked.hpp"
 
 // Dense output b(theta): the published ones, their order at every theta and their smoothness, and defects.
 
 using namespace stagecraft;
-using certify_once::certify;
+using checked::certify;
 namespace fs = std::filesystem;
 
 namespace {

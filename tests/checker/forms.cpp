@@ -2,7 +2,6 @@
 #define BOOST_TEST_MODULE forms
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <certify_once.hpp>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -10,12 +9,13 @@
 #include <stagecraft/tableaux/read.hpp>
 #include <string>
 #include <vector>
+#include "../checked.hpp"
 
 // What a file may hold besides a plain tableau of fractions and decimals, and the schemas of input and output.
 
 using namespace stagecraft;
-using certify_once::certify;
-using certify_once::certify_method;
+using checked::certify;
+using checked::certify_method;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -213,8 +213,7 @@ BOOST_AUTO_TEST_CASE(a_positive_quadratic_form_leaves_no_residual) {
 BOOST_AUTO_TEST_CASE(principal_errors_are_those_of_the_literature) {
     // Prince and Dormand 1981 for RK5(4)7M, Bogacki and Shampine 1996.
     const auto norm = [](const char* name) {
-        const auto e =
-            certify_once::certify_file((root / "tableaux/catalogue" / name).string()).principal_error;
+        const auto e = checked::certify_file((root / "tableaux/catalogue" / name).string()).principal_error;
         return e ? std::stod(e->norm) : 0.0;
     };
     BOOST_TEST(std::abs(norm("dormand_prince_5_4.json") - 3.99e-4) < 0.5e-6);

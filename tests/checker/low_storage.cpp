@@ -3,12 +3,12 @@
 // Suspects of files that give a method by its registers are coefficients that stand in them.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <certify_once.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+#include "../checked.hpp"
 
-using certify_once::certify_method;
+using checked::certify_method;
 using nlohmann::json;
 
 namespace {

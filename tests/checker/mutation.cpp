@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "certify_once.hpp"
+#include "../checked.hpp"
 
 namespace {
 
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(changes_of_one_entry_are_refuted_and_found) {
                 if (!changed || counter++ % every != 0) return;
                 json file = original;
                 file[s.at] = *changed;
-                const auto c = certify_once::certify(file.dump());
+                const auto c = checked::certify(file.dump());
                 const bool found = std::any_of(c.suspects.begin(), c.suspects.end(),
                                                [&](const auto& x) { return x.entry == s.name; });
                 ++t.tried;

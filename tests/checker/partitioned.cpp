@@ -2,7 +2,6 @@
 #define BOOST_TEST_MODULE partitioned
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <certify_once.hpp>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -12,11 +11,12 @@
 #include <stagecraft/theory/trees/coloured_trees.hpp>
 #include <string>
 #include <vector>
+#include "../checked.hpp"
 
 // Methods of several tableaux: coloured trees, the published pairs, and what is wrong with a pair.
 
 using namespace stagecraft;
-using certify_once::certify_method;
+using checked::certify_method;
 using tableaux::coupling;
 namespace fs = std::filesystem;
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "certify_once.hpp"
+#include "../checked.hpp"
 
 namespace {
 
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(printed_tables_are_not_refuted_and_misprints_are_with_the_c
         std::vector<json> forms{exact};
         for (const int digits : {8, 16, 40}) forms.push_back(as_printed(exact, digits));
         for (const json& form : forms) {
-            const auto c = certify_once::certify(form.dump());
+            const auto c = checked::certify(form.dump());
             ++good;
             wrong += c.exit_code() != 0;
             if (c.exit_code() != 0) misses << name << ": exit " << c.exit_code() << "\n" << to_text(c);
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(printed_tables_are_not_refuted_and_misprints_are_with_the_c
             const slot& s = places[k * (places.size() - 1) / 5];
             json table = forms[static_cast<std::size_t>(turn++) % forms.size()];
             table[s.at] = misprinted(table[s.at].get<std::string>());
-            const auto c = certify_once::certify(table.dump());
+            const auto c = checked::certify(table.dump());
             const bool named = !c.suspects.empty() && c.suspects.front().entry == s.name;
             ++tried;
             refuted += c.exit_code() == 1;
@@ -146,13 +146,13 @@ BOOST_AUTO_TEST_CASE(printed_tables_are_not_refuted_and_misprints_are_with_the_c
 
 BOOST_AUTO_TEST_CASE(a_short_decimal_among_long_ones_is_exact_and_said_so) {
     const json table = as_printed(method("classical_rk4"), 40);
-    const auto c = certify_once::certify(table.dump());
+    const auto c = checked::certify(table.dump());
     BOOST_TEST((c.overall() == stagecraft::theory::standing::consistent));
     BOOST_REQUIRE(!c.notes.empty());
     BOOST_TEST(c.notes[0] == "4 short decimals read as exact");
     json wrong = table;
     wrong["/A/2/1"_json_pointer] = "0.6";
-    const auto w = certify_once::certify(wrong.dump());
+    const auto w = checked::certify(wrong.dump());
     BOOST_TEST(w.exit_code() == 1);
     BOOST_REQUIRE(!w.suspects.empty());
     BOOST_TEST(w.suspects[0].entry == "A[3][2]");
@@ -166,26 +166,26 @@ BOOST_AUTO_TEST_CASE(too_few_digits_are_inconclusive_with_an_exit_code_of_their_
     reading how;
     how.decimals = decimals_are::rounded;
     std::string out, err;
-    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 3);
+    BOOST_TEST(checked::exit_code(text, true, out, err, how) == 3);
     const auto j = json::parse(out);
     BOOST_TEST(j["verdict"] == "inconclusive");
     BOOST_TEST(j["order"]["verdict"] == "inconclusive");
     how.decimals = decimals_are::exact;
-    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 1);
+    BOOST_TEST(checked::exit_code(text, true, out, err, how) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(bounds_are_compared_with_the_1_over_gamma_of_their_condition) {
     // b^T c = 0.500 +- 0.0005 is to be 1/2: a thousandth of it. The first row has nothing to round.
-    const auto c = certify_once::certify(
+    const auto c = checked::certify(
         R"({"A":[["0","0"],["0.500","0"]],"b":["0","1"],"c":["0","0.500"],"claims":{"order":2}})");
     BOOST_TEST(c.find("order")->relative_bound == "0.001");
     BOOST_TEST(c.find("order")->judgement->bound() == "0.0005");
     BOOST_TEST(c.find("row_sums")->truth->bound() == "0.001");
-    const auto exact = certify_once::certify(
+    const auto exact = checked::certify(
         R"({"A":[["0","0"],["1/2","0"]],"b":["0.0","1.00"],"c":["0","1/2"],"claims":{"order":1}})");
     BOOST_TEST(exact.find("row_sums")->truth->is_proved());
     // Of several rows the one with the largest residual is reported.
-    const auto rows = certify_once::certify(
+    const auto rows = checked::certify(
         R"({"A":[["0.3333","0"],["0.5000","0.1667"]],"b":["0.5000","0.5000"],"c":["0.3333","0.6666"]})");
     BOOST_TEST(rows.find("row_sums")->truth->residual() == "0.0001");
 }
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(tables_computed_in_floating_point_have_a_numerical_order_an
         table[s.at] = x * (1 + (k++ % 5 - 2) * 4e-16);
     }
     const std::string text = table.dump();
-    const auto c = certify_once::certify(text);
+    const auto c = checked::certify(text);
     BOOST_TEST(c.exit_code() == 1);
     BOOST_REQUIRE(c.find("order")->numerical.has_value());
     BOOST_TEST(c.find("order")->numerical->order == 5);
@@ -213,18 +213,18 @@ BOOST_AUTO_TEST_CASE(tables_computed_in_floating_point_have_a_numerical_order_an
     // Collocation at the Gauss points in doubles of a program, one of them off by two units.
     json gauss = {{"A", {{0.25, -0.038675134594812866}, {0.5386751345948129, 0.25}}}, {"b", {0.5, 0.5}}};
     gauss["claims"]["order"] = 4;
-    BOOST_TEST(names_the_options(certify_once::certify(gauss.dump()).find("order")->judgement->text()));
+    BOOST_TEST(names_the_options(checked::certify(gauss.dump()).find("order")->judgement->text()));
     gauss["claims"]["order"] = 5;  // which rounding does not explain
-    BOOST_TEST(!names_the_options(certify_once::certify(gauss.dump()).find("order")->judgement->text()));
+    BOOST_TEST(!names_the_options(checked::certify(gauss.dump()).find("order")->judgement->text()));
     std::string out, err;
     reading how;
     how.ulps = 8;
-    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 0);
+    BOOST_TEST(checked::exit_code(text, true, out, err, how) == 0);
     how = {};
     how.tolerance = rational(1, 100000000000000);
-    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 0);
+    BOOST_TEST(checked::exit_code(text, true, out, err, how) == 0);
     how.tolerance = rational(1, 10);  // explains anything, so it proves nothing
-    BOOST_TEST(certify_once::exit_code(text, true, out, err, how) == 3);
+    BOOST_TEST(checked::exit_code(text, true, out, err, how) == 3);
 }
 
 BOOST_AUTO_TEST_CASE(decimals_cut_off_are_not_refuted_and_hide_no_misprint) {
@@ -235,10 +235,10 @@ BOOST_AUTO_TEST_CASE(decimals_cut_off_are_not_refuted_and_hide_no_misprint) {
             auto text = table[s.at].get<std::string>();
             if (text.size() > 17) table[s.at] = text.substr(0, text.size() - 3);
         }
-        const auto c = certify_once::certify(table.dump());
+        const auto c = checked::certify(table.dump());
         BOOST_TEST(c.exit_code() == 0, name << ": " << to_text(c));
         table["/A/4/3"_json_pointer] = misprinted(table["/A/4/3"_json_pointer]);
-        const auto wrong = certify_once::certify(table.dump());
+        const auto wrong = checked::certify(table.dump());
         BOOST_TEST(wrong.exit_code() == 1);
         BOOST_REQUIRE(!wrong.suspects.empty());
         BOOST_TEST(wrong.suspects.front().entry == "A[5][4]");
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(decimals_cut_off_are_not_refuted_and_hide_no_misprint) {
         auto text = cut[s.at].get<std::string>();
         if (text.size() > 17) cut[s.at] = text.substr(0, text.size() - 11);
     }
-    BOOST_TEST(certify_once::certify(cut.dump()).notes.front() ==
+    BOOST_TEST(checked::certify(cut.dump()).notes.front() ==
                "decimals cut off, not rounded: refuted otherwise");
 }
 
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(a_fault_in_a_and_one_in_the_embedded_weights_do_not_silence
             const json::json_pointer p(at);
             table[p] = misprinted(table[p].get<std::string>());
         }
-        const auto c = certify_once::certify(table.dump());
+        const auto c = checked::certify(table.dump());
         BOOST_TEST(c.exit_code() == 1);
         BOOST_REQUIRE(c.suspects.size() >= 2u);
         BOOST_TEST(c.suspects[0].entry == "A[4][2]");
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(a_row_sum_tells_what_the_order_conditions_do_not) {
     json idle = method("bogacki_shampine_5_4");
     idle["A"][7][2] = misprinted(idle["A"][7][2]);
     idle["claims"] = {{"order", 5}, {"embedded_order", 4}};
-    const auto c = certify_once::certify(idle.dump());
+    const auto c = checked::certify(idle.dump());
     BOOST_TEST(c.exit_code() == 1);
     BOOST_TEST(!c.find("order")->judgement->is_refuted());
     BOOST_TEST(std::any_of(c.suspects.begin(), c.suspects.end(),
@@ -283,11 +283,11 @@ BOOST_AUTO_TEST_CASE(a_row_sum_tells_what_the_order_conditions_do_not) {
     json node = as_printed(method("bogacki_shampine_5_4"), 16);
     BOOST_REQUIRE(node["c"][2] == "0.2222222222222222");
     node["c"][2] = "0.2222222222222242";
-    BOOST_TEST(certify_once::certify(node.dump()).exit_code() == 1);
+    BOOST_TEST(checked::certify(node.dump()).exit_code() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(exchanged_and_transposed_parts_are_recognised) {
-    const auto note = [](const json& table) { return certify_once::certify(table.dump()).suspects_note; };
+    const auto note = [](const json& table) { return checked::certify(table.dump()).suspects_note; };
     json transposed = method("gauss_2");
     std::swap(transposed["/A/0/1"_json_pointer], transposed["/A/1/0"_json_pointer]);
     BOOST_TEST(note(transposed) == "A is transposed: undone, every claim is restored");
@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(two_faults_in_a_exchanged_entries_and_lost_columns_are_reco
             const json::json_pointer p(at);
             two[p] = misprinted(two[p].get<std::string>());
         }
-        const auto c = certify_once::certify(two.dump());
+        const auto c = checked::certify(two.dump());
         BOOST_TEST(c.exit_code() == 1);
         BOOST_REQUIRE(c.suspects.size() >= 2u);
         BOOST_TEST(c.suspects[0].entry == "A[4][2]");
@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(two_faults_in_a_exchanged_entries_and_lost_columns_are_reco
                 const json::json_pointer p(at);
                 table[p] = misprinted(table[p].get<std::string>());
             }
-            const auto found = certify_once::certify(table.dump());
+            const auto found = checked::certify(table.dump());
             BOOST_REQUIRE(found.suspects.size() >= 2u);
             return found.suspects[0].entry + " " + found.suspects[1].entry;
         };
@@ -349,18 +349,18 @@ BOOST_AUTO_TEST_CASE(two_faults_in_a_exchanged_entries_and_lost_columns_are_reco
 
         json exchanged = form("cash_karp_5_4");
         std::swap(exchanged["A"][4][1], exchanged["A"][4][2]);
-        BOOST_TEST(certify_once::certify(exchanged.dump()).suspects_note ==
+        BOOST_TEST(checked::certify(exchanged.dump()).suspects_note ==
                    "entries A[5][2] and A[5][3] are exchanged: undone, every claim is restored");
 
         json lost = form("bogacki_shampine_3_2");
         lost["A"][2] = {lost["A"][2][1], "0", "0", "0"};
         lost["A"][3] = {lost["A"][3][1], lost["A"][3][2], "0", "0"};
         lost["A"][1] = {"0", "0", "0", "0"};
-        BOOST_TEST(certify_once::certify(lost.dump()).suspects_note ==
+        BOOST_TEST(checked::certify(lost.dump()).suspects_note ==
                    "column [1] of A is lost: undone, every claim is restored");
         json row = form("england_4_5");
         row["A"][4] = {row["A"][4][1], row["A"][4][2], row["A"][4][3], "0", "0", "0"};
-        BOOST_TEST(certify_once::certify(row.dump()).suspects_note ==
+        BOOST_TEST(checked::certify(row.dump()).suspects_note ==
                    "entry [1] of row [5] of A is lost: undone, every claim is restored");
     }
 }

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <set>
 #include <stagecraft/theory/exercises/kinds.hpp>
+#include <stagecraft/theory/exercises/methods.hpp>
 #include <string>
 
 #include "../message.hpp"

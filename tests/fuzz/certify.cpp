@@ -23,7 +23,7 @@
 #include <variant>
 #include <vector>
 
-#include "certify_once.hpp"
+#include "../checked.hpp"
 
 namespace {
 
@@ -306,7 +306,7 @@ BOOST_AUTO_TEST_CASE(mutated_files_end_with_0_1_2_or_3_in_time) {
         const std::clock_t start = std::clock();
         int code = -1;
         try {
-            code = certify_once::exit_code(text, i % 2 == 0, out, err);
+            code = checked::exit_code(text, i % 2 == 0, out, err);
         } catch (const std::exception& e) {
             BOOST_ERROR("file " << i << " ends with an exception: " << e.what() << "\n" << text);
             continue;

@@ -3,7 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 #include <set>
+#include <stagecraft/tableaux/complex_roots.hpp>
 #include <stagecraft/tableaux/decimals.hpp>
+#include <stagecraft/tableaux/legendre.hpp>
+#include <stagecraft/tableaux/roots.hpp>
 #include <stagecraft/tableaux/rounded.hpp>
 #include <stagecraft/tableaux/transformed.hpp>
 #include <string>

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stagecraft/tableaux/emit.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
 #include <string>
 #include <utility>
 #include <vector>

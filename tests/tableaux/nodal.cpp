@@ -2,7 +2,9 @@
 #define BOOST_TEST_MODULE nodal
 #include <boost/test/unit_test.hpp>
 #include <functional>
+#include <stagecraft/tableaux/legendre.hpp>
 #include <stagecraft/tableaux/nodal.hpp>
+#include <stagecraft/tableaux/sturm.hpp>
 
 using namespace stagecraft::tableaux;
 using poly = polynomial<rational>;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <stagecraft/tableaux/rational.hpp>
+#include <stdexcept>
 
 using stagecraft::tableaux::rational;
 

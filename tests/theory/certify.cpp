@@ -4,6 +4,9 @@
 #include <cmath>
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
+#include <stagecraft/theory/stability/a_stability.hpp>
+#include <stagecraft/theory/stability/schwarz.hpp>
+#include <stagecraft/theory/trees/tree_order.hpp>
 #include <string>
 
 using namespace stagecraft;

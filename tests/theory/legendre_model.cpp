@@ -7,6 +7,7 @@
 #include <stagecraft/theory/models/stage_algebra.hpp>
 #include <stagecraft/theory/stability/algebraic_stability.hpp>
 #include <stagecraft/theory/stability/nodal_stability.hpp>
+#include <stagecraft/theory/stability/schwarz.hpp>
 
 // The model against the matrices (a_ij) of the same methods, made from Lagrange polynomials on rational
 // nodes: the two share no formula.

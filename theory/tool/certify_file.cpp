@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "certify_file.hpp"
-#include "certify_once.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stagecraft/tableaux/program_text.hpp>
+#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/judging/certify_partitioned.hpp>
 #include <stagecraft/theory/judging/difference.hpp>
 #include <stagecraft/theory/judging/junit.hpp>
@@ -109,30 +109,3 @@ void print_method_table(const std::vector<std::string>& paths) {
 }
 
 }  // namespace stagecraft::tool
-
-namespace certify_once {
-
-using namespace stagecraft;
-
-theory::file_certificate certify(std::string_view text) {
-    return theory::certify(tableaux::read_tableau(text));
-}
-
-theory::file_certificate certify_file(const std::string& path) {
-    return theory::certify(tableaux::read_tableau_file(path));
-}
-
-theory::file_certificate certify_method(std::string_view text, const std::string& folder) {
-    return theory::certify(tableaux::read_method(text, {}, folder));
-}
-
-int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err,
-              const tableaux::reading& how) {
-    std::ostringstream o, e;
-    const int code = theory::certify_text(text, as_json, o, e, how);
-    out = o.str();
-    err = e.str();
-    return code;
-}
-
-}  // namespace certify_once

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/tableaux/entry.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/polynomial_text.hpp>
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>

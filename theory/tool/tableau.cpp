@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/decimals.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -42,19 +42,10 @@ constexpr std::string_view name(family f) {
 }
 
 /// "gauss, radau_i, ...": for messages that say what is allowed.
-inline std::string family_names() {
-    std::string all;
-    for (const family f : all_families) (all += all.empty() ? "" : ", ") += name(f);
-    return all;
-}
+std::string family_names();
 
 /// The family of that name. Throws std::invalid_argument, listing the names, for any other text.
-inline family family_from_name(std::string_view text) {
-    for (const family f : all_families)
-        if (name(f) == text) return f;
-    throw std::invalid_argument("family: unknown name '" + std::string(text) +
-                                "', allowed: " + family_names());
-}
+family family_from_name(std::string_view text);
 
 /// How nodes determine A, once b is the interpolatory quadrature on them (Hairer-Wanner II.IV.5):
 /// collocation by C(s); adjoint by D(s), which is collocation's adjoint for <u, v> = b^T(u v); lobatto_iiic
@@ -90,10 +81,10 @@ constexpr int least_stages(family f) {
 }
 
 /// Throws std::invalid_argument, naming the least number, where the family has no member with s stages.
-inline void require_stages(family f, int s) {
-    if (s < least_stages(f))
-        throw std::invalid_argument("stages: " + std::string(name(f)) + " needs at least " +
-                                    std::to_string(least_stages(f)) + ", got " + std::to_string(s));
-}
+void require_stages(family f, int s);
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/family-inl.hpp"
+#endif

@@ -110,9 +110,7 @@ class fixed_rational {
     }
 
     /// "p/q", or "p" where q = 1.
-    std::string str() const {
-        return denominator_ == 1 ? decimal(numerator_) : decimal(numerator_) + "/" + decimal(denominator_);
-    }
+    std::string str() const;
     template <class Traits>
     friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
                                                         const fixed_rational& r) {
@@ -141,15 +139,7 @@ class fixed_rational {
         return r;
     }
     [[noreturn]] static void overflow() { throw std::overflow_error("fixed_rational: more than 127 bits"); }
-    static std::string decimal(int128 n) {
-        std::string digits;
-        const bool negative = n < 0;
-        do {
-            const int digit = static_cast<int>(n % 10);
-            digits.insert(digits.begin(), static_cast<char>('0' + (digit < 0 ? -digit : digit)));
-        } while ((n /= 10) != 0);
-        return negative ? "-" + digits : digits;
-    }
+    static std::string decimal(int128 n);
 
     int128 numerator_;
     int128 denominator_;
@@ -164,3 +154,7 @@ consteval fixed_rational operator""_q(unsigned long long n) { return fixed_ratio
 }  // namespace literals
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/fixed_rational-inl.hpp"
+#endif

@@ -2,16 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "stagecraft/tableaux/family.hpp"
-#include "stagecraft/tableaux/legendre.hpp"
 #include "stagecraft/tableaux/polynomial.hpp"
 #include "stagecraft/tableaux/rational.hpp"
-#include "stagecraft/tableaux/sturm.hpp"
 
 namespace stagecraft::tableaux {
 
@@ -50,40 +46,14 @@ class nodal_polynomial {
     /// The nodal polynomial of a family. Its roots need no proof here, being those of classical orthogonal
     /// polynomials and the end points. Throws std::invalid_argument where the family has no member with s
     /// stages.
-    nodal_polynomial(tableaux::family f, int s)
-        : legendre_(nodal_legendre<rational>(f, s)),
-          monomial_(from_legendre(legendre_)),
-          family_(f),
-          name_(tableaux::name(f)) {}
+    nodal_polynomial(tableaux::family f, int s);
 
     /// From the coefficients of 1, x, x^2, ... in any scaling. Throws std::invalid_argument
     /// unless Sturm's theorem proves all roots real, distinct and in [0, 1].
-    static nodal_polynomial from_coefficients(std::vector<rational> ascending, std::string name = "nodal") {
-        polynomial<rational> p(std::move(ascending));
-        if (p.degree() < 1)
-            throw std::invalid_argument("coefficients: a nodal polynomial has degree at least 1");
-        const sturm_chain<rational> chain(p);
-        const int roots = chain.count(0, 1) + (p[0] == 0 ? 1 : 0);
-        if (roots != p.degree())
-            throw std::invalid_argument("coefficients: " + std::to_string(p.degree()) +
-                                        " distinct real roots in [0, 1] needed, this polynomial has " +
-                                        std::to_string(roots));
-        return {p, std::move(name)};
-    }
+    static nodal_polynomial from_coefficients(std::vector<rational> ascending, std::string name = "nodal");
 
     /// From distinct rational nodes in [0, 1], in any order. Throws std::invalid_argument if they are not so.
-    static nodal_polynomial from_nodes(const std::vector<rational>& nodes, std::string name = "nodal") {
-        if (nodes.empty()) throw std::invalid_argument("nodes: at least one node needed");
-        polynomial<rational> p(1);
-        for (const rational& c : nodes) {
-            if (c < 0 || c > 1)
-                throw std::invalid_argument("nodes: must lie in [0, 1], one of them is " + c.str());
-            if (p(c) == 0)
-                throw std::invalid_argument("nodes: must be distinct, " + c.str() + " is repeated");
-            p *= polynomial<rational>{-c, 1};
-        }
-        return {p, std::move(name)};
-    }
+    static nodal_polynomial from_nodes(const std::vector<rational>& nodes, std::string name = "nodal");
 
     /// Number of nodes s.
     int degree() const { return monomial_.degree(); }
@@ -96,12 +66,7 @@ class nodal_polynomial {
     const std::string& name() const { return name_; }
 
   private:
-    nodal_polynomial(const polynomial<rational>& p, std::string name)
-        : legendre_(to_legendre(p)), name_(std::move(name)) {
-        const rational leading = legendre_.back();
-        for (rational& u : legendre_) u /= leading;
-        monomial_ = p * polynomial<rational>(1 / leading);
-    }
+    nodal_polynomial(const polynomial<rational>& p, std::string name);
 
     std::vector<rational> legendre_;
     polynomial<rational> monomial_;
@@ -110,3 +75,7 @@ class nodal_polynomial {
 };
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/nodal-inl.hpp"
+#endif

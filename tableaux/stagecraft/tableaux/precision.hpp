@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -23,18 +22,13 @@ static_assert(std::numeric_limits<bound>::max_exponent >= 16384, "error bounds n
 
 /// An upper bound of a non-negative expression whose computed value x has been through at most 32 roundings
 /// and underflows. Infinity means that nothing is known.
-inline bound upward(bound r) {
-    constexpr bound grow = 1 + 64 * std::numeric_limits<bound>::epsilon();
-    if (!(r <= std::numeric_limits<bound>::max() / 2)) return std::numeric_limits<bound>::infinity();
-    return r * grow + std::numeric_limits<bound>::min();
-}
+bound upward(bound r);
 
 /// A lower bound in the same sense, at least 0.
-inline bound downward(bound r) {
-    constexpr bound shrink = 1 - 64 * std::numeric_limits<bound>::epsilon();
-    if (r > std::numeric_limits<bound>::max() / 2) return std::numeric_limits<bound>::max() / 4;
-    const bound s = r * shrink - std::numeric_limits<bound>::min();
-    return s > 0 ? s : 0;
-}
+bound downward(bound r);
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/precision-inl.hpp"
+#endif

@@ -6,12 +6,10 @@
 #include <cmath>
 #include <compare>
 #include <concepts>
-#include <functional>
 #include <iosfwd>
 #include <limits>
 #include <stagecraft/tableaux/integer.hpp>
 #include <stagecraft/tableaux/number_traits.hpp>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -27,14 +25,7 @@ class rational {
     rational(I n) : n_(n) {}                   // NOLINT: integers are rationals
     rational(integer n) : n_(std::move(n)) {}  // NOLINT
     /// n/d. Throws std::domain_error for d = 0.
-    rational(integer n, integer d) : n_(std::move(n)), d_(std::move(d)) {
-        if (d_ == 0) throw std::domain_error("rational: zero denominator");
-        if (d_ < 0) {
-            n_ = -n_;
-            d_ = -d_;
-        }
-        cancel(n_, d_);
-    }
+    rational(integer n, integer d);
     template <std::floating_point F>
     rational(F) = delete;
 
@@ -43,35 +34,12 @@ class rational {
     integer numerator() && { return std::move(n_); }
     integer denominator() && { return std::move(d_); }
 
-    rational operator-() const {
-        rational r = *this;
-        r.n_ = -r.n_;
-        return r;
-    }
+    rational operator-() const;
     rational& operator+=(const rational& o) { return add(o, o.n_); }
     rational& operator-=(const rational& o) { return add(o, -o.n_); }
-    rational& operator*=(const rational& o) {
-        integer n = o.n_, d = o.d_;
-        cancel(n_, d);
-        cancel(n, d_);
-        n_ *= n;
-        d_ *= d;
-        return *this;
-    }
+    rational& operator*=(const rational& o);
     /// Throws std::domain_error for o = 0.
-    rational& operator/=(const rational& o) {
-        if (o.n_ == 0) throw std::domain_error("rational: division by zero");
-        integer n = o.d_, d = o.n_;
-        cancel(n_, d);
-        cancel(n, d_);
-        n_ *= n;
-        d_ *= d;
-        if (d_ < 0) {
-            n_ = -n_;
-            d_ = -d_;
-        }
-        return *this;
-    }
+    rational& operator/=(const rational& o);
     friend rational operator+(rational a, const rational& b) { return a += b; }
     friend rational operator-(rational a, const rational& b) { return a -= b; }
     friend rational operator*(rational a, const rational& b) { return a *= b; }
@@ -135,36 +103,10 @@ class rational {
         return ldexp(static_cast<Real>(quotient), static_cast<int>(unit));
     }
     // x 2^k for k > 0, x else.
-    static integer shifted(const integer& x, long k) {
-        return k > 0 ? integer(x << static_cast<unsigned long>(k)) : x;
-    }
+    static integer shifted(const integer& x, long k);
     // Divides both by what they share.
-    static void cancel(integer& n, integer& d) {
-        if (d == 1 || n == 1) return;
-        const integer common = gcd(n, d);
-        if (common == 1) return;
-        n /= common;
-        d /= common;
-    }
-    rational& add(const rational& o, const integer& n) {
-        if (d_ == o.d_) {
-            n_ += n;
-            cancel(n_, d_);
-            return *this;
-        }
-        integer common = d_ == 1 || o.d_ == 1 ? integer(1) : gcd(d_, o.d_);
-        if (common == 1) {
-            n_ = n_ * o.d_ + n * d_;
-            d_ *= o.d_;
-            return *this;
-        }
-        const integer rest = o.d_ / common;
-        d_ /= common;
-        n_ = n_ * rest + n * d_;
-        cancel(n_, common);
-        d_ *= rest * common;
-        return *this;
-    }
+    static void cancel(integer& n, integer& d);
+    rational& add(const rational& o, const integer& n);
 
     integer n_ = 0, d_ = 1;
 };
@@ -177,3 +119,7 @@ inline rational abs(const rational& r) { return r < 0 ? -r : r; }
 template <>
 struct Eigen::NumTraits<stagecraft::tableaux::rational>
     : stagecraft::tableaux::number_traits<stagecraft::tableaux::rational> {};
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/rational-inl.hpp"
+#endif

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
 #include <stagecraft/tableaux/partitioned_file.hpp>
-#include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/reading.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 namespace stagecraft::tableaux {
@@ -22,110 +19,9 @@ inline constexpr int most_partners = 4;
 
 namespace json_reader {
 
-/// Whether the document, or the tableau in it, is a method of several tableaux.
-inline bool is_partitioned(const document& d) {
-    if (!d.root.is_object()) return false;
-    const json& root = d.root.contains("tableau") ? d.root["tableau"] : d.root;
-    if (!root.is_object() || !root.contains("form")) return false;
-    return !root["form"].is_string() || !is_stage_form(root["form"].get<std::string>());
-}
+struct document;
 
-inline tableaux::coupling coupling_of(const document& d) {
-    const std::string form = text_field(d, "form");
-    std::string allowed;
-    for (const auto& each : couplings) {
-        if (each.name == form) return each.value;
-        allowed += (allowed.empty() ? "" : ", ") + std::string(each.name);
-    }
-    reject(d, "/form", "form", in_quotes(form) + ", allowed: " + allowed + ", shu-osher, 2N, 2S");
-}
-
-inline claims coupled_claims(const document& d, int largest) {
-    const claims stated = read_claims(d);
-    for (const auto& c : {counted_claims[0], counted_claims[1]})
-        if ((stated.*(c.value)).value_or(0) > largest)
-            reject(d, "/claims/" + std::string(c.name), "claims." + std::string(c.name),
-                   "must be at most " + std::to_string(largest));
-    if (stated.dense_order || stated.dense_smoothness)
-        reject(d, "/claims", "claims", "dense output belongs to one of the tableaux");
-    for (const auto& c : yes_no_claims)
-        if (c.name != "symplectic" && stated.*(c.value))
-            reject(
-                d, "/claims/" + std::string(c.name), "claims." + std::string(c.name),
-                "belongs to one of the tableaux; of all together only orders and symplectic can be claimed");
-    return stated;
-}
-
-inline void read_nystrom(const document& d, const reading& how, partitioned_file& file) {
-    static const std::set<std::string> known{"name", "source", "note",       "form",
-                                             "c",    "A_bar",  "b_bar",      "A",
-                                             "b",    "claims", "b_embedded", "b_bar_embedded"};
-    require_keys(d, known, {"c", "A_bar", "b_bar", "b"});
-    tableau_file position, velocity;
-    velocity.b = weights(d);
-    const std::size_t s = velocity.b.size();
-    position.b = numbers(d, d.root["b_bar"], "/b_bar", "b_bar", s);
-    position.A = rows(d, "A_bar", s);
-    position.c = velocity.c = numbers(d, d.root["c"], "/c", "c", s);
-    file.uses_velocity = d.root.contains("A");
-    velocity.A = file.uses_velocity ? rows(d, "A", s) : std::vector(s, std::vector(s, read_entry("0")));
-    if (d.root.contains("b_embedded") != d.root.contains("b_bar_embedded"))
-        reject(d, "", "", "b_embedded and b_bar_embedded belong together");
-    if (d.root.contains("b_embedded")) {
-        velocity.b_embedded = numbers(d, d.root["b_embedded"], "/b_embedded", "b_embedded", s);
-        position.b_embedded = numbers(d, d.root["b_bar_embedded"], "/b_bar_embedded", "b_bar_embedded", s);
-    }
-    for (auto* part : {&position, &velocity}) apply(how, *part);
-    file.partners = {std::move(position), std::move(velocity)};
-}
-
-inline void read_partners(const document& d, const reading& how, const std::filesystem::path& folder,
-                          partitioned_file& file) {
-    require_keys(d, {"name", "source", "note", "form", "partners", "claims"}, {"partners"});
-    const json& partners = d.root["partners"];
-    const bool pair = file.coupling != coupling::additive;
-    if (!partners.is_array() || partners.size() < 2 || partners.size() > (pair ? 2 : most_partners))
-        reject(d, "/partners", "partners",
-               "must be a list of 2" + (pair ? "" : " to " + std::to_string(most_partners)) +
-                   " tableaux or names of files");
-    for (std::size_t i = 0; i < partners.size(); ++i) {
-        const std::string path = "/partners/" + std::to_string(i);
-        const std::string part_name = "partners[" + std::to_string(i + 1) + "]";
-        if (partners[i].is_string()) {
-            try {
-                file.partners.push_back(
-                    read_tableau_file((folder / partners[i].get<std::string>()).string(), how));
-            } catch (const unusable_input& e) {
-                reject(d, path, part_name, e.what());
-            }
-        } else {
-            file.partners.push_back(tableau(d.part(path, part_name, partners[i]), how));
-        }
-        if (file.partners[i].stages() != file.stages())
-            reject(d, path, part_name, "has another number of stages than the first");
-    }
-}
-
-inline partitioned_file partitioned(const document& d, const reading& how,
-                                    const std::filesystem::path& folder) {
-    if (d.root.contains("tableau"))
-        return partitioned(d.part("/tableau", "tableau", d.root["tableau"]), how, folder);
-    partitioned_file file;
-    file.coupling = coupling_of(d);
-    file.name = text_field(d, "name");
-    file.source = text_field(d, "source");
-    const bool nystrom = file.coupling == coupling::nystrom;
-    if (nystrom)
-        read_nystrom(d, how, file);
-    else
-        read_partners(d, how, folder, file);
-    file.claims = coupled_claims(d, nystrom ? largest_nystrom_order : largest_coupled_order);
-    const bool embedded = std::all_of(file.partners.begin(), file.partners.end(),
-                                      [](const auto& p) { return !p.b_embedded.empty(); });
-    if (file.claims.embedded_order && !embedded)
-        reject(d, "/claims/embedded_order", "claims.embedded_order", "not every tableau has a b_embedded");
-    return file;
-}
+partitioned_file partitioned(const document& d, const reading& how, const std::filesystem::path& folder);
 
 }  // namespace json_reader
 
@@ -136,21 +32,14 @@ using method_file = std::variant<tableau_file, partitioned_file>;
 /// with form "additive", "partitioned" or "separable" and partners that are tableaux or names of files,
 /// relative to `folder`; or {"form":"nystrom", "c", "A_bar", "b_bar", "b", "A", "b_bar_embedded",
 /// "b_embedded", "claims"}, A only where f depends on y'. Throws unusable_input as read_tableau.
-inline method_file read_method(std::string_view text, const reading& how = {},
-                               const std::filesystem::path& folder = ".") {
-    const auto d = json_reader::parse(text);
-    if (json_reader::is_partitioned(d)) return json_reader::partitioned(d, how, folder);
-    return json_reader::tableau(d, how);
-}
+method_file read_method(std::string_view text, const reading& how = {},
+                        const std::filesystem::path& folder = ".");
 
 /// Reads the file at `path` (text_of_file). Throws unusable_input that names it.
-inline method_file read_method_file(const std::string& path, const reading& how = {}) {
-    const std::string text = text_of_file(path);
-    try {
-        return read_method(text, how, std::filesystem::path(path).parent_path());
-    } catch (const unusable_input& e) {
-        throw unusable_input(path + ": " + e.what());
-    }
-}
+method_file read_method_file(const std::string& path, const reading& how = {});
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/read_partitioned-inl.hpp"
+#endif

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <limits>
 #include <optional>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/collocation.hpp>
 #include <stagecraft/tableaux/correct_rounding.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/transformed.hpp>
-#include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace stagecraft::tableaux {
 
@@ -33,10 +27,7 @@ auto widening(int bits, Attempt attempt) {
 
 /// Bits to start with, so that `target` correct bits of every entry remain: a family loses some five bits
 /// whenever s doubles, other nodes about 1.3 a stage.
-inline int working_bits(int target, const nodal_polynomial& w) {
-    const int s = w.degree();
-    return target + (w.family() ? 24 + 5 * std::bit_width(static_cast<unsigned>(s)) : 32 + 3 * s / 2);
-}
+int working_bits(int target, const nodal_polynomial& w);
 
 namespace rounding {
 
@@ -48,12 +39,7 @@ void sharpen(const Exact& exact, Enclosed& entries, int bits) {
         for (Eigen::Index j = 0; j < exact.cols(); ++j)
             if (exact(i, j).is_rational()) entries(i, j) = ball(exact(i, j).rational_part(), bits);
 }
-inline void sharpen_basic(const std::optional<tableau<quadratic>>& exact, tableau<ball>& t, int bits) {
-    if (!exact) return;
-    sharpen(exact->A, t.A, bits);
-    sharpen(exact->b, t.b, bits);
-    sharpen(exact->c, t.c, bits);
-}
+void sharpen_basic(const std::optional<tableau<quadratic>>& exact, tableau<ball>& t, int bits);
 
 /// Every entry rounded; throws undecided, naming the entry, where one cannot be.
 template <class Real, class From, class To>
@@ -134,3 +120,7 @@ transformed_tableau<Real> transformed(family f, int s, const stagecraft::facts& 
 }
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/rounded-inl.hpp"
+#endif

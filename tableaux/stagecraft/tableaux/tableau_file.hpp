@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <set>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/entry.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,18 +33,9 @@ struct stage_form {
     /// Shu-Osher: the rows of alpha, filled up with zeros, then those of beta; else the lists in the order of names().
     std::vector<std::vector<entry>> rows;
 
-    static const std::vector<std::string>& names(kind k) {
-        static const std::vector<std::string> all[] = {
-            {"alpha", "beta"}, {"A", "B"}, {"gamma1", "gamma2", "delta", "beta"}};
-        return all[static_cast<int>(k)];
-    }
+    static const std::vector<std::string>& names(kind k);
     /// "beta[3][1]", "B[2]", counted from 1.
-    std::string name(std::size_t row, std::size_t column) const {
-        const std::size_t of_each = rows.size() / names(which).size();
-        std::string text = names(which)[row / of_each];
-        if (which == kind::shu_osher) text += "[" + std::to_string(row % of_each + 1) + "]";
-        return text + "[" + std::to_string(column + 1) + "]";
-    }
+    std::string name(std::size_t row, std::size_t column) const;
 };
 
 /// A tableau as a file gives it.
@@ -85,21 +73,7 @@ struct tableau_file {
             for (auto& e : row) visit(e);
     }
 
-    number_kind kind() const {
-        bool rounded = false, enclosed = false;
-        std::set<std::uint64_t> radicands;
-        for_each_entry([&](const entry& e) {
-            rounded |= e.rounded;
-            enclosed |= !e.exact;
-            if (e.exact)
-                for (const auto& surd : e.exact->surds()) radicands.insert(surd.radicand);
-        });
-        enclosed = enclosed || !in_one_field({radicands.begin(), radicands.end()});
-        return rounded              ? number_kind::rounded
-               : enclosed           ? number_kind::enclosed
-               : !radicands.empty() ? number_kind::quadratic
-                                    : number_kind::rational;
-    }
+    number_kind kind() const;
 };
 
 /// Most stages a file may have.
@@ -133,18 +107,14 @@ tableau<Scalar> to_tableau(const tableau_file& file, Convert convert) {
 }
 
 /// The exact tableau over Q. Throws std::invalid_argument unless kind() is rational.
-inline tableau<rational> to_rational(const tableau_file& file) {
-    if (file.kind() != number_kind::rational)
-        throw std::invalid_argument("file: the entries are not rational");
-    return to_tableau<rational>(file, [](const entry& e) { return e.exact->rational_part(); });
-}
+tableau<rational> to_rational(const tableau_file& file);
 
 /// The exact tableau over Q(sqrt d) or Q(sqrt d, sqrt e). Throws std::invalid_argument unless the entries lie in one
 /// such field.
-inline tableau<quadratic> to_quadratic(const tableau_file& file) {
-    if (file.kind() > number_kind::quadratic)
-        throw std::invalid_argument("file: the entries do not lie in one field of at most two surds");
-    return to_tableau<quadratic>(file, [](const entry& e) { return *e.exact; });
-}
+tableau<quadratic> to_quadratic(const tableau_file& file);
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/tableau_file-inl.hpp"
+#endif

@@ -3,34 +3,17 @@
 
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/tableau_file.hpp>
-#include <string>
-#include <vector>
 
 namespace stagecraft::tableaux {
 
 /// Adds what is claimed, where anything is, as "claims".
-inline void add_claims(const claims& stated, nlohmann::ordered_json& j) {
-    for (const auto& [key, value] : counted_claims)
-        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
-    for (const auto& [key, value] : yes_no_claims)
-        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
-}
+void add_claims(const claims& stated, nlohmann::ordered_json& j);
 
 /// The file as JSON that read_tableau reads: every entry as the text it was written in.
-inline nlohmann::ordered_json to_json(const tableau_file& file) {
-    const auto texts = [](const std::vector<entry>& entries) {
-        auto list = nlohmann::ordered_json::array();
-        for (const entry& e : entries) list.push_back(e.text);
-        return list;
-    };
-    nlohmann::ordered_json j{{"name", file.name}, {"source", file.source}};
-    if (!file.c.empty()) j["c"] = texts(file.c);
-    for (const auto& row : file.A) j["A"].push_back(texts(row));
-    j["b"] = texts(file.b);
-    if (!file.b_embedded.empty()) j["b_embedded"] = texts(file.b_embedded);
-    for (const auto& row : file.b_theta) j["b_theta"].push_back(texts(row));
-    add_claims(file.claims, j);
-    return j;
-}
+nlohmann::ordered_json to_json(const tableau_file& file);
 
 }  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/tableau_json-inl.hpp"
+#endif

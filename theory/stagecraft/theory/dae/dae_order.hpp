@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "stagecraft/method/order_conditions.hpp"
@@ -102,9 +101,7 @@ dae_traits<K> dae_traits_of(const tableau<K>& t) {
 
 namespace detail {
 
-inline verdict decided(bool holds, std::string text) {
-    return holds ? verdict::proved(std::move(text)) : verdict::refuted(std::move(text));
-}
+verdict decided(bool holds, std::string text);
 
 template <class K>
 hypothesis regular(const dae_traits<K>& m) {
@@ -152,32 +149,11 @@ hypothesis last_node_is_one(const dae_traits<K>& m) {
     return {"c_s = 1", decided(m.ends_at_one, "c_s = " + m.last_node)};
 }
 
-inline bool all_proved(const std::vector<hypothesis>& list) {
-    return std::all_of(list.begin(), list.end(), [](const auto& h) { return h.verdict.is_proved(); });
-}
+bool all_proved(const std::vector<hypothesis>& list);
 
 /// The applicable prediction with the largest (y, z); where none applies, one that
 /// says so and lists every hypothesis that fails.
-inline order_prediction best_of(const std::vector<order_prediction>& all) {
-    const order_prediction* best = nullptr;
-    for (const auto& p : all) {
-        if (!p.applies()) continue;
-        if (!best || std::pair(*p.y, p.z.value_or(0)) > std::pair(*best->y, best->z.value_or(0))) best = &p;
-    }
-    if (best) return *best;
-    order_prediction none;
-    none.theorem = "none";
-    for (const auto& p : all) {
-        for (const auto& h : p.hypotheses) {
-            const auto known = [&](const auto& other) { return other.name == h.name; };
-            if (!h.verdict.is_refuted()) continue;
-            if (std::none_of(none.hypotheses.begin(), none.hypotheses.end(), known))
-                none.hypotheses.push_back(h);
-        }
-    }
-    none.note = "no theorem applies";
-    return none;
-}
+order_prediction best_of(const std::vector<order_prediction>& all);
 
 }  // namespace detail
 
@@ -190,19 +166,9 @@ struct theorem {
     std::vector<hypothesis> hypotheses;
     std::function<void(order_prediction&)> conclusion;
 
-    order_prediction applied() const {
-        order_prediction p;
-        p.theorem = citation;
-        p.hypotheses = hypotheses;
-        if (all_proved(hypotheses)) conclusion(p);
-        return p;
-    }
+    order_prediction applied() const;
     /// For the only theorem on its problem.
-    order_prediction applied_or_none() const {
-        order_prediction p = applied();
-        if (!p.applies()) p.note = "no theorem applies";
-        return p;
-    }
+    order_prediction applied_or_none() const;
 };
 
 /// The order conditions of index 2 with the convergence theorems, looked at up to `most`.
@@ -392,3 +358,7 @@ epsilon_prediction predict_singular_perturbation(const tableau<K>& t) {
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dae/dae_order-inl.hpp"
+#endif

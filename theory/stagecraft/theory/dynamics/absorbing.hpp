@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "stagecraft/theory/dynamics/dissipativity.hpp"
@@ -19,12 +18,7 @@ struct absorbing_set {
     double decrease = 0;  ///< |x_n|^2 falls by at least this much in a step that ends outside
 
     /// Every run from |x - centre| <= start is inside after this many steps, and stays.
-    long steps_from(double start) const {
-        if (!(start >= 0)) throw std::invalid_argument("start: must not be negative");
-        if (start <= radius) return 0;
-        return static_cast<long>(
-            std::ceil(((square(interval(start)) - square(interval(radius))) / decrease).high()));
-    }
+    long steps_from(double start) const;
 };
 
 namespace detail {
@@ -104,3 +98,7 @@ absorbing_set absorbing_ball(const tableau<K>& method, F&& f, const dissipativit
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/absorbing-inl.hpp"
+#endif

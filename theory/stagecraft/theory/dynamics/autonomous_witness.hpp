@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "stagecraft/tableaux/simplifying.hpp"
 #include "stagecraft/tableaux/small_solve.hpp"
 #include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 

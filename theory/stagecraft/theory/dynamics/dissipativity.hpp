@@ -4,7 +4,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "stagecraft/theory/dynamics/inner_product.hpp"
 #include "stagecraft/theory/dynamics/maximum.hpp"
@@ -49,9 +48,7 @@ struct dissipativity_constants {
 
 namespace detail {
 
-inline void require_beta(const rational& beta) {
-    if (!(beta > 0)) throw std::invalid_argument("beta: must be positive, is " + beta.str());
-}
+void require_beta(const rational& beta);
 
 inline rational not_negative(const rational& a) { return a < 0 ? rational(0) : a; }
 
@@ -196,3 +193,7 @@ dissipativity_constants<N> dissipativity_within(F&& f, const rational& beta, dou
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/dissipativity-inl.hpp"
+#endif

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,11 +25,7 @@ struct periodic_point {
 struct periodic_points {
     theory::verdict verdict;
     std::vector<periodic_point> points;
-    int ghosts() const {
-        int n = 0;
-        for (const auto& p : points) n += p.equilibrium ? 0 : 1;
-        return n;
-    }
+    int ghosts() const;
 };
 
 /// The largest degree whose real roots are looked for.
@@ -65,20 +60,7 @@ T explicit_step(const tableau<rational>& m, F&& f, const T& x, const rational& h
 }
 
 /// m(m(x)), cleared of denominators.
-inline rational_function squared(const rational_function& m) {
-    const auto substituted = [&](const polynomial<rational>& p, int degree) {
-        polynomial<rational> sum, top(rational(1));
-        for (int k = 0; k <= p.degree(); ++k) {
-            sum += polynomial<rational>(p[k]) * top * power(m.denominator(), degree - k);
-            top *= m.numerator();
-        }
-        return sum;
-    };
-    const int degree = std::max(m.numerator().degree(), m.denominator().degree());
-    auto divisors = m.divisors();
-    for (const auto& d : m.divisors()) divisors.push_back(substituted(d, d.degree()));
-    return {substituted(m.numerator(), degree), substituted(m.denominator(), degree), divisors};
-}
+rational_function squared(const rational_function& m);
 
 template <class F>
 rational_function explicit_map(const tableau<rational>& m, F&& f, const rational& h) {
@@ -92,24 +74,8 @@ rational_function explicit_map(const tableau<rational>& m, F&& f, const rational
 /// The part of p whose zeros are none of a divisor of the map, and the rest: there some stage has no value.
 struct split_zeros {
     polynomial<rational> defined, excluded{rational(1)};
-    split_zeros(polynomial<rational> p, const rational_function& map) : defined(squarefree(std::move(p))) {
-        for (const auto& d : map.divisors()) {
-            const auto common = gcd(defined, d);
-            excluded *= common;
-            defined = defined / common;
-        }
-    }
-    theory::verdict verdict() const {
-        std::string where;
-        for (const auto& root : tableaux::isolate_real_roots(excluded)) {
-            const auto r = refine(excluded, root, rational(1, 1LL << 50));
-            where += (where.empty() ? "" : ", ") + (r.exact() ? r.low.str() : shortest(r.low.to<double>()));
-        }
-        const std::string all =
-            "all real zeros of a polynomial of degree " + std::to_string(defined.degree());
-        return verdict::proved(
-            where.empty() ? all : all + "; excluded: " + where + ", where a stage divides by zero");
-    }
+    split_zeros(polynomial<rational> p, const rational_function& map);
+    theory::verdict verdict() const;
 };
 
 /// The real zeros of a squarefree p with the multipliers of the `period`-th power of the map there.
@@ -133,10 +99,7 @@ std::vector<periodic_point> points_of(const polynomial<rational>& p, const table
     return points;
 }
 
-inline verdict too_high(int degree) {
-    return verdict::consistent("degree " + std::to_string(degree), std::to_string(largest_ghost_degree),
-                               "the limit of the degree; nothing was counted");
-}
+verdict too_high(int degree);
 
 }  // namespace detail
 
@@ -188,3 +151,7 @@ bool no_linear_ghosts(const stability_function<K>& r) {
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/ghosts-inl.hpp"
+#endif

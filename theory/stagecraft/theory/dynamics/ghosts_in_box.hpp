@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "stagecraft/tableaux/simplifying.hpp"
 #include "stagecraft/theory/dynamics/krawczyk.hpp"
 #include "stagecraft/theory/dynamics/tableau_numbers.hpp"
 
@@ -18,9 +18,7 @@ enum class fixed_point_kind { equilibrium, ghost, undecided };
 /// Fixed points found in a box; kinds[k] belongs to zeros[k], which is (x, X_1, ..., X_s).
 struct fixed_points_in_box : zeros_in_box {
     std::vector<fixed_point_kind> kinds;
-    int count(fixed_point_kind kind) const {
-        return static_cast<int>(std::count(kinds.begin(), kinds.end(), kind));
-    }
+    int count(fixed_point_kind kind) const;
     int ghosts() const { return count(fixed_point_kind::ghost); }
 };
 
@@ -111,16 +109,7 @@ class returning_points {
 };
 
 /// The box that holds all parts of `length` numbers of z, a little widened.
-inline interval_vector hull_of_parts(const interval_vector& z, Eigen::Index length) {
-    interval_vector x = z.head(length);
-    for (Eigen::Index p = length; p < z.size(); p += length)
-        for (Eigen::Index k = 0; k < length; ++k) x[k] = hull(x[k], z[p + k]);
-    for (Eigen::Index k = 0; k < length; ++k) {
-        const double margin = 1e-7 * (1 + x[k].magnitude());
-        x[k] = x[k] + interval(-margin, margin);
-    }
-    return x;
-}
+interval_vector hull_of_parts(const interval_vector& z, Eigen::Index length);
 
 template <int N, class F>
 fixed_point_kind kind_of(const returning_points<N, F>& map, F& f, const interval_vector& z) {
@@ -197,3 +186,7 @@ zeros_in_box two_cycles_in(const tableau<K>& method, F f, const rational& h, con
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/ghosts_in_box-inl.hpp"
+#endif

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <vector>
 
 #include <stagecraft/bvp/measure/conditioning.hpp>
@@ -100,29 +99,7 @@ struct scaled_conditions {
 
 /// Brings conditions of rank m to scaled form: their rows are made orthonormal, then the CS decomposition of the
 /// two halves, then every row is divided by its larger part. Throws std::invalid_argument where the rank is less.
-inline scaled_conditions scaled(const Eigen::MatrixXd& B0, const Eigen::MatrixXd& BT) {
-    const Eigen::Index m = B0.rows();
-    Eigen::MatrixXd both(m, 2 * m);
-    both << B0, BT;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> rows(both, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    if (!(rows.singularValues()[m - 1] > 1e-13 * rows.singularValues()[0]))
-        throw std::invalid_argument("scaled: the rank of (B0 BT) must be m");
-    const Eigen::MatrixXd orthonormal = rows.matrixV().transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> left(orthonormal.leftCols(m), Eigen::ComputeFullU);
-    scaled_conditions r;
-    r.S = left.matrixU().transpose() * rows.singularValues().cwiseInverse().asDiagonal() *
-          rows.matrixU().transpose();
-    r.B0 = r.S * B0;
-    r.BT = r.S * BT;
-    r.D0 = r.B0.rowwise().norm();
-    r.DT = r.BT.rowwise().norm();
-    for (Eigen::Index i = 0; i < m; ++i) {
-        const double larger = std::max(r.D0[i], r.DT[i]);
-        r.B0.row(i) /= larger, r.BT.row(i) /= larger, r.S.row(i) /= larger;
-        r.D0[i] /= larger, r.DT[i] /= larger;
-    }
-    return r;
-}
+scaled_conditions scaled(const Eigen::MatrixXd& B0, const Eigen::MatrixXd& BT);
 
 /// The matrix of multiple shooting S'(z) (lecture, section 5.1) with nodes t_0 < ... < t_N = T: blocks X_j(t_{j+1})
 /// = X(t_{j+1}) X(t_j)^-1, -1, and in the last row B0 and BT X_{N-1}(T); m N x m N.
@@ -169,3 +146,7 @@ Scalar block_row_norm(const square_matrix<Scalar>& a, Eigen::Index m) {
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/green_function-inl.hpp"
+#endif

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
-#include "stagecraft/tableaux/range.hpp"
 #include "stagecraft/tableaux/small_solve.hpp"
 #include "stagecraft/theory/dynamics/evaluate.hpp"
 
@@ -14,15 +10,7 @@ using tableaux::column;
 using tableaux::dense;
 
 /// Throws std::invalid_argument unless G is n x n, symmetric and positive definite (exact L D L^T).
-inline void require_inner_product(const dense<rational>& G, Eigen::Index n) {
-    if (G.rows() != n || G.cols() != n)
-        throw std::invalid_argument("G: must be " + std::to_string(n) + " x " + std::to_string(n));
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < i; ++j)
-            if (G(i, j) != G(j, i)) throw std::invalid_argument("G: must be symmetric");
-    if (tableaux::diagonalise<rational>(G).inertia().positive != n)
-        throw std::invalid_argument("G: must be positive definite");
-}
+void require_inner_product(const dense<rational>& G, Eigen::Index n);
 
 /// x^T G y.
 template <class T>
@@ -52,31 +40,17 @@ dense<T> symmetric_part(const dense<rational>& G, const dense<T>& B) {
 }
 
 /// gamma G - S >= 0: exact.
-inline bool bounds(const rational& gamma, const dense<rational>& G, const dense<rational>& S) {
-    dense<rational> D = S;
-    for (Eigen::Index i = 0; i < S.size(); ++i) D.data()[i] = gamma * G.data()[i] - S.data()[i];
-    return tableaux::diagonalise<rational>(D).inertia().negative == 0;
-}
+bool bounds(const rational& gamma, const dense<rational>& G, const dense<rational>& S);
 
 /// The largest eigenvalue of the pencil S - gamma G by bisection on exact inertias: [low, high] of at most
 /// `width`, low = high where it is a rational number with a small denominator.
-inline supremum largest_eigenvalue(const dense<rational>& G, const dense<rational>& S,
-                                   const rational& width = rational(1, 1LL << 30)) {
-    rational low = -1, high = 1;
-    while (!bounds(high, G, S)) high = 2 * high;
-    while (bounds(low, G, S)) low = 2 * low;
-    while (high - low > width) {
-        const rational c = (low + high) / 2;
-        (bounds(c, G, S) ? high : low) = c;
-    }
-    // low < largest eigenvalue <= high; is the simplest number between them the eigenvalue itself?
-    const rational c = tableaux::simplest_between(low, high);
-    dense<rational> D = S;
-    for (Eigen::Index i = 0; i < S.size(); ++i) D.data()[i] = S.data()[i] - c * G.data()[i];
-    if (bounds(c, G, S) && tableaux::determinant<rational>(D) == 0) return {c, c, {}};
-    return {low, high, {}};
-}
+supremum largest_eigenvalue(const dense<rational>& G, const dense<rational>& S,
+                            const rational& width = rational(1, 1LL << 30));
 
 inline dense<rational> euclidean(int n) { return tableaux::identity<rational>(n); }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/inner_product-inl.hpp"
+#endif

@@ -33,9 +33,7 @@ namespace detail {
 
 enum class krawczyk_finding { none, unique, open };
 
-inline interval_vector centre_of(const interval_vector& x) {
-    return x.unaryExpr([](const interval& a) { return interval(a.middle()); });
-}
+interval_vector centre_of(const interval_vector& x);
 
 /// One step of Krawczyk's operator K(X) = m - Y F(m) + (1 - Y F'(X)) (X - m), Y near F'(m)^-1: disjoint from
 /// X means no zero in X, inside X exactly one (Neumaier, Interval Methods for Systems of Equations, 5.1). X
@@ -69,18 +67,9 @@ krawczyk_finding krawczyk_step(const F& f, const J& jacobian, interval_vector& x
     return inside ? krawczyk_finding::unique : krawczyk_finding::open;
 }
 
-inline bool overlap(const interval_vector& a, const interval_vector& b) {
-    for (Eigen::Index i = 0; i < a.size(); ++i)
-        if (disjoint(a[i], b[i])) return false;
-    return true;
-}
+bool overlap(const interval_vector& a, const interval_vector& b);
 
-inline Eigen::Index widest_side(const interval_vector& x) {
-    Eigen::Index k = 0;
-    for (Eigen::Index i = 1; i < x.size(); ++i)
-        if (x[i].width() > x[k].width()) k = i;
-    return k;
-}
+Eigen::Index widest_side(const interval_vector& x);
 
 /// Narrows a box that contains exactly one zero until nothing changes.
 template <class F, class J>
@@ -169,3 +158,7 @@ zeros_in_box equilibria(F&& f, const box<N>& where, const krawczyk_limits& limit
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/krawczyk-inl.hpp"
+#endif

@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "stagecraft/theory/dynamics/linear_stability.hpp"
@@ -20,12 +18,7 @@ struct attraction {
     double radius = 0, rate = 0;
 
     /// All x with |x - c|_2 <= this lie in the ball.
-    double euclidean_radius() const {
-        // x^T G x <= trace(G) |x|^2
-        interval trace = 0;
-        for (Eigen::Index i = 0; i < G.rows(); ++i) trace += interval(G(i, i));
-        return (interval(radius) / sqrt(trace)).low();
-    }
+    double euclidean_radius() const;
 };
 
 /// A ball of attraction of an equilibrium c with alpha(f'(c)) < 0 (lecture, Satz 3.7 and 3.8): in the inner
@@ -78,3 +71,7 @@ attraction attraction_radius(F&& f, const state<rational, N>& c, double most = 1
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/lyapunov-inl.hpp"
+#endif

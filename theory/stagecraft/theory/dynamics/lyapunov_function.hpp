@@ -2,14 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
-#include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "stagecraft/theory/dynamics/inner_product.hpp"
 #include "stagecraft/theory/dynamics/maximum.hpp"
 #include "stagecraft/theory/dynamics/sum_of_squares.hpp"
 #include "stagecraft/theory/statements/verdict.hpp"
@@ -19,110 +15,23 @@ namespace stagecraft::theory {
 namespace detail {
 
 /// The part of p of least degree.
-inline multinomial lowest_part(const multinomial& p) {
-    const auto degree = [](const multinomial::monomial& m) { return std::accumulate(m.begin(), m.end(), 0); };
-    int least = p.degree();
-    for (const auto& [m, a] : p.terms()) least = std::min(least, degree(m));
-    multinomial part;
-    for (const auto& [m, a] : p.terms()) {
-        if (degree(m) != least) continue;
-        multinomial term(a);
-        for (std::size_t i = 0; i < m.size(); ++i)
-            for (int k = 0; k < m[i]; ++k) term *= multinomial::unknown(static_cast<int>(i));
-        part += term;
-    }
-    return part;
-}
+multinomial lowest_part(const multinomial& p);
 
 /// What is asked of a polynomial p with p(0) = 0.
 enum class sign_asked { not_negative, positive_off_0 };
 
-/// Exact: the direction in which a quadratic form is least, relative to a congruent diagonal form, where that violates
-/// what is asked.
-inline std::optional<std::vector<rational>> violated_by_form(const multinomial& q, int unknowns,
-                                                             sign_asked asked) {
-    dense<rational> Q(unknowns, unknowns);
-    for (int i = 0; i < unknowns; ++i)
-        for (int j = 0; j < unknowns; ++j) Q(i, j) = q.derivative(i).derivative(j).constant();
-    const auto d = tableaux::diagonalise<rational>(Q);
-    for (Eigen::Index k = 0; k < unknowns; ++k) {
-        if (d.pivots[k] > 0 || (d.pivots[k] == 0 && asked == sign_asked::not_negative)) continue;
-        std::vector<rational> x;
-        for (Eigen::Index i = 0; i < unknowns; ++i) x.push_back(d.rows(k, i));
-        return x;
-    }
-    return {};
-}
-
 /// A rational point where p violates what is asked: for a quadratic form an exact decision, else looked for along the
 /// directions of its quadratic part at 0, among small grid points and random ones.
-inline std::optional<std::vector<rational>> violating_point(const multinomial& p, int unknowns,
-                                                            sign_asked asked) {
-    const auto violates = [&](const std::vector<rational>& x) {
-        const rational value = p(x);
-        return value < 0 || (value == 0 && asked == sign_asked::positive_off_0);
-    };
-    if (const auto part = lowest_part(p); part.degree() == 2 || part.is_zero()) {
-        auto x = violated_by_form(part, unknowns, asked);
-        if (p == part) return x;
-        for (int halvings = 0; x && halvings < 60; ++halvings) {
-            if (violates(*x)) return x;
-            for (auto& a : *x) a /= 2;
-        }
-    }
-    std::mt19937 random(1);
-    std::uniform_int_distribution<int> pick(-20, 20);
-    for (const int scale : {10, 1, 100, 1000}) {
-        for (int k = 0; k < 500; ++k) {
-            std::vector<rational> x;
-            for (int i = 0; i < unknowns; ++i)
-                x.emplace_back(tableaux::integer(k == 0 ? (i == 0 ? 1 : 0) : pick(random)),
-                               tableaux::integer(scale));
-            const bool origin = std::all_of(x.begin(), x.end(), [](const rational& a) { return a == 0; });
-            if (!origin && violates(x)) return x;
-        }
-    }
-    return {};
-}
-
-/// The least power of x_i alone in p; 0 where there is none.
-inline int lowest_power(const multinomial& p, int i) {
-    int least = 0;
-    for (const auto& [m, a] : p.terms()) {
-        const int k = multinomial::exponent(m, i);
-        const bool alone = static_cast<int>(m.size()) == i + 1 && std::accumulate(m.begin(), m.end(), 0) == k;
-        if (alone && (least == 0 || k < least)) least = k;
-    }
-    return least;
-}
+std::optional<std::vector<rational>> violating_point(const multinomial& p, int unknowns, sign_asked asked);
 
 /// An i for which p on the axis of x_i starts with an odd power or vanishes; -1 where there is none.
-inline int axis_without_even_power(const multinomial& p, int unknowns) {
-    for (int i = 0; i < unknowns; ++i)
-        if (const int k = lowest_power(p, i); k == 0 || k % 2 != 0) return i;
-    return -1;
-}
+int axis_without_even_power(const multinomial& p, int unknowns);
 
 /// Whether p is proved to be at least epsilon sum_i x_i^(2k_i), 2k_i its lowest power of x_i alone, for some epsilon > 0,
 /// which is more than p > 0 off 0. False says nothing.
-inline bool exceeds_powers(const multinomial& p, int unknowns) {
-    multinomial powers;
-    for (int i = 0; i < unknowns; ++i) {
-        multinomial term(1);
-        for (int k = 0; k < lowest_power(p, i); ++k) term *= multinomial::unknown(i);
-        powers += term;
-    }
-    for (const int bits : {20, 60, 200})
-        if (is_sum_of_squares(p - multinomial(tableaux::scaled(rational(1), -bits)) * powers, unknowns))
-            return true;
-    return false;
-}
+bool exceeds_powers(const multinomial& p, int unknowns);
 
-inline std::string text_of(const std::vector<rational>& x) {
-    std::string out;
-    for (const auto& a : x) out += (out.empty() ? "(" : ", ") + a.str();
-    return out + ")";
-}
+std::string text_of(const std::vector<rational>& x);
 
 }  // namespace detail
 
@@ -199,3 +108,7 @@ verdict lyapunov_function_on_shell(V&& v, F&& f, double inner, double outer,
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/lyapunov_function-inl.hpp"
+#endif

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stagecraft/tableaux/polynomial.hpp"
 #include "stagecraft/tableaux/rational.hpp"
 #include "stagecraft/tableaux/routh_hurwitz.hpp"
@@ -25,121 +19,36 @@ struct multistep {
 };
 
 /// rho(1) = 0 and rho'(1) = sigma(1): exact.
-inline verdict consistent_method(const multistep& m) {
-    const rational r = m.rho(rational(1)), d = derivative(m.rho)(rational(1)), s = m.sigma(rational(1));
-    if (r != 0) return verdict::refuted("rho(1) = " + r.str());
-    if (d != s) return verdict::refuted("rho'(1) = " + d.str() + ", sigma(1) = " + s.str());
-    return verdict::proved("rho(1) = 0, rho'(1) = sigma(1) = " + s.str());
-}
+verdict consistent_method(const multistep& m);
 
 /// Roots inside, on and outside the unit circle, with multiplicity, exactly: zeta = (1 + w)/(1 - w) takes the
 /// left half-plane to the disc, and infinity to -1.
-inline tableaux::half_plane_count count_by_unit_circle(const polynomial<rational>& p) {
-    if (p.is_zero()) throw std::invalid_argument("rho: must not be zero");
-    const polynomial<rational> plus{1, 1}, minus{1, -1};
-    polynomial<rational> q;
-    for (int k = 0; k <= p.degree(); ++k)
-        q += polynomial<rational>(p[k]) * power(plus, k) * power(minus, p.degree() - k);
-    auto count = count_half_planes(q);
-    count.axis += p.degree() - q.degree();  // roots at -1
-    return count;
-}
+tableaux::half_plane_count count_by_unit_circle(const polynomial<rational>& p);
 
 /// Dahlquist's root condition: no root of rho outside the unit circle, those on it simple. Exact. Throws
 /// std::invalid_argument where rho is zero or sigma has the higher degree.
-inline verdict root_condition(const multistep& m) {
-    if (m.sigma.degree() > m.rho.degree())
-        throw std::invalid_argument("sigma: its degree " + std::to_string(m.sigma.degree()) +
-                                    " exceeds that of rho, " + std::to_string(m.rho.degree()) +
-                                    ": x at the last point does not occur in the method");
-    const auto count = count_by_unit_circle(m.rho);
-    if (count.right > 0)
-        return verdict::refuted(std::to_string(count.right) + " roots of rho outside the unit circle");
-    const auto repeated = gcd(m.rho, derivative(m.rho));
-    if (repeated.degree() > 0 && count_by_unit_circle(repeated).axis > 0)
-        return verdict::refuted("rho has a multiple root on the unit circle: it divides " +
-                                to_string(repeated, "zeta"));
-    return verdict::proved(std::to_string(count.left) + " roots inside the unit circle, " +
-                           std::to_string(count.axis) + " simple ones on it");
-}
+verdict root_condition(const multistep& m);
 
 /// Whether every stationary sequence is an equilibrium of x' = f(x), whatever f: for a constant sequence the
 /// method says rho(1) x = h sigma(1) f(x), so it needs rho(1) = 0 != sigma(1), which consistency and the root
 /// condition give (lecture, Satz 1.25).
-inline verdict no_multistep_ghosts(const multistep& m) {
-    const rational r = m.rho(rational(1)), s = m.sigma(rational(1));
-    if (s == 0)
-        return verdict::refuted(r == 0 ? "sigma(1) = 0: every constant sequence satisfies the method"
-                                       : "sigma(1) = 0: only 0 is stationary");
-    if (r != 0)
-        return verdict::refuted("rho(1) = " + r.str() + ": stationary where f(x) = rho(1) x/(h sigma(1))");
-    return verdict::proved("rho(1) = 0, sigma(1) = " + s.str());
-}
-
-namespace detail {
-inline void require_steps(int k) {
-    if (k < 1) throw std::invalid_argument("k: needs at least one step, is " + std::to_string(k));
-}
-}  // namespace detail
+verdict no_multistep_ghosts(const multistep& m);
 
 /// The BDF method of k steps: sum_(j=1..k) (1/j) zeta^(k-j) (zeta - 1)^j = h zeta^k.
-inline multistep bdf(int k) {
-    detail::require_steps(k);
-    multistep m{{}, polynomial<rational>::monomial(k)};
-    for (int j = 1; j <= k; ++j)
-        m.rho += polynomial<rational>(rational(1, j)) * polynomial<rational>::monomial(k - j) *
-                 power(polynomial<rational>{-1, 1}, j);
-    return m;
-}
-
-namespace detail {
-/// x_(n+1) - x_n = integral of the polynomial through f at `points` (in steps, n = 0) over [0, 1].
-inline polynomial<rational> integrated_weights(const std::vector<int>& points, int shift) {
-    polynomial<rational> sigma;
-    for (const int i : points) {
-        polynomial<rational> lagrange(rational(1));
-        for (const int j : points)
-            if (j != i) lagrange *= polynomial<rational>{rational(-j, i - j), rational(1, i - j)};
-        sigma += polynomial<rational>::monomial(i + shift, integral(lagrange)(rational(1)));
-    }
-    return sigma;
-}
-}  // namespace detail
+multistep bdf(int k);
 
 /// The explicit Adams method (Adams-Bashforth) of k steps.
-inline multistep adams_bashforth(int k) {
-    detail::require_steps(k);
-    std::vector<int> points;
-    for (int j = 1 - k; j <= 0; ++j) points.push_back(j);
-    return {polynomial<rational>::monomial(k) - polynomial<rational>::monomial(k - 1),
-            detail::integrated_weights(points, k - 1)};
-}
+multistep adams_bashforth(int k);
 
 /// The implicit Adams method (Adams-Moulton) of k steps.
-inline multistep adams_moulton(int k) {
-    detail::require_steps(k);
-    std::vector<int> points;
-    for (int j = 1 - k; j <= 1; ++j) points.push_back(j);
-    return {polynomial<rational>::monomial(k) - polynomial<rational>::monomial(k - 1),
-            detail::integrated_weights(points, k - 1)};
-}
+multistep adams_moulton(int k);
 
 /// The largest p with sum alpha_j j^q = q sum beta_j j^(q-1) for q = 0 ... p: the order, at least 1 for consistent
 /// methods, -1 where rho(1) != 0. Exact. Throws std::invalid_argument where rho and sigma are zero.
-inline int order(const multistep& m) {
-    if (m.rho.is_zero() && m.sigma.is_zero())
-        throw std::invalid_argument("rho, sigma: must not both be zero");
-    const int last = std::max(m.rho.degree(), m.sigma.degree());
-    for (int q = 0;; ++q) {
-        rational left = 0, right = 0;
-        for (int j = 0; j <= last; ++j) {
-            rational p = 1;  // j^(q-1), and then j^q
-            for (int k = 1; k < q; ++k) p *= j;
-            if (q > 0) right += rational(q) * m.sigma[j] * p;
-            left += m.rho[j] * (q == 0 ? rational(1) : p * rational(j));
-        }
-        if (left != right) return q - 1;
-    }
-}
+int order(const multistep& m);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/multistep-inl.hpp"
+#endif

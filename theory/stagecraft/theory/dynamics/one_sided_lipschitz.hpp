@@ -32,21 +32,10 @@ struct one_sided_constant {
 
 namespace detail {
 
-inline std::string text(const std::vector<rational>& x) {
-    std::string out;
-    for (const auto& a : x) out += (out.empty() ? "(" : ", ") + a.str();
-    return out + ")";
-}
+std::string text(const std::vector<rational>& x);
 
-inline one_sided_constant found(const std::string& where, supremum s, std::vector<rational> point,
-                                bool exactly = true) {
-    const std::string value = s.low == s.high ? s.low.str()
-                                              : "between " + shortest(interval(s.low).low()) + " and " +
-                                                    shortest(interval(s.high).high());
-    const std::string at = point.empty() ? "approached at infinity"
-                                         : (exactly ? "attained at " : "attained near ") + text(point);
-    return {verdict::proved(where + ": " + value + ", " + at), s.low, s.high, std::move(point)};
-}
+one_sided_constant found(const std::string& where, supremum s, std::vector<rational> point,
+                         bool exactly = true);
 
 /// The Jacobian of polynomials.
 template <int N>
@@ -58,14 +47,7 @@ dense<multinomial> jacobian(const state<multinomial, N>& f) {
 }
 
 /// The matrices of a symmetric matrix of polynomials, monomial by monomial.
-inline std::map<multinomial::monomial, dense<rational>> by_monomial(const dense<multinomial>& S) {
-    std::map<multinomial::monomial, dense<rational>> parts;
-    const dense<rational> zero = dense<rational>::Constant(S.rows(), S.cols(), rational(0));
-    parts.try_emplace({}, zero);
-    for (Eigen::Index i = 0; i < S.size(); ++i)
-        for (const auto& [m, a] : S.data()[i].terms()) parts.try_emplace(m, zero).first->second.data()[i] = a;
-    return parts;
-}
+std::map<multinomial::monomial, dense<rational>> by_monomial(const dense<multinomial>& S);
 
 }  // namespace detail
 
@@ -162,11 +144,7 @@ Eigen::Matrix<double, N, N> nearly_eigenvectors(Eigen::Matrix<double, N, N> T) {
 }
 
 /// A rational number near p^-1/2, p > 0 of any size.
-inline rational near_inverse_root(const rational& p) {
-    const int half = tableaux::binary_exponent(p) / 2;
-    const double near_one = tableaux::scaled(p, -2 * half).to<double>();
-    return tableaux::scaled(exactly(1 / std::sqrt(near_one)), -half);
-}
+rational near_inverse_root(const rational& p);
 
 /// Bounds the logarithmic norm of interval matrices J in the inner product x^T G y. First x = C y with C = V^T diag(r),
 /// where V G V^T = diag(p), exactly, and r is near p^-1/2: x^T G x becomes sum_k p_k r_k^2 y_k^2, nearly |y|^2, and J
@@ -300,3 +278,7 @@ double sampled_one_sided_constant(F&& f, const box<N>& where, int pairs, unsigne
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/one_sided_lipschitz-inl.hpp"
+#endif

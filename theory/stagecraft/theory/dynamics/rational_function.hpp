@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "stagecraft/tableaux/number_traits.hpp"
 #include "stagecraft/tableaux/polynomial.hpp"
-#include "stagecraft/tableaux/range.hpp"
-#include "stagecraft/tableaux/sturm.hpp"
+#include "stagecraft/tableaux/rational.hpp"
 
 namespace stagecraft::theory {
 
@@ -35,22 +31,7 @@ class rational_function {
         : rational_function(std::move(top), bottom, {bottom}) {}
     /// Likewise, where the divisors on the way were these; the zeros of bottom are among theirs.
     rational_function(polynomial<rational> top, polynomial<rational> bottom,
-                      const std::vector<polynomial<rational>>& divisors)
-        : top_(std::move(top)), bottom_(std::move(bottom)) {
-        if (bottom_.is_zero()) throw std::invalid_argument("rational_function: f divides by zero");
-        if (bottom_.degree() > 0) {
-            const auto common = gcd(top_, bottom_);
-            if (common.degree() > 0) {
-                top_ = top_ / common;
-                bottom_ = bottom_ / common;
-            }
-        }
-        const polynomial<rational> scale(1 / bottom_.leading());
-        top_ *= scale;
-        bottom_ *= scale;
-        for (const auto& d : divisors)
-            if (d.degree() > 0) remember(monic(d));
-    }
+                      const std::vector<polynomial<rational>>& divisors);
     static rational_function x() { return rational_function(polynomial<rational>::x()); }
 
     const polynomial<rational>& numerator() const { return top_; }
@@ -58,11 +39,7 @@ class rational_function {
     /// What was divided by, monic, each once and not constant.
     const std::vector<polynomial<rational>>& divisors() const { return divisors_; }
     /// Value at x. Throws std::domain_error where a divisor vanishes.
-    rational operator()(const rational& x) const {
-        for (const auto& d : divisors_)
-            if (d(x) == 0) throw std::domain_error("rational_function: f divides by zero at " + x.str());
-        return top_(x) / bottom_(x);
-    }
+    rational operator()(const rational& x) const;
 
     rational_function operator-() const { return {-top_, bottom_, divisors_}; }
     friend rational_function operator+(const rational_function& a, const rational_function& b) {
@@ -90,31 +67,17 @@ class rational_function {
     }
 
   private:
-    void remember(polynomial<rational> divisor) {
-        if (std::find(divisors_.begin(), divisors_.end(), divisor) == divisors_.end())
-            divisors_.push_back(std::move(divisor));
-    }
-    static std::vector<polynomial<rational>> both(const rational_function& a, const rational_function& b) {
-        auto all = a.divisors_;
-        all.insert(all.end(), b.divisors_.begin(), b.divisors_.end());
-        return all;
-    }
+    void remember(polynomial<rational> divisor);
+    static std::vector<polynomial<rational>> both(const rational_function& a, const rational_function& b);
 
     polynomial<rational> top_, bottom_;
     std::vector<polynomial<rational>> divisors_;
 };
 
 /// Throws std::invalid_argument where r divides by something that has a real zero, also one that cancels.
-inline void require_defined_on_line(const rational_function& r) {
-    for (const auto& d : r.divisors())
-        if (tableaux::sturm_chain<rational>(d).count() > 0)
-            throw std::invalid_argument("f: divides through zero on the real line");
-}
+void require_defined_on_line(const rational_function& r);
 
-inline rational_function derivative(const rational_function& r) {
-    const auto &p = r.numerator(), &q = r.denominator();
-    return {derivative(p) * q - p * derivative(q), q * q, r.divisors()};
-}
+rational_function derivative(const rational_function& r);
 
 /// The supremum of a real function: it lies in [low, high], low = high where it is known exactly. It is
 /// attained at `point`, or near it where that is not a rational number; `point` is missing where it is a
@@ -125,44 +88,20 @@ struct supremum {
 };
 
 /// A point where r exceeds `level`, or nothing: exact (Sturm). r without real poles.
-inline std::optional<rational> point_above(const rational_function& r, const rational& level) {
-    // r's denominator is monic without real roots, hence positive.
-    return tableaux::negative_point(polynomial<rational>(level) * r.denominator() - r.numerator());
-}
+std::optional<rational> point_above(const rational_function& r, const rational& level);
 
 /// sup of r over the real line, exact where it is attained at a rational point or at infinity and else to
 /// `width`; nothing where r is unbounded above. One Sturm chain of the numerator of r' and one for the proof.
 /// Throws std::invalid_argument where r divides through zero.
-inline std::optional<supremum> supremum_on_line(const rational_function& r,
-                                                const rational& width = rational(1, 1LL << 40)) {
-    require_defined_on_line(r);
-    const auto &p = r.numerator(), &q = r.denominator();
-    if (p.degree() <= 0 && q.degree() == 0) return supremum{p[0], p[0], rational(0)};
-    if (p.degree() > q.degree() && (p.leading() > 0 || (p.degree() - q.degree()) % 2 != 0)) return {};
-    std::optional<supremum> best;
-    if (p.degree() == q.degree()) best = supremum{p.leading(), p.leading(), {}};
-    if (p.degree() < q.degree()) best = supremum{0, 0, {}};
-    const auto slope = derivative(p) * q - p * derivative(q);
-    const auto simple = squarefree(slope);
-    for (auto root : tableaux::isolate_real_roots(slope)) {
-        root = refine(simple, root, width * width);
-        const rational c = tableaux::simplest_between(root.low, root.high);
-        const rational value = r(c);
-        if (!best || value > best->low || (value == best->low && !best->point))
-            best = supremum{value, value, c};
-    }
-    for (rational slack = 0; point_above(r, best->high); slack = slack == 0 ? width : 2 * slack)
-        best->high = best->low + slack;
-    // A rational value at an irrational point: nothing lies above it, and it is met.
-    if (best->low == best->high) return best;
-    const rational v = tableaux::simplest_between(best->low, best->high);
-    if (!point_above(r, v) && tableaux::sturm_chain<rational>(polynomial<rational>(v) * q - p).count() > 0)
-        best->low = best->high = v;
-    return best;
-}
+std::optional<supremum> supremum_on_line(const rational_function& r,
+                                         const rational& width = rational(1, 1LL << 40));
 
 }  // namespace stagecraft::theory
 
 template <>
 struct Eigen::NumTraits<stagecraft::theory::rational_function>
     : stagecraft::tableaux::number_traits<stagecraft::theory::rational_function> {};
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/rational_function-inl.hpp"
+#endif

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <stagecraft/tableau.hpp>
-#include <stdexcept>
 #include <type_traits>
 
 #include "stagecraft/tableaux/range.hpp"
-#include "stagecraft/tableaux/simplifying.hpp"
 #include "stagecraft/theory/dynamics/interval.hpp"
 
 // Exact tableaux for computations in doubles and in intervals.
@@ -54,9 +52,11 @@ bool is_explicit(const tableau<K>& t) {
 }
 
 namespace detail {
-inline void require_step(const tableaux::rational& h) {
-    if (!(h > 0)) throw std::invalid_argument("h: must be positive, is " + h.str());
-}
+void require_step(const tableaux::rational& h);
 }  // namespace detail
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/dynamics/tableau_numbers-inl.hpp"
+#endif

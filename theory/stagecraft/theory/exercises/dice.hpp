@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "stagecraft/tableaux/rational.hpp"
@@ -20,9 +19,7 @@ class dice {
     explicit dice(std::uint64_t seed) : engine_(seed) {}
 
     /// low, ..., high, each as likely as the others to 2^-60.
-    int between(int low, int high) {
-        return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-    }
+    int between(int low, int high);
     bool coin() { return between(0, 1) == 1; }
     template <class T>
     const T& pick(const std::vector<T>& from) {
@@ -31,13 +28,14 @@ class dice {
     /// A number from -most to most, not 0.
     int not_zero(int most) { return between(1, most) * (coin() ? 1 : -1); }
     /// A node in (0, 1] as textbooks like them.
-    rational node() {
-        static const std::vector<rational> all{{1, 4}, {1, 3}, {2, 5}, {1, 2}, {3, 5}, {2, 3}, {3, 4}, 1};
-        return pick(all);
-    }
+    rational node();
 
   private:
     std::mt19937_64 engine_;
 };
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/exercises/dice-inl.hpp"
+#endif

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,24 +41,10 @@ inline const std::vector<exercise_kind>& exercise_kinds() {
 /// The exercise of a kind that belongs to a seed: the same on every machine, its solution certified. Throws
 /// std::invalid_argument for an unknown kind, and std::logic_error where a statement of the solution was not confirmed.
 /// Cost: a millisecond.
-inline exercise make_exercise(const std::string& kind, std::uint64_t seed) {
-    std::string names;
-    std::uint64_t number = 0;
-    for (const auto& k : exercise_kinds()) {
-        ++number;
-        if (k.name == kind) {
-            dice d(exercise_kinds().size() * seed + number);  // other choices for every kind
-            exercise e = k.make(d);
-            e.kind = kind;
-            e.seed = seed;
-            if (!e.certified())
-                throw std::logic_error("exercise " + kind + ", seed " + std::to_string(seed) +
-                                       ": the solution was not confirmed");
-            return e;
-        }
-        names += (names.empty() ? "" : ", ") + k.name;
-    }
-    throw std::invalid_argument("kind: unknown name '" + kind + "', allowed: " + names);
-}
+exercise make_exercise(const std::string& kind, std::uint64_t seed);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/exercises/kinds-inl.hpp"
+#endif

@@ -1,79 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <optional>
-#include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
-#include <stagecraft/theory/judging/find_suspects.hpp>
-#include <stagecraft/theory/judging/judge_claims.hpp>
-#include <stagecraft/theory/judging/judge_dense.hpp>
-#include <stagecraft/theory/judging/nearest_family.hpp>
-#include <stagecraft/theory/judging/subject.hpp>
-#include <stagecraft/theory/judging/subject_spectrum.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace stagecraft::theory {
-
-namespace detail {
-
-/// Everything but suspects of what `certify` says of a file.
-inline file_certificate judged(const tableaux::tableau_file& file) {
-    file_certificate certificate;
-    if (const int n = file.short_decimals; n > 0)
-        certificate.notes.push_back(std::to_string(n) + " short decimal" + (n == 1 ? "" : "s") +
-                                    " read as exact");
-    certificate.name = file.name;
-    certificate.source = file.source;
-    certificate.data = tableaux::name(file.kind());
-    certificate.stages = file.stages();
-    certificate.file = file;
-    certificate.tableau = tableaux::to_json(file);
-    const auto examine = [&](const auto& subject, const auto& convert) {
-        judge(subject, file.claims, certificate);
-        if (!file.b_theta.empty()) judge_dense(make_dense_subject(subject, file, convert), file, certificate);
-        certificate.spectra = spectra_of(subject);
-    };
-    if (file.kind() <= tableaux::number_kind::quadratic)
-        examine(exact_subject(file), exact_entry);
-    else
-        examine(enclosed_subject(file), enclosed_entry);
-    certificate.nearest = nearest(file);
-    return certificate;
-}
-
-/// Whether a row of A or the weights have sums that certainly are not what they should be: how many have.
-inline std::size_t certainly_failing_sums(const tableaux::tableau_file& file) {
-    return failing_sums(enclosed_subject(file), file.claims).size();
-}
-
-}  // namespace detail
 
 /// Judges a tableau file: order, stage order, row sums, every property claimed; where something claimed is
 /// refuted, the failing conditions and the suspects; eigenvalues of A and poles of R; for rounded data the
 /// nearest family. Exact data are decided; rounded and enclosed data are refuted or found consistent. What is
 /// refuted as rounded decimals is tried as decimals cut off, and the certificate says so.
-inline file_certificate certify(const tableaux::tableau_file& file) {
-    auto certificate = detail::judged(file);
-    const bool explained = !certificate.suspects.empty() || !certificate.suspects_note.empty();
-    if (certificate.overall() != standing::refuted || explained) return certificate;
-    if (file.kind() != tableaux::number_kind::rounded) {
-        detail::find_suspects(file, certificate);
-        return certificate;
-    }
-    const auto cut = tableaux::cut_off(file);
-    const auto subject = detail::enclosed_subject(cut);
-    if (!refutes_a_claim(subject, cut.claims, mostly_row_sums(subject))) {
-        auto other = detail::judged(cut);
-        if (other.overall() != standing::refuted) {
-            other.notes.insert(other.notes.begin(), "decimals cut off, not rounded: refuted otherwise");
-            return other;
-        }
-    }
-    const bool cut_fits = detail::certainly_failing_sums(cut) < detail::certainly_failing_sums(file);
-    detail::find_suspects(cut_fits ? cut : file, certificate);
-    return certificate;
-}
+file_certificate certify(const tableaux::tableau_file& file);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/certify_file-inl.hpp"
+#endif

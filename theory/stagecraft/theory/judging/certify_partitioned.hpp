@@ -3,63 +3,27 @@
 
 #include <ostream>
 #include <stagecraft/tableaux/read_partitioned.hpp>
+#include <stagecraft/tableaux/reading.hpp>
 #include <stagecraft/theory/judging/certify_file.hpp>
-#include <stagecraft/theory/judging/coupling_suspects.hpp>
-#include <stagecraft/theory/judging/judge_coupling.hpp>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 
 namespace stagecraft::theory {
 
 /// Judges a method of several tableaux: order of all together by coloured trees and which of them fails, stage
 /// order, symplecticity; of additive and partitioned methods also each tableau for itself, of which the order
 /// of the whole is claimed; where something is refuted, the single entries that would restore every claim.
-inline file_certificate certify(const tableaux::partitioned_file& file) {
-    file_certificate certificate;
-    certificate.name = file.name;
-    certificate.source = file.source;
-    certificate.data = std::string(name(file.coupling)) + ", " + std::string(tableaux::name(file.kind()));
-    certificate.stages = file.stages();
-    certificate.tableau = to_json(file);
-    const auto examine = [&]<class K>(subject<K> (*convert)(const tableaux::tableau_file&)) {
-        coupled_subject<K> s{&file, {}};
-        for (const auto& p : file.partners) s.partners.push_back(convert(p));
-        judge(s, certificate);
-        if (detail::judged_alone(file))
-            for (std::size_t k = 0; k < file.partners.size(); ++k) {
-                certificate.partners.push_back(certify(detail::partner_alone(file, k)));
-                if (file.claims.order && !file.partners[k].claims.order)
-                    certificate.partners.back().notes.push_back(
-                        "judged by itself; the orders claimed are those of the whole method");
-            }
-        if (certificate.overall() == standing::refuted) find_coupling_suspects(s, certificate);
-    };
-    if (file.kind() <= tableaux::number_kind::quadratic)
-        examine(detail::exact_subject);
-    else
-        examine(detail::enclosed_subject);
-    return certificate;
-}
+file_certificate certify(const tableaux::partitioned_file& file);
 
-inline file_certificate certify(const tableaux::method_file& file) {
-    return std::visit([](const auto& f) { return certify(f); }, file);
-}
+file_certificate certify(const tableaux::method_file& file);
 
 /// What the command does with the text of a file: the certificate to `out`, or one line to `err`.
 /// Returns the exit code: 0 nothing claimed is refuted, 1 something is, 2 unusable input, 3 a claim is beyond
 /// what the digits given can test.
-inline int certify_text(std::string_view text, bool as_json, std::ostream& out, std::ostream& err,
-                        const tableaux::reading& how = {}) {
-    try {
-        const auto certificate = certify(tableaux::read_method(text, how));
-        out << (as_json ? json_text(certificate) : to_text(certificate));
-        return certificate.exit_code();
-    } catch (const tableaux::unusable_input& e) {
-        err << e.what() << '\n';
-        return 2;
-    }
-}
+int certify_text(std::string_view text, bool as_json, std::ostream& out, std::ostream& err,
+                 const tableaux::reading& how = {});
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/certify_partitioned-inl.hpp"
+#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <stagecraft/tableaux/partitioned_file.hpp>
@@ -22,20 +21,10 @@ namespace stagecraft::theory {
 namespace detail {
 
 /// Whether each tableau is judged for itself as well: of the others none is a method alone.
-inline bool judged_alone(const tableaux::partitioned_file& file) {
-    using tableaux::coupling;
-    return file.coupling == coupling::additive || file.coupling == coupling::partitioned;
-}
+bool judged_alone(const tableaux::partitioned_file& file);
 
 /// The k-th tableau with what is claimed of it: its own claims, and the orders of the whole.
-inline tableaux::tableau_file partner_alone(const tableaux::partitioned_file& file, std::size_t k) {
-    tableaux::tableau_file alone = file.partners[k];
-    alone.name = partner_name(file, k);
-    if (!alone.claims.order) alone.claims.order = file.claims.order;
-    if (!alone.claims.embedded_order && !alone.b_embedded.empty())
-        alone.claims.embedded_order = file.claims.embedded_order;
-    return alone;
-}
+tableaux::tableau_file partner_alone(const tableaux::partitioned_file& file, std::size_t k);
 
 /// An entry of one of the tableaux.
 struct coupled_place {
@@ -44,27 +33,10 @@ struct coupled_place {
 };
 
 /// The entries whose change leaves the kind of each tableau alone. Both formulas of a Nystrom method share the nodes.
-inline std::vector<coupled_place> coupled_places(const tableaux::partitioned_file& file) {
-    const bool nystrom = file.coupling == tableaux::coupling::nystrom;
-    std::vector<coupled_place> all;
-    for (std::size_t k = 0; k < file.partners.size(); ++k) {
-        const auto& partner = file.partners[k];
-        for (const place& p : places_of_kind(partner)) {
-            const bool absent = nystrom && k == 1 && p.part == part::A && !file.uses_velocity;
-            const bool shared = nystrom && k == 1 && p.part == part::c;
-            if (!absent && !shared) all.push_back({k, p});
-        }
-    }
-    return all;
-}
+std::vector<coupled_place> coupled_places(const tableaux::partitioned_file& file);
 
 /// "implicit part: A[4][3]"; of a Nystrom method as the file calls it, "b_bar[2]".
-inline std::string name(const coupled_place& p, const tableaux::partitioned_file& file) {
-    std::string text = p.place.name();
-    if (file.coupling != tableaux::coupling::nystrom) return partner_name(file, p.partner) + ": " + text;
-    if (p.partner == 0 && p.place.part != part::c) text.insert(1, "_bar");
-    return text;
-}
+std::string name(const coupled_place& p, const tableaux::partitioned_file& file);
 
 template <class K>
 void put(coupled_subject<K>& s, const coupled_place& p, const K& value) {
@@ -125,10 +97,7 @@ std::optional<K> coupled_value(const coupled_subject<K>& s, const coupled_place&
 struct coupled_trees_claimed {
     explicit coupled_trees_claimed(const tableaux::partitioned_file& f)
         : order(table(f, f.claims.order)), embedded(table(f, f.claims.embedded_order)) {}
-    static tree_table table(const tableaux::partitioned_file& f, std::optional<int> claimed) {
-        return coupled_trees(f.coupling, f.uses_velocity, static_cast<int>(f.partners.size()),
-                             std::max(claimed.value_or(1), 1));
-    }
+    static tree_table table(const tableaux::partitioned_file& f, std::optional<int> claimed);
     tree_table order, embedded;
 };
 
@@ -205,3 +174,7 @@ void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certi
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/coupling_suspects-inl.hpp"
+#endif

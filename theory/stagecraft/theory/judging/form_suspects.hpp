@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <stagecraft/tableaux/stage_form.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
@@ -42,21 +41,7 @@ subject<K> subject_of_form(tableaux::stage_form::kind kind, const form_values<K>
 
 /// The coefficients that may be wrong. Those of alpha, gamma and delta are not among them where the file is read at
 /// all: they are fixed by each other. A zero may be wrong as well, in forms of moderate size.
-inline std::vector<place> form_places(const tableaux::stage_form& form) {
-    using kind = tableaux::stage_form::kind;
-    const int rows = static_cast<int>(form.rows.size());
-    const int first = form.which == kind::shu_osher ? rows / 2 : form.which == kind::ketcheson ? 3 : 0;
-    std::vector<place> all;
-    for (int i = first; i < rows; ++i) {
-        const auto& row = form.rows[static_cast<std::size_t>(i)];
-        const int end = form.which == kind::shu_osher ? i - first + 1 : static_cast<int>(row.size());
-        for (int k = 0; k < end; ++k) {
-            const auto& e = row[static_cast<std::size_t>(k)];
-            if (row.size() <= 20 || !e.exact || *e.exact != 0) all.push_back({part::A, i, k});
-        }
-    }
-    return all;
-}
+std::vector<place> form_places(const tableaux::stage_form& form);
 
 /// The coefficients whose change alone restores every claim. The first order condition that is affine in a
 /// coefficient and not constant leaves one value for it.
@@ -143,3 +128,7 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
 }
 
 }  // namespace stagecraft::theory::detail
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/form_suspects-inl.hpp"
+#endif

@@ -36,9 +36,7 @@ bool claims_row_sums(const subject<K>& s, const tableaux::claims& claims) {
 namespace detail {
 
 /// Decimal digits to which quantities of size one agree.
-inline int matching_digits(tableaux::bound residual) {
-    return residual > 0 ? static_cast<int>(std::floor(-std::log10(residual))) : 0;
-}
+int matching_digits(tableaux::bound residual);
 
 /// What is known of the order of some weights besides the search.
 struct order_facts {
@@ -195,13 +193,8 @@ finding judge_row_sums(const subject<K>& s, const tableaux::claims& claims, std:
 }
 
 /// The judgement on a stage order that enclosures do not refute.
-inline void set_open_stage_order(finding& f, tableaux::bound residual, tableaux::bound bound,
-                                 tableaux::bound relative_bound) {
-    f.relative_bound = brief(relative_bound);
-    f.judgement = says_nothing(relative_bound, 1)
-                      ? verdict::inconclusive(brief(residual), brief(bound), "too few digits")
-                      : verdict::consistent(brief(residual), brief(bound), data_reason);
-}
+void set_open_stage_order(finding& f, tableaux::bound residual, tableaux::bound bound,
+                          tableaux::bound relative_bound);
 
 template <class K>
 finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::vector<failure>& failures) {
@@ -358,3 +351,7 @@ bool refutes_a_claim(const subject<K>& s, const tableaux::claims& claims, bool r
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/judge_claims-inl.hpp"
+#endif

@@ -10,7 +10,6 @@
 #include <stagecraft/theory/statements/certainty.hpp>
 #include <stagecraft/theory/statements/verdict.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stagecraft::theory {
@@ -18,9 +17,7 @@ namespace stagecraft::theory {
 namespace detail {
 
 inline bool certainly_before(const tableaux::quadratic& x, const tableaux::quadratic& y) { return x < y; }
-inline bool certainly_before(const tableaux::ball& x, const tableaux::ball& y) {
-    return certainly_less(x, y);
-}
+bool certainly_before(const tableaux::ball& x, const tableaux::ball& y);
 inline double middle_of(const tableaux::quadratic& x) { return x.to<double>(); }
 inline double middle_of(const tableaux::ball& x) { return x.middle().to<double>(); }
 /// The number as a sentence has it.
@@ -82,3 +79,7 @@ verdict jumps_seen(const tableau<K>& t) {
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/jumps_seen-inl.hpp"
+#endif

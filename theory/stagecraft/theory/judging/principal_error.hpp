@@ -14,9 +14,10 @@ struct principal_error {
 };
 
 /// "principal error, of order 5: 2-norm 0.00433, largest 0.00231".
-inline std::string text(const principal_error& e) {
-    return "principal error, of order " + std::to_string(e.order) + ": 2-norm " + e.norm + ", largest " +
-           e.largest;
-}
+std::string text(const principal_error& e);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/principal_error-inl.hpp"
+#endif

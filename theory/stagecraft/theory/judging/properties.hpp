@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/theory/judging/rounded_properties.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
+#include <stagecraft/theory/models/stage_algebra.hpp>
 #include <stagecraft/theory/stability/a_stability.hpp>
 #include <stagecraft/theory/stability/algebraic_stability.hpp>
 #include <stagecraft/theory/stability/symmetry.hpp>
@@ -15,15 +17,7 @@
 namespace stagecraft::theory {
 
 /// Bits that the coefficients of det(I - zA) may have: a row's longest entry, summed over the rows.
-inline int determinant_bits(const subject<tableaux::quadratic>& s) {
-    int bits = 0;
-    for (int i = 0; i < s.stages(); ++i) {
-        int longest = 0;
-        for (int j = 0; j < s.stages(); ++j) longest = std::max(longest, tableaux::bit_size(s.t.A(i, j)));
-        bits += longest;
-    }
-    return bits;
-}
+int determinant_bits(const subject<tableaux::quadratic>& s);
 
 /// Beyond this the stability function is enclosed: Sturm chains over such fractions take seconds. Published
 /// methods stay far below.
@@ -33,19 +27,7 @@ inline constexpr int longest_exact_determinant = 1200;
 inline bool is_costly(const subject<tableaux::quadratic>& s) { return !s.lower && s.stages() >= 8; }
 
 /// The same tableau in enclosures of its exact entries.
-inline subject<tableaux::ball> enclosed(const subject<tableaux::quadratic>& s) {
-    subject<tableaux::ball> e{{}, s.nodes_given, s.strictly_lower, s.lower};
-    const auto map = [](const auto& from, auto& to) {
-        to.resize(from.rows(), from.cols());
-        for (int i = 0; i < from.rows(); ++i)
-            for (int j = 0; j < from.cols(); ++j) to(i, j) = to_ball(tableaux::to_range(from(i, j)));
-    };
-    map(s.t.A, e.t.A);
-    map(s.t.b, e.t.b);
-    map(s.t.c, e.t.c);
-    map(s.t.b_embedded, e.t.b_embedded);
-    return e;
-}
+subject<tableaux::ball> enclosed(const subject<tableaux::quadratic>& s);
 
 /// The verdict on one of the properties that a file can claim (tableaux::yes_no_claims), by its name there:
 /// decided over exact fields (A- and L-stability unless the fractions are enormous), with enclosures refuted
@@ -86,3 +68,7 @@ verdict property_of(const subject<K>& s, std::string_view property) {
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/properties-inl.hpp"
+#endif

@@ -22,11 +22,7 @@ struct report_section {
 
 namespace detail {
 
-inline std::string digits(double x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.15g", x);
-    return buffer;
-}
+std::string digits(double x);
 
 template <class K>
 claim interval_claim(const std::string& name, const stability_interval<K>& i) {
@@ -37,36 +33,11 @@ claim interval_claim(const std::string& name, const stability_interval<K>& i) {
     return {name + " " + low, verdict::proved("enclosed to 2^-60" + (low == high ? "" : ", up to " + high))};
 }
 
-inline std::string order_text(const char* name, const std::optional<int>& order) {
-    return order ? std::string(", ") + name + " O(h^" + std::to_string(*order) + ")" : "";
-}
+std::string reasons(const std::vector<hypothesis>& hypotheses);
 
-inline std::string reasons(const std::vector<hypothesis>& hypotheses) {
-    std::string out;
-    for (const auto& h : hypotheses) {
-        if (h.verdict.is_proved()) continue;
-        out += (out.empty() ? "not: " : "; not: ") + h.name + " (" + h.verdict.reason() + ")";
-    }
-    return out;
-}
+claim prediction_claim(const std::string& problem, const order_prediction& p);
 
-inline claim prediction_claim(const std::string& problem, const order_prediction& p) {
-    if (!p.applies()) {
-        return {problem + ": a theorem on the order applies", verdict::refuted(reasons(p.hypotheses))};
-    }
-    auto orders = order_text("y", p.y) + order_text("z", p.z) + order_text("u", p.u);
-    return {problem + ":" + orders.substr(1),
-            verdict::proved(p.theorem + (p.note.empty() ? "" : "; " + p.note))};
-}
-
-inline std::string error_text(const std::vector<epsilon_term>& terms) {
-    std::string out;
-    for (const auto& t : terms) {
-        out += (out.empty() ? "O(" : " + O(") + std::string(t.epsilon == 0 ? "" : "eps ") + "h^" +
-               std::to_string(t.h) + ")";
-    }
-    return out;
-}
+std::string error_text(const std::vector<epsilon_term>& terms);
 
 }  // namespace detail
 
@@ -158,13 +129,10 @@ std::vector<report_section> stability_report(const tableau<K>& t) {
 }
 
 /// As text: titles, and one line for each claim.
-inline std::string text(const std::vector<report_section>& report) {
-    std::string out;
-    for (const auto& section : report) {
-        out += section.title + "\n";
-        for (const auto& c : section.claims) out += "  " + c.statement + "  " + c.verdict.text() + "\n";
-    }
-    return out;
-}
+std::string text(const std::vector<report_section>& report);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/stability_report-inl.hpp"
+#endif

@@ -5,7 +5,7 @@
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/tableaux/residue.hpp>
-#include <stagecraft/theory/statements/certainty.hpp>
+#include <stagecraft/tableaux/tableau_file.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,13 +33,7 @@ struct place {
     int column = 0;  ///< used in A only
 
     /// "A[6][3]", "b[2]", counted from 1.
-    std::string name() const {
-        static constexpr const char* names[] = {"A", "b", "c", "b_embedded"};
-        std::string n = names[static_cast<int>(part)];
-        n += "[" + std::to_string(row + 1) + "]";
-        if (part == theory::part::A) n += "[" + std::to_string(column + 1) + "]";
-        return n;
-    }
+    std::string name() const;
     friend bool operator==(const place&, const place&) = default;
 };
 
@@ -82,28 +76,11 @@ inline const tableaux::entry& entry_at(const tableaux::tableau_file& file, const
 }
 
 /// The entries of the file: of A, at most those `above` the diagonal by so much.
-inline std::vector<place> places_of(const tableaux::tableau_file& file, int above = tableaux::most_stages) {
-    std::vector<place> all;
-    const int s = file.stages();
-    for (int i = 0; i < s; ++i)
-        for (int j = 0; j < s && j - i <= above; ++j) all.push_back({part::A, i, j});
-    for (int i = 0; i < s; ++i) all.push_back({part::b, i, 0});
-    if (!file.c.empty())
-        for (int i = 0; i < s; ++i) all.push_back({part::c, i, 0});
-    if (!file.b_embedded.empty())
-        for (int i = 0; i < s; ++i) all.push_back({part::b_embedded, i, 0});
-    return all;
-}
+std::vector<place> places_of(const tableaux::tableau_file& file, int above = tableaux::most_stages);
 
 /// All entries whose change leaves the kind of method alone: no entry above the diagonal of an explicit or
 /// diagonally implicit A (on the diagonal of an explicit one), by the zeros that it has, or prints as 0.000.
-inline std::vector<place> places_of_kind(const tableaux::tableau_file& file) {
-    int above = -1;
-    for (const place& p : places_of(file))
-        if (p.part == part::A && p.column - p.row > above && entry_at(file, p).enclosure.middle() != 0)
-            above = p.column - p.row;
-    return places_of(file, above > 0 ? file.stages() : above);
-}
+std::vector<place> places_of_kind(const tableaux::tableau_file& file);
 
 /// The tableau of the file over K; `convert` maps an entry to K.
 template <class K, class Convert>
@@ -151,3 +128,7 @@ std::optional<subject<tableaux::residue>> reduced_modulo_prime(const subject<K>&
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/judging/subject-inl.hpp"
+#endif

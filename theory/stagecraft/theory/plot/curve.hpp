@@ -21,21 +21,13 @@ struct window {
     double width() const { return right - left; }
     double height() const { return top - bottom; }
     double diagonal() const { return std::hypot(width(), height()); }
-    bool contains(complex z) const {
-        return z.real() >= left && z.real() <= right && z.imag() >= bottom && z.imag() <= top;
-    }
+    bool contains(complex z) const;
     /// Distance of z from the window, 0 inside.
-    double distance(complex z) const {
-        return std::hypot(std::max({left - z.real(), 0.0, z.real() - right}),
-                          std::max({bottom - z.imag(), 0.0, z.imag() - top}));
-    }
+    double distance(complex z) const;
 };
 
 /// Throws std::invalid_argument unless the window has a finite, positive width and height.
-inline void require_window(const window& w) {
-    if (!(w.width() > 0 && w.height() > 0 && std::isfinite(w.diagonal())))
-        throw std::invalid_argument("window: needs left < right and bottom < top, all finite");
-}
+void require_window(const window& w);
 
 /// log|f(z)| and f'(z)/f(z): all that a level curve of |f| needs of an analytic f.
 struct log_value {
@@ -175,3 +167,7 @@ class level_tracer {
 };
 
 }  // namespace stagecraft::theory::plot
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/plot/curve-inl.hpp"
+#endif

@@ -2,11 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <stagecraft/tableaux/complex_roots.hpp>
-#include <stagecraft/tableaux/correct_rounding.hpp>
-#include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stagecraft/tableaux/polynomial.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/rational.hpp>
@@ -44,42 +41,25 @@ struct spectra {
     std::string note;
 };
 
-inline std::string beyond_largest_spectrum() {
-    return "eigenvalues and poles are enclosed up to " + std::to_string(largest_spectrum) + " stages";
-}
+std::string beyond_largest_spectrum();
 
 /// The number of values, those of a pair and multiplicities counted.
-inline int count(const spectrum& all) {
-    int n = 0;
-    for (const auto& v : all) n += v.multiplicity * (v.is_real() ? 1 : 2);
-    return n;
-}
+int count(const spectrum& all);
 
 namespace detail {
 
 inline tableaux::ball exact_to_ball(const tableaux::rational& x, int bits) { return {x, bits}; }
-inline tableaux::ball exact_to_ball(const tableaux::quadratic& x, int bits) {
-    return tableaux::to_ball(x, bits);
-}
+tableaux::ball exact_to_ball(const tableaux::quadratic& x, int bits);
 
 template <class K>
 spectral_value exactly(const K& x, int multiplicity, int bits) {
     return {{exact_to_ball(x, bits), 0}, tableaux::quadratic(x), multiplicity};
 }
 
-inline void sort(spectrum& all) {
-    const auto key = [](const spectral_value& v) {
-        return std::pair(v.value.im.middle(), v.value.re.middle());
-    };
-    std::sort(all.begin(), all.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
-}
+void sort(spectrum& all);
 
 // Long double, in which the search for the roots begins, has to hold them and their powers.
-inline void require_moderate(const std::vector<tableaux::ball>& coefficients) {
-    for (const auto& a : coefficients)
-        if (const auto size = a.upper_magnitude(); !a.exactly_zero() && !(size < 1e300L && size > 1e-300L))
-            throw tableaux::undecided("coefficients of the characteristic polynomial beyond 1e300");
-}
+void require_moderate(const std::vector<tableaux::ball>& coefficients);
 
 /// Roots of a squarefree monic factor without the root 0. Where a real part is not told from zero, the exact
 /// number of roots on the imaginary axis decides.
@@ -169,31 +149,11 @@ spectrum diagonal_of(const Eigen::Matrix<K, -1, -1>& A) {
 }
 
 /// 1/x for every x other than 0. Throws undecided where an enclosure does not tell.
-inline spectrum reciprocals(const spectrum& all) {
-    spectrum inverse;
-    for (const auto& v : all) {
-        if (v.is_real() && v.value.re.exactly_zero()) continue;
-        if (v.exact) {
-            inverse.push_back(
-                detail::exactly(tableaux::quadratic(1) / *v.exact, v.multiplicity, v.value.re.bits()));
-        } else if (v.is_real()) {
-            inverse.push_back({{tableaux::ball(1) / v.value.re, 0}, {}, v.multiplicity});
-        } else {
-            inverse.push_back({(tableaux::complex_ball{1, 0} / v.value).conjugate(), {}, v.multiplicity});
-            if (v.value.re.exactly_zero()) inverse.back().value.re = 0;
-        }
-    }
-    detail::sort(inverse);
-    return inverse;
-}
+spectrum reciprocals(const spectrum& all);
 
 namespace detail {
 
-inline spectrum with_zeros(spectrum all, int multiplicity) {
-    if (multiplicity > 0) all.push_back(exactly(tableaux::rational(0), multiplicity, checker_bits));
-    sort(all);
-    return all;
-}
+spectrum with_zeros(spectrum all, int multiplicity);
 
 /// Eigenvalues from det(I - zA) = q of an s x s matrix, of which `poles` are the roots of a factor.
 template <class K>
@@ -203,33 +163,16 @@ spectrum eigenvalues_of(const tableaux::polynomial<K>& q, int s, const spectrum&
 }
 
 /// "2.68108287363": correctly rounded; where the enclosure leaves that open, its middle "+- radius".
-inline std::string digits_of(const tableaux::ball& x) {
-    if (auto text = tableaux::decimal_text(x, spectrum_digits)) return *std::move(text);
-    return tableaux::decimal_text(x.middle(), spectrum_digits);
-}
-inline bool is_certain(const tableaux::ball& x) {
-    return tableaux::decimal_text(x, spectrum_digits).has_value();
-}
-inline std::string with_radius(const tableaux::ball& x) {
-    return digits_of(x) + (is_certain(x) ? "" : " within " + brief(x.radius()));
-}
+std::string digits_of(const tableaux::ball& x);
+bool is_certain(const tableaux::ball& x);
 
 }  // namespace detail
 
 /// "3.63783425274, 2.68108287363 +- 3.05043019925 i"; multiplicities above 1 are said; "none" without values.
-inline std::string text(const spectrum& all) {
-    std::string out;
-    for (const auto& v : all) {
-        if (!out.empty()) out += ", ";
-        if (v.exact && v.exact->str().size() <= 20)
-            out += v.exact->str() + (v.exact->is_rational() ? "" : " = " + detail::with_radius(v.value.re));
-        else if (v.is_real())
-            out += detail::with_radius(v.value.re);
-        else
-            out += detail::with_radius(v.value.re) + " +- " + detail::with_radius(v.value.im) + " i";
-        if (v.multiplicity > 1) out += " (multiplicity " + std::to_string(v.multiplicity) + ")";
-    }
-    return all.empty() ? "none" : out;
-}
+std::string text(const spectrum& all);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/stability/spectrum-inl.hpp"
+#endif

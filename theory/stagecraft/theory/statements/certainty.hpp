@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/tableaux/quadratic.hpp>
 #include <stagecraft/tableaux/range.hpp>
@@ -14,7 +9,6 @@
 #include <stagecraft/theory/models/stage_algebra.hpp>
 #include <stagecraft/theory/statements/verdict.hpp>
 #include <string>
-#include <utility>
 
 namespace stagecraft::theory {
 
@@ -30,42 +24,18 @@ inline bool certainly_negative(const tableaux::quadratic& x) { return sign(x) < 
 inline constexpr int checker_bits = 384;
 
 /// A ball around the interval: its middle to checker_bits bits, its radius rounded up.
-inline tableaux::ball to_ball(const tableaux::range& r) {
-    using tableaux::ball;
-    const tableaux::rational middle = r.middle();
-    const tableaux::rational half = r.width() / tableaux::rational(2);
-    const auto up = [](const tableaux::rational& x) {
-        if (x == 0) return tableaux::bound(0);
-        const int k = 62 - tableaux::binary_exponent(x);  // 62 bits and one to be above x
-        return std::ldexp(static_cast<tableaux::bound>(static_cast<std::int64_t>(floor(scaled(x, k)))) + 1,
-                          -k);
-    };
-    if (middle == 0) return ball(ball::mantissa(0), 0, up(half), checker_bits);
-    const int k = checker_bits - tableaux::binary_exponent(middle);
-    const tableaux::integer m = floor(scaled(middle, k));
-    const bool whole = scaled(middle, k) == tableaux::rational(m);
-    const auto rounding = whole ? tableaux::bound(0) : std::ldexp(tableaux::bound(1), -k);
-    const auto radius = half == 0 && whole ? tableaux::bound(0) : tableaux::upward(up(half) + rounding);
-    return ball(ball::mantissa(m), -k, radius, checker_bits);
-}
+tableaux::ball to_ball(const tableaux::range& r);
 
 /// The interval of a ball.
 inline tableaux::range to_range(const tableaux::ball& x) { return {x.lower(), x.upper()}; }
 
 /// A few digits for a message.
-inline std::string brief(tableaux::bound x) {
-    if (std::abs(x) < 1e-4900L) return "0";  // upper bounds of zero are the least positive number
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3Lg", x);
-    return text;
-}
+std::string brief(tableaux::bound x);
 
 /// The number as a certificate prints it: exact, or "middle +- radius".
 inline std::string shown(const tableaux::rational& x) { return x.str(); }
 inline std::string shown(const tableaux::quadratic& x) { return x.str(); }
-inline std::string shown(const tableaux::ball& x) {
-    return brief(x.middle().to<tableaux::bound>()) + " +- " + brief(x.radius());
-}
+std::string shown(const tableaux::ball& x);
 
 /// The same for a sentence: numbers too long to read are given to three digits.
 template <class K>
@@ -81,12 +51,8 @@ std::string in_words(const K& x) {
 inline bool says_nothing(tableaux::bound bound, tableaux::bound scale) { return !(bound <= scale / 10); }
 
 /// What is open: consistent for `reason`, or inconclusive where the bound could not have refuted.
-inline verdict open_case(tableaux::bound residual, tableaux::bound bound, tableaux::bound scale,
-                         const std::string& reason) {
-    if (!says_nothing(bound, scale)) return verdict::consistent(brief(residual), brief(bound), reason);
-    return verdict::inconclusive(brief(residual), brief(bound),
-                                 reason + ", too few digits to refute anything of size " + brief(scale));
-}
+verdict open_case(tableaux::bound residual, tableaux::bound bound, tableaux::bound scale,
+                  const std::string& reason);
 
 /// Verdict on "defect = 0", the difference of quantities of size `scale`. Over an exact field it is decided;
 /// an enclosure refutes it or leaves it open for `reason`, unless it is the point 0. `name` says what the defect is.
@@ -101,18 +67,13 @@ verdict vanishes(const K& defect, tableaux::bound scale, const std::string& name
 }
 
 /// The conjunction: refuted where one part is, proved where all are, otherwise the weakest open one.
-inline verdict both(const verdict& x, const verdict& y) {
-    if (x.is_refuted()) return x;
-    if (y.is_refuted()) return y;
-    if (y.is_inconclusive()) return x.is_inconclusive() ? x : y;
-    return x.is_proved() ? y : x;
-}
+verdict both(const verdict& x, const verdict& y);
 
 /// The opposite statement's verdict.
-inline verdict negation(const verdict& x) {
-    if (x.is_proved()) return verdict::refuted(x.reason());
-    if (x.is_refuted()) return verdict::proved(x.reason());
-    return x;
-}
+verdict negation(const verdict& x);
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/statements/certainty-inl.hpp"
+#endif

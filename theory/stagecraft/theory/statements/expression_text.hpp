@@ -18,21 +18,14 @@ struct formula {
     std::string text;
     binding strength = atomic;
 
-    std::string at_least(binding needed, const char* left = "(", const char* right = ")") const {
-        return strength >= needed ? text : left + text + right;
-    }
+    std::string at_least(binding needed, const char* left = "(", const char* right = ")") const;
     std::string latex_at_least(binding needed) const { return at_least(needed, "\\bigl(", "\\bigr)"); }
     /// Behind something else: a minus sign would be read as a difference.
-    std::string latex_behind(binding needed) const {
-        return text.starts_with('-') ? "\\bigl(" + text + "\\bigr)" : latex_at_least(needed);
-    }
+    std::string latex_behind(binding needed) const;
 };
 
 /// Two factors in LaTeX: a number behind another factor has a dot before it.
-inline std::string latex_product(const std::string& left, const std::string& right) {
-    const bool number = right.starts_with("\\frac") || (!right.empty() && right[0] >= '0' && right[0] <= '9');
-    return left + (number ? " \\cdot " : " ") + right;
-}
+std::string latex_product(const std::string& left, const std::string& right);
 
 // Source text: what is printed compiles, up to the _q of quotients. (Member functions, so that they see one
 // another whatever their order.)
@@ -48,9 +41,7 @@ struct in_source {
     static formula of(any_vector<I>) {
         return {I == 0 ? "u" : "v"};
     }
-    static formula of(const constant& e) {
-        return {e.value.str(), e.value.denominator() == 1 ? atomic : multiplicative};
-    }
+    static formula of(const constant& e);
     template <class V>
     static formula of(const application<V>& e) {
         return {"A*" + of(e.argument).at_least(atomic), multiplicative};
@@ -119,14 +110,7 @@ struct place {
 
 // LaTeX in indices, as the books write it.
 struct in_latex {
-    static formula of(const constant& e, const place&) {
-        const binding strength = sign(e.value) < 0 || e.value.denominator() != 1 ? multiplicative : atomic;
-        if (e.value.denominator() == 1) return {e.value.str(), strength};
-        return {(sign(e.value) < 0 ? "-\\frac{" : "\\frac{") +
-                    exact_number(abs(e.value).numerator(), 1).str() + "}{" +
-                    exact_number(e.value.denominator(), 1).str() + "}",
-                strength};
-    }
+    static formula of(const constant& e, const place&);
     template <class F, class V>
     static formula of(const pairing<F, V>& e, const place& at) {
         if constexpr (std::is_same_v<F, last_stage>) {
@@ -210,21 +194,12 @@ struct in_latex {
     }
 
     using factor_list = std::vector<std::pair<formula, int>>;
-    static void append(factor_list& factors, formula f) {
-        if (!factors.empty() && factors.back().first.text == f.text)
-            ++factors.back().second;
-        else
-            factors.emplace_back(std::move(f), 1);
-    }
+    static void append(factor_list& factors, formula f);
     static void collect(unit_vector, const place&, factor_list&) {}
     static void collect(node_vector, const place& at, factor_list& f) { append(f, {"c_{" + at.index + "}"}); }
     static void collect(weight_row, const place& at, factor_list& f) { append(f, {"b_{" + at.index + "}"}); }
-    static void collect(hat_node_vector, const place& at, factor_list& f) {
-        append(f, {"\\hat c_{" + at.index + "}"});
-    }
-    static void collect(hat_weight_row, const place& at, factor_list& f) {
-        append(f, {"\\hat b_{" + at.index + "}"});
-    }
+    static void collect(hat_node_vector, const place& at, factor_list& f);
+    static void collect(hat_weight_row, const place& at, factor_list& f);
     template <int I>
     static void collect(any_vector<I>, const place& at, factor_list& f) {
         append(f, {(I == 0 ? "u_{" : "v_{") + at.index + "}"});
@@ -271,9 +246,7 @@ std::string latex(const E& e) {
 }
 
 namespace detail {
-inline std::string all_of(unsigned free) {
-    return free == 0 ? "" : free == 1 ? "u" : free == 2 ? "v" : "u, v";
-}
+std::string all_of(unsigned free);
 }  // namespace detail
 
 /// The equation as it is written in source text: "dot(b, c*c*(A*c)) == 1/10"; ", for all u, v" where it has
@@ -293,3 +266,7 @@ std::string latex(const equation<L, R>& e) {
 }
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/statements/expression_text-inl.hpp"
+#endif

@@ -37,9 +37,7 @@ class verdict {
     verdict() = default;
 
     /// Decided true. `argument` names the theorem or computation that decides it.
-    static verdict proved(std::string argument = {}) {
-        return {theory::standing::proved, std::move(argument)};
-    }
+    static verdict proved(std::string argument = {});
 
     /// Decided false. `witness` is what anyone can check: a tree and its residual, a y with |R(iy)| > 1, a
     /// pole, a negative pivot.
@@ -47,20 +45,11 @@ class verdict {
 
     /// Undecided: the computed `residual` does not exceed `bound`, the most that `reason` (rounded data,
     /// say) can cause.
-    static verdict consistent(std::string residual, std::string bound, std::string reason) {
-        verdict v{theory::standing::consistent, std::move(reason)};
-        v.residual_ = std::move(residual);
-        v.bound_ = std::move(bound);
-        return v;
-    }
+    static verdict consistent(std::string residual, std::string bound, std::string reason);
 
     /// Undecided and untested: `bound` reaches the size of the quantities compared, so no residual could have
     /// refuted the statement.
-    static verdict inconclusive(std::string residual, std::string bound, std::string reason) {
-        verdict v = consistent(std::move(residual), std::move(bound), std::move(reason));
-        v.standing_ = theory::standing::inconclusive;
-        return v;
-    }
+    static verdict inconclusive(std::string residual, std::string bound, std::string reason);
 
     /// Not looked at.
     static verdict unexamined() { return {}; }
@@ -77,12 +66,7 @@ class verdict {
     const std::string& bound() const { return bound_; }        ///< of an open case
 
     /// "proved: ...", "refuted: ...", "consistent: residual r, bound b: ...", "inconclusive: ...".
-    std::string text() const {
-        std::string out(name(standing_));
-        if (is_consistent() || is_inconclusive()) out += ": residual " + residual_ + ", bound " + bound_;
-        if (!reason_.empty()) out += ": " + reason_;
-        return out;
-    }
+    std::string text() const;
 
     friend bool operator==(const verdict&, const verdict&) = default;
 
@@ -96,3 +80,7 @@ class verdict {
 };
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/statements/verdict-inl.hpp"
+#endif

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stagecraft/method/tree_table.hpp>
 #include <stagecraft/tableaux/partitioned_file.hpp>
+#include <stagecraft/theory/trees/tree_weights.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,9 +30,7 @@ struct admits_coupling {
 };
 
 /// The trees of orders 1..max_order for a method of so many tableaux.
-inline tree_table coupled_trees(tableaux::coupling c, bool uses_velocity, int partners, int max_order) {
-    return tree_table(max_order, partners, admits_coupling{c, uses_velocity});
-}
+tree_table coupled_trees(tableaux::coupling c, bool uses_velocity, int partners, int max_order);
 
 /// A method of several tableaux over K: matrices and weights by colour, c for Nystrom methods only.
 template <class K>
@@ -86,19 +85,11 @@ void visit_coloured_trees(const coloured_method<K>& m, const tree_view& trees, V
 }
 
 /// Bit k is set where a vertex of the tree has colour k.
-inline unsigned colours_of(const tree_view& trees, std::uint32_t row) {
-    const tree_row& t = trees.rows[row];
-    const unsigned own = 1U << static_cast<unsigned>(t.colour);
-    return t.order == 1 ? own : own | colours_of(trees, t.left) | colours_of(trees, t.right);
-}
+unsigned colours_of(const tree_view& trees, std::uint32_t row);
 
 /// How conditions name the coefficients of each colour: "", "_hat" for a pair, "_1", "_2", ... for more;
 /// "_bar", "" for Nystrom methods.
-inline std::string colour_suffix(bool nystrom, std::size_t partners, std::int32_t colour) {
-    if (nystrom) return colour == 0 ? "_bar" : "";
-    if (partners > 2) return "_" + std::to_string(colour + 1);
-    return colour == 0 ? "" : "_hat";
-}
+std::string colour_suffix(bool nystrom, std::size_t partners, std::int32_t colour);
 
 /// Conditions and coloured trees as text.
 class coloured_text {
@@ -107,54 +98,20 @@ class coloured_text {
         : trees_(trees), nystrom_(nystrom), partners_(partners) {}
 
     /// "dot(b, c_hat*(A*c)) == 1/8": in the expression language.
-    std::string condition(std::uint32_t row) const {
-        const tree_row& t = trees_.rows[row];
-        return "dot(b" + suffix(row) + ", " + vector(row).text + ") == " + (t.order == 1 ? "" : "1/") +
-               std::to_string(t.density);
-    }
+    std::string condition(std::uint32_t row) const;
     /// Brackets with the colour's suffix at each vertex: "[tau_hat,[tau]]_hat".
-    std::string bracket(std::uint32_t row) const {
-        const tree_row& t = trees_.rows[row];
-        if (t.order == 1) return "tau" + suffix(row);
-        std::string text;
-        for (const std::uint32_t child : children(row)) text += (text.empty() ? "[" : ",") + bracket(child);
-        return text + "]" + suffix(row);
-    }
+    std::string bracket(std::uint32_t row) const;
 
   private:
     struct written {
         std::string text;
         bool is_atom;
     };
-    std::string suffix(std::uint32_t row) const {
-        return colour_suffix(nystrom_, partners_, trees_.rows[row].colour);
-    }
+    std::string suffix(std::uint32_t row) const;
     /// Rows of the subtrees, the smallest first.
-    std::vector<std::uint32_t> children(std::uint32_t row) const {
-        std::vector<std::uint32_t> all;
-        for (std::uint32_t r = row; trees_.rows[r].order > 1; r = trees_.rows[r].left)
-            all.push_back(trees_.rows[r].right);
-        return all;
-    }
+    std::vector<std::uint32_t> children(std::uint32_t row) const;
     /// The stage vector at the root.
-    written vector(std::uint32_t row) const {
-        const auto all = children(row);
-        if (all.empty()) return {"one", true};
-        if (nystrom_ && trees_.rows[row].colour == 0) return vector(all.front());
-        std::string text;
-        bool application = false;
-        for (const std::uint32_t child : all) {
-            const bool leaf = trees_.rows[child].order == 1;
-            const written inside = leaf ? written{} : vector(child);
-            std::string factor =
-                leaf ? (nystrom_ && trees_.rows[child].colour == 0 ? "c" : "c" + suffix(child))
-                     : "A" + suffix(child) + "*" + (inside.is_atom ? inside.text : "(" + inside.text + ")");
-            application = !leaf;
-            if (!leaf && all.size() > 1) factor = "(" + factor + ")";
-            text += (text.empty() ? "" : "*") + factor;
-        }
-        return {text, all.size() == 1 && !application};
-    }
+    written vector(std::uint32_t row) const;
 
     tree_view trees_;
     bool nystrom_;
@@ -162,3 +119,7 @@ class coloured_text {
 };
 
 }  // namespace stagecraft::theory
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/theory/trees/coloured_trees-inl.hpp"
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "stagecraft/tableaux/tableau_json.hpp"
+
+#include <string>
+#include <vector>
+
+#include "stagecraft/compiled.hpp"
+
+namespace stagecraft::tableaux {
+
+STAGECRAFT_INLINE void add_claims(const claims& stated, nlohmann::ordered_json& j) {
+    for (const auto& [key, value] : counted_claims)
+        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
+    for (const auto& [key, value] : yes_no_claims)
+        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
+}
+
+STAGECRAFT_INLINE nlohmann::ordered_json to_json(const tableau_file& file) {
+    const auto texts = [](const std::vector<entry>& entries) {
+        auto list = nlohmann::ordered_json::array();
+        for (const entry& e : entries) list.push_back(e.text);
+        return list;
+    };
+    nlohmann::ordered_json j{{"name", file.name}, {"source", file.source}};
+    if (!file.c.empty()) j["c"] = texts(file.c);
+    for (const auto& row : file.A) j["A"].push_back(texts(row));
+    j["b"] = texts(file.b);
+    if (!file.b_embedded.empty()) j["b_embedded"] = texts(file.b_embedded);
+    for (const auto& row : file.b_theta) j["b_theta"].push_back(texts(row));
+    add_claims(file.claims, j);
+    return j;
+}
+
+}  // namespace stagecraft::tableaux

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSL-1.0
+// Certificates of files.
+#include "stagecraft/theory/judging/certificate_json-inl.hpp"
+#include "stagecraft/theory/judging/certify_file-inl.hpp"
+#include "stagecraft/theory/judging/certify_partitioned-inl.hpp"
+#include "stagecraft/theory/judging/coupling_suspects-inl.hpp"
+#include "stagecraft/theory/judging/difference-inl.hpp"
+#include "stagecraft/theory/judging/file_certificate-inl.hpp"
+#include "stagecraft/theory/judging/find_suspects-inl.hpp"
+#include "stagecraft/theory/judging/form_suspects-inl.hpp"
+#include "stagecraft/theory/judging/judge_claims-inl.hpp"
+#include "stagecraft/theory/judging/junit-inl.hpp"
+#include "stagecraft/theory/judging/method_table-inl.hpp"
+#include "stagecraft/theory/judging/nearest_family-inl.hpp"
+#include "stagecraft/theory/judging/spectrum_json-inl.hpp"
+#include "stagecraft/theory/judging/suspects-inl.hpp"
+#include "stagecraft/theory/judging/verdict_json-inl.hpp"
