@@ -39,18 +39,23 @@ class break_times {
     /// Those of another scalar.
     template <class Other>
     requires(!std::is_same_v<Other, Scalar>) break_times(const break_times<Other>& other)
-        : numbers_(other.numbers().begin(), other.numbers().end()) {}
+        : numbers_(other.numbers().begin(), other.numbers().end()), rules_(&written) {}
 
     bool empty() const { return numbers_.empty(); }
     /// Groups of times, one after the other: the period with which they are repeated (0: not at all), how many, they.
     const std::vector<Scalar>& numbers() const { return numbers_; }
-    std::vector<Scalar>& numbers() { return numbers_; }
+    std::vector<Scalar>& numbers() {
+        rules_ = &written;
+        return numbers_;
+    }
     /// Takes in others.
     void add(const break_times& more) {
+        rules_ = &written;
         numbers_.insert(numbers_.end(), more.numbers_.begin(), more.numbers_.end());
     }
     template <class Times>
     void add_group(const Scalar& period, const Times& times) {
+        rules_ = &written;
         const std::size_t at = numbers_.size();
         numbers_.push_back(period);
         numbers_.push_back(Scalar(0));
@@ -63,28 +68,45 @@ class break_times {
 
     /// The first one beyond t on the way to `end`, which is `end` where there is none before.
     Scalar next(const Scalar& t, const Scalar& end) const {
+        return rules_ ? rules_->next(*this, t, end) : end;
+    }
+    bool contains(const Scalar& t) const { return rules_ && rules_->contains(*this, t); }
+
+    /// Throws std::invalid_argument, which begins with `who`, where times are not finite or not in order, and where they are
+    /// repeated with a period that t does not resolve between t0 and t1. With `inside` all have to lie there.
+    void validate(const char* who, const Scalar& t0, const Scalar& t1, bool inside) const {
+        if (rules_) rules_->validate(*this, who, t0, t1, inside);
+    }
+
+  private:
+    /// What is asked of times, by pointers that are set where times are written: a program that writes none has no code of it.
+    struct rules {
+        Scalar (*next)(const break_times&, const Scalar& t, const Scalar& end);
+        bool (*contains)(const break_times&, const Scalar& t);
+        void (*validate)(const break_times&, const char* who, const Scalar& t0, const Scalar& t1,
+                         bool inside);
+    };
+
+    static Scalar find_next(const break_times& times, const Scalar& t, const Scalar& end) {
         Scalar nearest = end;
         const bool up = t < end;
-        each_near(t, [&](const Scalar& x) {
+        times.each_near(t, [&](const Scalar& x) {
             if (up ? t < x && x < nearest : t > x && x > nearest) nearest = x;
         });
         return nearest;
     }
-    bool contains(const Scalar& t) const {
+    static bool find(const break_times& times, const Scalar& t) {
         bool found = false;
-        each_near(t, [&](const Scalar& x) { found = found || x == t; });
+        times.each_near(t, [&](const Scalar& x) { found = found || x == t; });
         return found;
     }
-
-    /// Throws std::invalid_argument, which begins with `who`, where times are not finite or not in order, and where they are
-    /// repeated with a period that t does not resolve between t0 and t1. With `inside` all have to lie there.
-    [[gnu::noinline, gnu::cold]] void validate(const char* who, const Scalar& t0, const Scalar& t1,
-                                               bool inside) const {
+    static void check(const break_times& times, const char* who, const Scalar& t0, const Scalar& t1,
+                      bool inside) {
         const auto demand = [&](bool good, const char* what) {
             if (!good) throw std::invalid_argument(std::string(who) + what);
         };
         const Scalar low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
-        each_group([&](const Scalar& period, const Scalar* x, std::size_t n) {
+        times.each_group([&](const Scalar& period, const Scalar* x, std::size_t n) {
             for (std::size_t i = 0; i < n; ++i) demand(x[i] - x[i] == Scalar(0), " must be finite");
             for (std::size_t i = 1; i < n; ++i)
                 demand(n < 2 || (x[0] < x[1] ? x[i - 1] < x[i] : x[i - 1] > x[i]),
@@ -102,8 +124,6 @@ class break_times {
             }
         });
     }
-
-  private:
     template <class Visit>
     void each_group(const Visit& visit) const {
         for (std::size_t at = 0; at < numbers_.size();) {
@@ -133,7 +153,10 @@ class break_times {
         });
     }
 
+    static constexpr rules written{&find_next, &find, &check};
+
     std::vector<Scalar> numbers_;
+    const rules* rules_ = nullptr;
 };
 
 /// Optional: `problem.break_points()` returns the times at which f jumps or has a kink: a std::vector, a break_times, or
