@@ -1,7 +1,7 @@
 """One page for each header that has a public documented name, and an index of the names.
 
-The text is that of the `///` comments and the declarations are those of the header, both as they stand there. (Breathe 4.34,
-Debian's, has no concepts, and Doxygen reads the comments as its own markup: f_y' and a < b come out of it changed.)
+The text is that of the `///` comments and the declarations are those of the header, both as they stand there. (Doxygen gives
+y' and a < b in comments meanings of its own markup.)
 """
 import pathlib
 import re
