@@ -11,6 +11,8 @@ struct attempt : stagecraft::step_facts<double> {
     double across = 1;                      ///< ratio across a jump
     double between = 0, output = 0, sign = 0;
     int spots = 0, spot_power = 3;
+    bool watched = false;  ///< an observer looks between the ends, and M is singular
+    double watched_output = 0, watched_between = 0;
     bool constant_slope = false, identity = true, from_start = false;
     int asked = 0;
 
@@ -43,6 +45,15 @@ struct attempt : stagecraft::step_facts<double> {
     double output_error() {
         ++asked;
         return output;
+    }
+    bool is_watched_between() const { return watched; }
+    double watched_output_error() {
+        ++asked;
+        return watched_output;
+    }
+    double watched_error_between(bool all) {
+        ++asked;
+        return all ? between : watched_between;
     }
     double error_between_nodes() {
         ++asked;

@@ -241,6 +241,27 @@ BOOST_AUTO_TEST_CASE(with_continuous_the_error_between_the_ends_counts_in_full) 
     BOOST_TEST(step.asked == before);
 }
 
+BOOST_AUTO_TEST_CASE(between_the_ends_an_observer_brings_the_algebraic_components_and_a_kink_counts) {
+    attempt step = step_of(0.1);
+    step.stages = 3;
+    step.output = 0.9, step.watched_output = 0.7;
+    step.between = 9.5, step.watched_between = 7.5;
+    auto nobody = started<sc::output_guard<double>>();
+    BOOST_TEST(nobody.look(step, 0.5) == 0.5);
+    BOOST_TEST(step.asked == 0);
+    step.watched = true;
+    BOOST_TEST(nobody.look(step, 0.5) ==
+               7.5);  // of the algebraic components alone, more than ten times as much
+    auto all = started<sc::output_guard<double>>({.continuous = true});
+    BOOST_TEST(all.look(step, 0.5) == 9.5);
+    step.between = 8.5;  // it does not contradict the coefficients
+    BOOST_TEST(all.look(step, 0.5) == 0.9);
+    step.watched_output = 3;  // refused already: nothing more is measured
+    const int before = step.asked;
+    BOOST_TEST(nobody.look(step, 0.5) == 3.0);
+    BOOST_TEST(step.asked == before + 1);
+}
+
 BOOST_AUTO_TEST_CASE(a_first_step_is_judged_between_its_nodes_and_no_other_is) {
     sc::first_step_guard<double> guard;
     attempt step = step_of(0.1);
