@@ -282,6 +282,9 @@ class integrator {
             linear_.evaluate(system_, t_, y_, f_.value(), h, has_output_ ? output_ : nullptr, ahead, options_,
                              y1_);
             judge_.linearised();
+            if constexpr (!system_type::mass_type::identity)
+                if (first() && watched_.any() && !constraints_determine(system_, options_.rtol))
+                    watched_.forget();
         }
         const auto slope = [&]() -> const Vector& { return f_.left(system_, t_, y_); };
         if (first() && refused().all == 0 && !method.forgets())

@@ -36,6 +36,8 @@ class watched_components {
         }
     }
     bool any() const { return any_; }
+    /// They are of a higher index than is said: no step is small enough for their errors between the ends.
+    void forget() { any_ = false; }
 
     /// The root mean square over these components alone.
     template <class Sums>
