@@ -36,7 +36,7 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
     stagecraft::status ended = status::success;
     try {
         if constexpr (!std::is_same_v<std::remove_cv_t<Observer>, no_observer>)
-            if (begins)
+            if (begins && run.status() == status::success)
                 run.between_steps([&] {
                     change(observer, run, start);
                     return !ends_at_start(observer);
