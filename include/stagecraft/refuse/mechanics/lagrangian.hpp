@@ -15,8 +15,8 @@ class lagrangian_energies;
 
 namespace detail {
 
-/// A model in place of one that has been refused.
-template <int Coordinates, bool Constrained>
+/// A model in place of one that has been refused. Of a `Kinetic` energy, so that no model is asked for before there is a call.
+template <int Coordinates, bool Constrained, class Kinetic>
 auto refused_lagrangian() {
     using parts = lagrangian_parts<refused_energy, refused_energy, refused_energy, no_forces>;
     if constexpr (Constrained)
@@ -82,7 +82,7 @@ requires(!detail::given_to_lagrangian<Coordinates, Constraints, Kinetic, Potenti
                   "lagrangian<n, m>: the constraint must return m rows, or a number where m is 1");
     constexpr bool constrained = (Constraints > 0 && !given::missing) ||
                                  std::is_invocable_v<const First&, const typename given::vector&>;
-    return detail::refused_lagrangian<Coordinates, constrained>();
+    return detail::refused_lagrangian<Coordinates, constrained, Kinetic>();
 }
 
 /// Both numbers are missing.
@@ -91,7 +91,7 @@ auto lagrangian(const Kinetic&, const Parts&...) {
     static_assert(detail::never<Kinetic>,
                   "lagrangian<n, m>(T, V, constraint): give n, the number of coordinates, and m, that of "
                   "constraints; lagrangian<n>(T, V) has none");
-    return detail::refused_lagrangian<2, true>();
+    return detail::refused_lagrangian<2, true, Kinetic>();
 }
 
 }  // namespace stagecraft
