@@ -5,8 +5,10 @@
 #include <array>
 #include <optional>
 #include <stagecraft/tableaux/nodal.hpp>
+#include <stagecraft/tableaux/range.hpp>
 #include <stagecraft/tableaux/roots.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
+#include <stagecraft/tableaux/sturm.hpp>
 #include <stagecraft/theory/export/coq_statement.hpp>
 #include <string>
 #include <utility>
