@@ -5,10 +5,12 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <stagecraft/bvp/judge/growing_period.hpp>
 #include <stagecraft/bvp/judge/kernel_judge.hpp>
 #include <stagecraft/bvp/judge/lifting_pass.hpp>
 #include <stagecraft/bvp/judge/mesh_judge.hpp>
 #include <stagecraft/bvp/judge/mesh_refinement.hpp>
+#include <stagecraft/bvp/judge/multiplier_judge.hpp>
 #include <stagecraft/bvp/judge/newton_damping.hpp>
 #include <utility>
 #include <vector>
@@ -511,4 +513,44 @@ BOOST_AUTO_TEST_CASE(error_estimate_lifts_again_where_the_error_left_between_mes
     BOOST_TEST(!lifts_again(1e-9, 1e-9, 1.0, 1e-8));  // beside the tolerance
     BOOST_TEST(!lifts_again(1e-3, 1e-1, 1.0, 1e-8));  // beside the error at the mesh point
     BOOST_TEST(!lifts_again(1e-3, 1e-3, 1e6, 1e-8));  // of a large y
+}
+
+BOOST_AUTO_TEST_CASE(multiplier_judge_decides_by_what_is_known_better_than_its_distance) {
+    using of = multiplier_judge<double>;
+    BOOST_TEST(of::known(0.5, 0.4));
+    BOOST_TEST(!of::known(0.5, 0.6));
+    BOOST_TEST(of::known(1e-9, 1e-7));  // near the circle, on whichever side
+    BOOST_TEST(!of::known(1, none));
+    BOOST_TEST(!of::known(1, std::nan("")));
+    BOOST_TEST(!of::lost(0.05));
+    BOOST_TEST(of::lost(1.0068));
+    BOOST_TEST(of::lost(std::nan("")));
+}
+
+BOOST_AUTO_TEST_CASE(growing_period_is_unbounded_where_orbits_keep_the_law_of_a_saddle) {
+    // T = -(1/in + 1/out) ln(distance), p = 2 + distance^2.
+    const auto orbits = [](double steps, double in, double out, double at) {
+        growing_period<double> periods;
+        for (const double T : {at - 2 * steps, at - steps, at}) {
+            const double distance = std::exp(-T / (1 / in + 1 / out));
+            periods.add({T, 2 + distance * distance, distance, in, out});
+        }
+        return periods;
+    };
+    BOOST_TEST(orbits(1, 3, 7, 10).unbounded(1e-6));
+    BOOST_TEST(orbits(5, 0.3, 7, 50).unbounded(1e-6));
+    BOOST_TEST(!orbits(1, 3, 7, 4).unbounded(1e-6));     // p still moves
+    BOOST_TEST(!orbits(0.1, 3, 7, 10).unbounded(1e-6));  // the orbits hardly come closer, so far
+    BOOST_TEST(!orbits(-1, 3, 7, 10).unbounded(1e-6));   // they go away
+    BOOST_TEST(!growing_period<double>().unbounded(1));
+    // In a canard explosion p stays and T grows, but there is no saddle, or orbits come no closer to it by the law.
+    const auto canard = [](double in, bool closer) {
+        growing_period<double> periods;
+        for (int k = 0; k < 3; ++k) periods.add({3.0 + k, 1, closer ? 1e-4 * std::exp(-k) : 1e-4, in, 2});
+        return periods.unbounded(1e-6);
+    };
+    BOOST_TEST(canard(2, true));
+    BOOST_TEST(!canard(2, false));
+    BOOST_TEST(!canard(0, true));
+    BOOST_TEST(!canard(0.1, true));  // T grows ten times as slowly
 }

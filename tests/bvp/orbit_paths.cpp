@@ -30,8 +30,10 @@ constexpr double pi = 3.14159265358979323846;
 /// `rate` turn by half a turn: multipliers 1, -e^(2 pi p), -e^(2 pi rate).
 /// spiral: the unit circle again, and two components with rates p +- 0.3 i.
 /// pair: two components with rates p and rate, uncoupled.
+/// loop: x'' = x - x^2 - x' (H - p), H = x'^2/2 - x^2/2 + x^3/3: cycles H = p from the centre, p = -1/6, to the loop, p = 0.
+/// canard: van der Pol's equation with a constant drive, x' = (y - x^3/3 + x)/rate, y' = p - x.
 struct family {
-    enum { planar, moebius, spiral, pair, roessler, brusselator, focus } which = planar;
+    enum { planar, moebius, spiral, pair, roessler, brusselator, focus, lorenz, loop, canard } which = planar;
     double rate = 1;
 
     template <class T, class Y, class P>
@@ -59,6 +61,14 @@ struct family {
             f[0] = 0.6 * du - 0.8 * dv;
             f[1] = 0.8 * du + 0.6 * dv;
             f[2] = y[0] - 3 * y[2];
+        } else if (which == lorenz) {
+            f[0] = 10. * (y[1] - y[0]), f[1] = p[0] * y[0] - y[1] - y[0] * y[2];
+            f[2] = y[0] * y[1] - 8. / 3 * y[2];
+        } else if (which == loop) {
+            const auto H = (y[1] * y[1] - y[0] * y[0]) / 2 + y[0] * y[0] * y[0] / 3;
+            f[0] = y[1], f[1] = y[0] - y[0] * y[0] - y[1] * (H - p[0]);
+        } else if (which == canard) {
+            f[0] = (y[1] - y[0] * y[0] * y[0] / 3 + y[0]) / rate, f[1] = p[0] - y[0];
         } else if (which == roessler) {
             f[0] = -y[1] - y[2];
             f[1] = y[0] + 0.2 * y[1];
@@ -250,6 +260,63 @@ BOOST_AUTO_TEST_CASE(
     BOOST_TEST(of_kind(real, sc::point_kind::torus).empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_period_that_grows_without_bound_ends_a_path_in_the_homoclinic_orbit) {
+    // Lorenz' cycles have positive multipliers all along; born at r = 24.7368 they are guessed by the linearised equation near
+    // there. The homoclinic orbit lies at 13.926557407520 (Kuznetsov 2004, section 6.4, gives 13.926).
+    const double r = 24.5, x = std::sqrt(8. / 3 * (r - 1));
+    const auto linear = [=](double, const VectorXd& y, VectorXd& f) {
+        const double a = y[0] - x, b = y[1] - x, c = y[2] - r + 1;
+        f.resize(3);
+        f << 10 * (b - a), a - b - x * c, x * (a + b) - 8. / 3 * c;
+    };
+    VectorXd start(3);
+    start << x + 2.5, x + 2.5, r - 1;
+    const family f{family::lorenz};
+    for (const double rtol : {1e-6, 1e-8, 1e-10}) {
+        const auto guess = sc::last_return(sc::radau_iia<3>(), linear, start, 0.0, 3.0);
+        const auto all = sc::orbit_continuation(sc::gauss<4>(), f, guess,
+                                                {.from = r, .to = 10, .rtol = rtol, .max_points = 150});
+        const auto& end = all.back();
+        BOOST_TEST(sc::name(end.kind) == std::string("homoclinic orbit"));
+        BOOST_TEST(end.ok());
+        BOOST_TEST(std::abs(end.p[0] - 13.926557407520) <= 15 * rtol);
+        BOOST_TEST(end.message.find("the period grows without bound at p = 13.92656") == 0U);
+        for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+            BOOST_TEST(all[k].ok());
+            BOOST_TEST(sc::name(all[k].kind) == std::string("regular"));
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_of_the_plane_is_found_and_a_canard_is_none) {
+    const family loop{family::loop}, canard{family::canard, 0.2};
+    VectorXd start(2);
+    start << 1.5, 0;
+    const auto cycles = sc::orbit_continuation(sc::gauss<4>(), loop, guess_for(loop, -0.1, start, 400),
+                                               {.from = -0.1, .to = 1, .max_points = 100});
+    BOOST_TEST(sc::name(cycles.back().kind) == std::string("homoclinic orbit"));
+    BOOST_TEST(std::abs(cycles.back().p[0]) <= 1e-10);
+    BOOST_TEST(cycles.size() < 60U);
+    const auto relaxing = sc::orbit_continuation(sc::gauss<4>(), canard, guess_for(canard, 0.9, start, 20),
+                                                 {.from = 0.9, .to = 1.1, .rtol = 1e-6, .max_points = 100});
+    BOOST_TEST(of_kind(relaxing, sc::point_kind::homoclinic).empty());
+    BOOST_TEST(sc::name(relaxing.back().kind) == std::string("Hopf point"));
+}
+
+BOOST_AUTO_TEST_CASE(multipliers_below_what_a_double_holds_are_known_by_their_logarithms) {
+    const double strong = -1577.3 / (2 * pi), weak = std::log(1e-5) / (2 * pi);  // e^-1577.3 = 1e-685
+    const at_parameter f{{family::moebius, strong}, parameter(weak)};
+    const auto orbit = sc::periodic_orbit(sc::gauss<5>(), f, guess_for(f.f, weak, on_the_circle(3), 20));
+    BOOST_TEST(orbit.ok());
+    BOOST_TEST_REQUIRE(orbit.multipliers.size() == 3U);
+    const auto& least = orbit.multipliers.back();
+    BOOST_TEST(std::abs(least.value) == 0);
+    BOOST_TEST(least.error > 0);
+    BOOST_TEST(std::abs(least.logarithm.real() + 1577.3) <= 10 * least.logarithm_error);
+    BOOST_TEST(least.logarithm_error <= 1e-6);
+    BOOST_TEST(std::abs(std::abs(least.logarithm.imag()) - pi) <= 1e-6);
+}
+
 BOOST_AUTO_TEST_CASE(multipliers_1e_5_and_1e_30_keep_their_relative_error) {
     const double strong = std::log(1e-30) / (2 * pi), weak = std::log(1e-5) / (2 * pi);
     const at_parameter f{{family::moebius, strong}, parameter(weak)};
@@ -290,7 +357,9 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_products_complex_pairs_far_below_1_and_close
             const auto& next = frames[static_cast<std::size_t>((k + 1) % L)];
             factors.push_back(next * step * frames[static_cast<std::size_t>(k)].inverse());
         }
-        const auto values = sc::detail::product_eigenvalues(factors);
+        std::vector<std::complex<double>> values;
+        for (const auto& m : sc::detail::product_logarithms(factors))
+            values.push_back(sc::detail::number_of(m));
         const auto turned = std::polar(tiny ? 1e-30 : 1.0, 4.0);
         const auto first = values[tiny ? 2 : 0];
         BOOST_TEST(std::abs(std::complex(first.real(), -std::abs(first.imag())) - turned) <

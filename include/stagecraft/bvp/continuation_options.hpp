@@ -6,14 +6,15 @@
 namespace stagecraft {
 
 /// The kind of a point of a path. Beside regular points: where the parameter turns back, where two paths cross, and on
-/// paths of periodic orbits where a multiplier passes -1 or a pair of complex ones the unit circle, and the equilibrium to
-/// which the orbits shrink in the end (orbit_continuation).
-enum class point_kind { regular, fold, branch_point, period_doubling, torus, hopf };
+/// paths of periodic orbits where a multiplier passes -1 or a pair of complex ones the unit circle, the equilibrium to
+/// which the orbits shrink in the end, and the homoclinic orbit towards which their period grows without bound
+/// (orbit_continuation).
+enum class point_kind { regular, fold, branch_point, period_doubling, torus, hopf, homoclinic };
 
 /// The kind as words.
 constexpr const char* name(point_kind k) {
-    constexpr const char* names[] = {"regular",         "fold",  "branch point",
-                                     "period doubling", "torus", "Hopf point"};
+    constexpr const char* names[] = {"regular", "fold",       "branch point",    "period doubling",
+                                     "torus",   "Hopf point", "homoclinic orbit"};
     return names[static_cast<int>(k)];
 }
 

@@ -137,6 +137,11 @@ struct call_of_orbit_continuation {
 /// equilibrium, its period 2 pi/omega, +- i omega being the eigenvalues of f_y there, two of its multipliers are 1, and p is as
 /// accurate as f_y, which automatic differentiation gives to rounding errors and differences to about 1e-8. It may
 /// lie beyond `to`.
+///
+/// Where the period grows without bound (the orbits pass a saddle ever more closely, and p stays, Kuznetsov 2004, section 6.2)
+/// the path ends with a point of the kind `homoclinic`, whose p is that of the homoclinic orbit to the tolerance. A special
+/// point counts only where the multipliers that decide it are known better than to their distance from the unit circle; where
+/// none is found near 1, they are lost to rounding errors, and the path ends with the status tolerance_not_met.
 template <class Scalar, int S, class Rhs, class Vector>
 requires detail::right_hand_side_of_path<Rhs, Scalar, Vector> std::vector<orbit_point<Vector>>
 orbit_continuation(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,

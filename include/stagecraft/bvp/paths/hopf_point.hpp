@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/bvp/paths/equilibrium.hpp>
 #include <stagecraft/bvp/paths/multipliers.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/observe/solution.hpp>
@@ -56,19 +56,19 @@ class hopf_search {
     scalar change{0};  ///< of p in the last step: how far p may be off
     std::vector<floquet_multiplier<scalar>> multipliers;
 
-    explicit hopf_search(functions& system) : n_(system.size()), system_(system) {}
+    explicit hopf_search(functions& system) : n_(system.size()), rest_(system) {}
 
     /// From an equilibrium near `from` at `first`, where orbits nearby take `turn` to come round; the Hopf point is
     /// expected at `second`.
     bool run(const Vector& from, const scalar& turn, const scalar& first, const scalar& second) {
         using std::abs;
-        y = from, p = first, omega_ = full_turn() / turn;
+        rest_.y = from, p = first, omega_ = full_turn() / turn;
         scalar before(0), growth_before(0), growth(0);
-        if (!equilibrium() || !pair(growth_before)) return false;
+        if (!rest_.find(p) || !pair(growth_before)) return false;
         before = std::exchange(p, second);
         if (p == before) p += scalar(1e-4) * (1 + abs(p));
         for (int k = 0; k < 30; ++k) {
-            if (!equilibrium() || !pair(growth)) return false;
+            if (!rest_.find(p) || !pair(growth)) return false;
             const scalar step = growth * (p - before) / (growth - growth_before);
             // Where steps no longer shrink, or growth stays as it was, rounding errors decide.
             if (growth == growth_before || (k > 2 && abs(step) >= change / 2)) break;
@@ -77,7 +77,7 @@ class hopf_search {
             growth_before = growth;
             if (change <= 4 * std::numeric_limits<scalar>::epsilon() * abs(p)) break;
         }
-        period = full_turn() / omega_;
+        y = rest_.y, period = full_turn() / omega_;
         if (!(change - change == scalar(0))) return false;
         find_multipliers();
         return true;
@@ -104,29 +104,9 @@ class hopf_search {
         return 8 * atan(scalar(1));
     }
 
-    /// Newton's iteration for f(y, p) = 0 at fixed p.
-    bool equilibrium() {
-        using std::isfinite;
-        scalar last = std::numeric_limits<scalar>::infinity();
-        for (int k = 0; k < 30; ++k) {
-            const Vector f = system_.f(scalar(0), y, Parameters(scalar(1), p)).head(n_);
-            f_y_ = system_.jacobian(scalar(0)).topLeftCorner(n_, n_);
-            const Vector step = f_y_.partialPivLu().solve(f);
-            const scalar size = step.norm();
-            if (!(size < scalar(10) * (1 + y.norm()))) return false;
-            y -= step;
-            const bool small = size <= scalar(1e-6) * (1 + y.norm());
-            if (size == scalar(0) || (small && size >= last / 2)) return true;
-            last = size;
-        }
-        return false;
-    }
-
     /// The eigenvalues at the equilibrium; those nearest to i omega are the pair.
     bool pair(scalar& growth) {
-        system_.f(scalar(0), y, Parameters(scalar(1), p));
-        f_y_ = system_.jacobian(scalar(0)).topLeftCorner(n_, n_);
-        const Eigen::EigenSolver<dense> solver(f_y_, false);
+        const Eigen::EigenSolver<dense> solver(rest_.f_y, false);
         if (solver.info() != Eigen::Success) return false;
         values_.assign(solver.eigenvalues().data(), solver.eigenvalues().data() + n_);
         const complex nearest =
@@ -142,15 +122,15 @@ class hopf_search {
         const scalar epsilon = std::numeric_limits<scalar>::epsilon();
         for (const complex& value : values_) {
             const complex factor = std::exp(value * period);
-            multipliers.push_back({factor, (100 * epsilon + period * change) * std::abs(factor)});
+            const scalar error = 100 * epsilon + period * change;
+            multipliers.push_back({factor, error * std::abs(factor), value * period, error});
         }
         std::sort(multipliers.begin(), multipliers.end(),
                   [](const auto& a, const auto& b) { return std::abs(a.value) > std::abs(b.value); });
     }
 
     int n_;
-    functions& system_;
-    dense f_y_;
+    equilibrium<Vector, Parameters, functions> rest_;
     std::vector<complex> values_;
     scalar omega_{0};
 };

@@ -14,6 +14,7 @@
 #include <stagecraft/bvp/continuation_options.hpp>
 #include <stagecraft/bvp/instances.hpp>
 #include <stagecraft/bvp/paths/branch_point.hpp>
+#include <stagecraft/bvp/paths/homoclinic_end.hpp>
 #include <stagecraft/bvp/paths/hopf_point.hpp>
 #include <stagecraft/bvp/paths/multipliers.hpp>
 #include <stagecraft/bvp/paths/path_problem.hpp>
@@ -41,7 +42,7 @@ class path_follower {
 
     std::vector<state> run(const guess_type& guess, const Parameters& p) {
         state now;
-        if (!first(guess, p, now)) return {now};
+        if (!first(guess, p, now) || loses_multipliers(now)) return {now};
         std::vector<state> path{now};
         if ((now.slope() < Scalar(0)) == (o_.to > o_.from)) now.turn();
         path.back() = now;
@@ -70,6 +71,7 @@ class path_follower {
             for (state& s : special) path.push_back(std::move(s));
             if (path.back().kind == point_kind::hopf) return path;
             path.push_back(next);
+            if (loses_multipliers(path.back()) || becomes_homoclinic(path.back())) return path;
             before = std::move(now);
             now = std::move(next);
             last_step = step;
@@ -146,6 +148,29 @@ class path_follower {
         return true;
     }
 
+    /// Marks a point where the multipliers are lost (judge/multiplier_judge.hpp).
+    bool loses_multipliers(state& point) const {
+        if constexpr (orbits) {
+            if (!trivial_is_lost(point.multipliers)) return false;
+            point.status = bvp_status::tolerance_not_met;
+            point.message = words_of_lost(point.multipliers);
+            return true;
+        }
+        return false;
+    }
+    /// Marks a point where the period grows without bound (judge/growing_period.hpp).
+    bool becomes_homoclinic(state& point) {
+        if constexpr (orbits) {
+            const auto functions = problem_.with({}, n_, static_cast<int>(point.p.size()));
+            periods_.add(passage_of<Vector>(*functions, point.y, point.p, point.mesh));
+            if (!periods_.unbounded(o_.rtol)) return false;
+            point.kind = point_kind::homoclinic;
+            point.message = words_of_homoclinic(point.p[1]);
+            return true;
+        }
+        return false;
+    }
+
     /// Finds what lies between two points, in the order of the path. False where these are on different paths: a test
     /// changes its sign between them, but vanishes at no fold and no branch point. Where a crossing could not be located,
     /// nobody knows; then `last` says that smaller steps will not tell.
@@ -162,6 +187,7 @@ class path_follower {
                 return true;
             }
             if (!problem_.crosses(Vector(l.next.x.head(n_)), l.next.p)) return false;
+            if (trivial_is_lost(l.next.multipliers)) return true;  // what changes its sign is noise
         }
         const auto fold = [](const state& s) { return s.slope(); };
         if (fold(l.now) * fold(l.next) < Scalar(0)) {
@@ -182,10 +208,12 @@ class path_follower {
         }
         if constexpr (orbits) {
             const auto doubling = [](const state& s) { return doubling_test(s.multipliers); };
-            if (doubling(l.now) * doubling(l.next) < Scalar(0))
+            if (doubling(l.now) * doubling(l.next) < Scalar(0) && decides_doubling(l.now.multipliers) &&
+                decides_doubling(l.next.multipliers))
                 found.push_back(locate(l, doubling, o_.rtol, point_kind::period_doubling));
             const auto torus = [](const state& s) { return torus_test(s.multipliers); };
-            if (torus(l.now) * torus(l.next) < Scalar(0)) {
+            if (torus(l.now) * torus(l.next) < Scalar(0) && decides_torus(l.now.multipliers) &&
+                decides_torus(l.next.multipliers)) {
                 state near = locate(l, torus, o_.rtol, point_kind::torus);
                 if (on_unit_circle(near.multipliers)) found.push_back(std::move(near));
             }
@@ -351,6 +379,7 @@ class path_follower {
     Scalar a_, b_;
     continuation_options<Scalar> o_;
     Scalar rtol_;
+    growing_period<Scalar> periods_;
     int n_ = 0;
 };
 
