@@ -23,7 +23,7 @@ inline stagecraft::theory::file_certificate certify_file(const std::string& path
 /// theory::certify of a method of one or several tableaux; partners are files relative to `folder`.
 inline stagecraft::theory::file_certificate certify_method(std::string_view text,
                                                            const std::string& folder = ".") {
-    return stagecraft::theory::certify(stagecraft::tableaux::read_method(text, {}, folder));
+    return stagecraft::theory::certify(stagecraft::tableaux::read_method_text(text, {}, folder));
 }
 /// theory::certify_text: what the command prints, and its exit code.
 inline int exit_code(std::string_view text, bool as_json, std::string& out, std::string& err,

@@ -77,9 +77,9 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
                                         const Eigen::MatrixBase<Derived>& y0,
                                         const typename Given::scalar& t0, const typename Given::scalar& t1,
                                         const options<typename Given::scalar>& o, Observer& observer) {
-    if constexpr (Given::returns && Given::same_size && Given::object) {
+    if constexpr (Given::returns && Given::same_size && Given::object && Given::explicit_usable) {
         return integrate(method, Given::writing(problem), y0, t0, t1, o, observer);
-    } else if constexpr (Given::good && Given::observed) {
+    } else if constexpr (Given::good && Given::observed && Given::explicit_usable) {
         using vector = typename Given::vector;
         using run_type = integrator<Method, Problem, vector>;
         o.break_points.validate("integrate: break_points", t0, t1, true);
@@ -98,12 +98,13 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
 
 /// Integrates M y' = f(t, y), y(t0) = y0 to t1, in either direction of time.
 ///
-/// method   One of three kinds. (1) A transformed_tableau (its A is regular: Radau IA/IIA, Gauss, Lobatto
+/// method   One of four kinds. (1) A transformed_tableau (its A is regular: Radau IA/IIA, Gauss, Lobatto
 ///          IIIC), e.g. radau_iia<3>() from coefficients/radau_iia.hpp, with the number of stages known at
 ///          compile time or at run time. (2) A variable_order set, which chooses among such methods. (3) Any
 ///          tableau: the stages of explicit and of diagonally implicit methods are solved one by one, those of
 ///          the others together, in real and complex blocks where A has a basis of eigenvectors. Adaptive
-///          steps of a tableau need its b_embedded (or method/step_doubling.hpp).
+///          steps of a tableau need its b_embedded (or method/step_doubling.hpp). (4) additive(explicit_part,
+///          implicit_part) of additive.hpp, for a problem in two parts.
 /// problem  Anything that can be called as problem(t, y, f) and writes f, or as problem(t, y) and returns it (then a
 ///          copy of it is called). Optional members are detected:
 ///          jacobian(t, y, J), mass(), index(), constant_jacobian(), second_order_components, bandwidth(),
@@ -161,6 +162,15 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
     static_assert(given::same_scalar,
                   "integrate: method and y0 must have the same scalar type: y0 is Eigen::Vector3d, say, "
                   "for a method in double");
+    static_assert(given::problem_in_parts,
+                  "integrate: an additive method takes a problem in two parts: write split(f_explicit, "
+                  "f_implicit) in the place of the problem");
+    static_assert(given::method_for_parts,
+                  "integrate: the problem is split(f_explicit, f_implicit), which additive(explicit_part, "
+                  "implicit_part) takes; for another method write their sum as one f");
+    static_assert(given::explicit_usable,
+                  "integrate: f_explicit of split(f_explicit, f_implicit) must be callable as f(t, y, f), f "
+                  "by reference, or as f(t, y), with vectors of the type of y0");
     static_assert(given::column,
                   "integrate: y0 must be a column vector, Eigen::VectorXd or Eigen::Vector3d, say; a "
                   "matrix is one as Y.reshaped(), and in f an Eigen::Map of y.data() is the matrix again");

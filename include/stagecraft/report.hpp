@@ -47,7 +47,8 @@ enum class unsolved_because : unsigned char {
 /// `rejected_newton` (stage equations not solved, singular matrix or non-finite values).
 /// `f` counts evaluations of the right-hand side outside of the Jacobian, `f_jacobian` those that finite
 /// differences or automatic differentiation spent on it, or on its products with vectors (problem/matrix_free.hpp):
-/// together these are all calls of f. A factorisation is one set of real and complex
+/// together these are all calls of f. Of a problem in two parts (problem/split.hpp) `f` counts both, `f_explicit` and
+/// `f_implicit` each by itself. A factorisation is one set of real and complex
 /// blocks; `solves` counts such sets as well (one per Newton iteration), `error_solves` those of the error
 /// estimate. Diagonally implicit methods iterate stage by stage, so a set of theirs is one system of size n.
 /// `linear_iterations` counts those of linear solvers that iterate, `linear_failures` the systems which these could not
@@ -58,6 +59,7 @@ struct report {
     long rejected_error = 0;
     long rejected_newton = 0;
     long f = 0;
+    long f_explicit = 0, f_implicit = 0;  ///< of split(f_explicit, f_implicit); else 0
     long f_jacobian = 0;
     long jacobians = 0;
     long factorisations = 0;
@@ -82,8 +84,9 @@ struct report {
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>
     void carry(Bag& bag) {
-        bag(steps, rejected_error, rejected_newton, f, f_jacobian, jacobians, factorisations, solves,
-            error_solves, linear_iterations, linear_failures, clipped, linear_trouble);
+        bag(steps, rejected_error, rejected_newton, f, f_explicit, f_implicit, f_jacobian, jacobians,
+            factorisations, solves, error_solves, linear_iterations, linear_failures, clipped,
+            linear_trouble);
         bag(smallest_step, largest_step, largest_stages, smallest_stages);
     }
 
@@ -103,7 +106,8 @@ struct report {
         if (first.steps == 0) return;
         steps += first.steps, rejected_error += first.rejected_error,
             rejected_newton += first.rejected_newton;
-        f += first.f, f_jacobian += first.f_jacobian, jacobians += first.jacobians;
+        f += first.f, f_explicit += first.f_explicit, f_implicit += first.f_implicit;
+        f_jacobian += first.f_jacobian, jacobians += first.jacobians;
         factorisations += first.factorisations, solves += first.solves, error_solves += first.error_solves;
         clipped += first.clipped;
         if (more.steps == 0 || first.smallest_step < smallest_step) smallest_step = first.smallest_step;

@@ -129,7 +129,9 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
     out << " stages\n";
     line("rejected") << r.rejected() << "  " << r.rejected_error << " by the error test, "
                      << r.rejected_newton << " by Newton\n";
-    line("f") << r.f << "  and " << r.f_jacobian << " in Jacobians\n";
+    line("f") << r.f;
+    if (r.f_explicit > 0) out << ", " << r.f_explicit << " explicit and " << r.f_implicit << " implicit";
+    out << "  and " << r.f_jacobian << " in Jacobians\n";
     if (r.clipped > 0) line("clipped") << r.clipped << "  components below zero by less than their atol\n";
     line("Jacobians") << r.jacobians << '\n';
     line("factorisations") << r.factorisations << '\n';

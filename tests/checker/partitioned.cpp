@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(the_symplectic_pairs_are_those_of_the_books) {
 BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_file_is_said_with_line_and_entry) {
     const auto complaint = [](const std::string& text) -> std::string {
         try {
-            tableaux::read_method(text);
+            tableaux::read_method_text(text);
             return "accepted";
         } catch (const tableaux::unusable_input& e) {
             return e.what();

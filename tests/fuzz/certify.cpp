@@ -276,7 +276,7 @@ long double largest_relative_bound(const stagecraft::tableau<uncertain>& t,
 /// Whether the orders that an accepted file of rounded numbers claims could have failed: each condition, looked
 /// at once more by other means, has a bound below its 1/gamma.
 bool could_have_failed(const std::string& text) {
-    const auto method = stagecraft::tableaux::read_method(text);
+    const auto method = stagecraft::tableaux::read_method_text(text);
     const auto* file = std::get_if<stagecraft::tableaux::tableau_file>(&method);
     if (!file || file->kind() <= stagecraft::tableaux::number_kind::quadratic) return true;
     const auto t =

@@ -140,6 +140,13 @@ concept has_domain = requires(Problem& p, const typename Vector::Scalar& t, cons
     { p.domain(t, y) } -> std::convertible_to<bool>;
 };
 
+/// A problem in two parts (problem/split.hpp): problem(t, y, f) is what implicit stages solve for, and
+/// problem.explicit_part(t, y, f) writes the rest of the right-hand side. Only additive methods take it.
+template <class Problem>
+concept in_parts = requires {
+    typename std::remove_const_t<Problem>::explicit_function;
+};
+
 /// Optional: `problem.measure(work)` returns an object that lives as long as that work takes
 /// (problem/time_split.hpp).
 template <class Problem>

@@ -90,6 +90,8 @@ class system
     static constexpr bool automatic =
         !analytic && !structured && automatically_differentiable<Problem, scalar, size_at_compile_time>;
     static constexpr bool finite_difference = !analytic && !automatic;
+    /// There is an explicit_part(); everything else here is about the implicit one.
+    static constexpr bool has_explicit_part = in_parts<Problem>;
     static_assert(linear_solver<blocks, mass_type, matrix, scalar>,
                   "Problem::linear_solver: its types real and complex need a constructor from int, "
                   "factor_shifted(M, J, "
@@ -245,18 +247,37 @@ class system
     [[gnu::noinline]] void evaluate_inside(const scalar& t, const Vector& y, Vector& f) { call(t, y, f); }
     /// The border of the domain of f, once a run has met it.
     border_type& border() { return border_; }
+    /// f := the explicit part at (t, y), counted.
+    void explicit_part(const scalar& t, const Vector& y, Vector& f) const requires has_explicit_part {
+        ++report_.f_explicit;
+        counted(f, [&] { problem_.explicit_part(t, y, f); });
+    }
+    /// Adds the explicit part, where there is one, to f.
+    void add_explicit_part(const scalar& t, const Vector& y, Vector& f) const {
+        if constexpr (has_explicit_part) {
+            Vector part(n_);
+            explicit_part(t, y, part);
+            f += part;
+        }
+    }
 
   private:
     /// f(t, y) itself. NaN where a call has thrown and the other processes have not heard of it yet.
     [[gnu::always_inline]] void call(const scalar& t, const Vector& y, Vector& f) {
+        if constexpr (has_explicit_part) ++report_.f_implicit;
+        counted(f, [&] { problem_(t, y, f); });
+    }
+    /// evaluate(), which writes f.
+    template <class Evaluate>
+    [[gnu::always_inline]] void counted(Vector& f, Evaluate&& evaluate) const {
         ++report_.f;
         expect_written(f);
         if constexpr (sums_type::complete && !has_stopwatch<Problem>) {
-            problem_(t, y, f);
+            evaluate();
             check_size(f);
         } else {
             failure_.keep([&] {
-                measure(work::f, [&] { problem_(t, y, f); });
+                measure(work::f, evaluate);
                 check_size(f);
             });
             if constexpr (!sums_type::complete)

@@ -44,7 +44,16 @@ struct given_arguments {
         else
             return true;
     }();
-    static constexpr bool ready = method_first && same_scalar,
+    /// An additive method and a problem in two parts, or neither.
+    static constexpr bool in_parts_or_not = [] {
+        if constexpr (method_first)
+            return takes_parts<Method> == in_parts<Problem>;
+        else
+            return true;
+    }();
+    static constexpr bool method_for_parts = in_parts_or_not || !in_parts<Problem>,
+                          problem_in_parts = in_parts_or_not || in_parts<Problem>;
+    static constexpr bool ready = method_first && same_scalar && in_parts_or_not,
                           returns = ready && returning_right_hand_side<Problem, Vector>,
                           unseen = !ready || returns, good = !unseen && check::good;
     static constexpr bool same_size = [] {
@@ -58,6 +67,17 @@ struct given_arguments {
             return returns_object<Problem, Vector>;
         else
             return true;
+    }();
+    /// The explicit part can be called, and what it writes arrives.
+    static constexpr bool explicit_usable = [] {
+        if constexpr (ready && in_parts<Problem>) {
+            using part = typename std::remove_const_t<Problem>::explicit_function;
+            return (callable_right_hand_side<part, Vector> &&
+                    writes_into<part, Vector, typename Vector::Scalar, Vector>) ||
+                   returning_right_hand_side<part, Vector>;
+        } else {
+            return true;
+        }
     }();
     static constexpr bool column = unseen || check::column, const_enough = unseen || check::const_enough,
                           callable = unseen || check::callable,

@@ -26,6 +26,7 @@ template <class Step, class System, class Vector, class Scalar>
         else
             method.end_without_value(plan.h, y, y1);
     }
+    if constexpr (System::has_explicit_part) method.end_in_parts(system, plan.t_next, plan.h, y, y1);
     const bool has_output = keeps || method.implicit();
     if (has_output)
         method.finish(t, y, plan.h, y1, now);

@@ -46,7 +46,14 @@ template <class System, class Norm, class Vector>
                                                    const Vector& f, const typename Vector::Scalar& end) {
     using std::abs;
     const weighted_root_mean_square of_state(norm.of_state(), norm.sums());
-    return initial_step(system.mass(), y, f, of_state, typename Vector::Scalar(abs(end - t)));
+    const typename Vector::Scalar span = abs(end - t);
+    if constexpr (System::has_explicit_part) {
+        Vector whole = f;
+        system.add_explicit_part(t, y, whole);
+        return initial_step(system.mass(), y, whole, of_state, span);
+    } else {
+        return initial_step(system.mass(), y, f, of_state, span);
+    }
 }
 
 }  // namespace stagecraft

@@ -161,6 +161,7 @@ class measured_step : public step_facts<typename System::scalar> {
         method_.finish(this->t, y_, this->h, y1_, u);
         const scalar between = this->t + this->h * farthest_from(u.nodes());
         system_.evaluate(between, u(between), error_);
+        system_.add_explicit_part(between, u(between), error_);
         const vector slope = u.derivative(between);
         add_mass_times(system_.mass(), scalar(-1), slope.data(), error_.data(), system_.size());
         counts_.error_solves += method_.solve_for_defect(system_, this->h, error_);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,19 @@
 #include <stagecraft/work.hpp>
 
 namespace stagecraft {
+
+/// What the stages of a method by itself have besides: nothing. (Of additive methods, slopes of another part of f:
+/// stages/explicit_partner.hpp.)
+struct no_partner {
+    static constexpr bool exists = false;
+    template <class Vector, class Scalar>
+    static void add_known(int, const Scalar&, Vector&) {}
+    static constexpr bool needs_slope(int) { return true; }
+    template <class System, class Scalar, class Vector>
+    static bool follow(System&, const Scalar&, const Scalar&, int, const Vector&) {
+        return true;
+    }
+};
 
 /// The stages of an explicit or diagonally implicit method, one after the other. A stage with a_ii = 0 costs
 /// one evaluation of f (and a solve with M), an implicit one a simplified Newton iteration on z_i = Y_i - y
@@ -89,15 +103,16 @@ class sequential_stages {
 
     /// Computes the slopes with the current factors, which may be those of a step of nearly h; Z brings first
     /// guesses of z_i in its columns (if v.guessed) and takes the z_i of
-    /// implicit stages. The outcome is that of the stage with the slowest iteration.
-    template <class System, class Norm, class StageMatrix>
+    /// implicit stages. The outcome is that of the stage with the slowest iteration. `partner` adds what it knows to every
+    /// stage, and takes the stage when it is known.
+    template <class System, class Norm, class StageMatrix, class Partner = no_partner>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                  const Norm& norm, const newton_limits<Scalar>& limits, slopes& v,
-                                 StageMatrix& Z, long& solves) {
+                                 StageMatrix& Z, long& solves, Partner&& partner = {}) {
         const auto& m = v.method;
         const int s = m.stages();
         newton_outcome<Scalar> slowest{newton_end::converged, 1};
-        if constexpr (built_in<Scalar>)
+        if constexpr (built_in<Scalar> && !std::remove_cvref_t<Partner>::exists)
             if (!implicit() && !v.by_value) {
                 if (!evaluate(system, t, y, h, norm.sums(), v)) slowest.end = newton_end::non_finite;
                 return slowest;
@@ -105,13 +120,17 @@ class sequential_stages {
         set_shifts(h);
         for (int i = v.left_stage ? 1 : 0; i < s; ++i) {
             v.combine([&](int j) { return m.A(i, j); }, i, h, r_);
+            partner.add_known(i, h, r_);
             if (block_[i] < 0) {
                 yi_ = y + r_;
-                system(t + m.c[i] * h, yi_, fi_);
-                v.mass.solve(fi_.data());
-                v.k.col(i) = fi_;
+                if (partner.needs_slope(i)) {
+                    system(t + m.c[i] * h, yi_, fi_);
+                    v.mass.solve(fi_.data());
+                    v.k.col(i) = fi_;
+                }
                 if (implicit()) Z.col(i) = r_;
-                if (!all_finite(fi_, n_, norm.sums())) {
+                if ((partner.needs_slope(i) && !all_finite(fi_, n_, norm.sums())) ||
+                    !partner.follow(system, t, h, i, yi_)) {
                     slowest.end = newton_end::non_finite;
                     return slowest;
                 }
@@ -125,7 +144,8 @@ class sequential_stages {
             } else {
                 z_.setZero();
             }
-            const newton_outcome<Scalar> outcome = iterate(system, t, y, h, norm, limits, v, i, solves);
+            const newton_outcome<Scalar> outcome =
+                iterate(system, t, y, h, norm, limits, v, i, solves, partner);
             if (outcome.iterations > slowest.iterations) slowest.iterations = outcome.iterations;
             if (outcome.theta > slowest.theta) slowest.theta = outcome.theta;
             if (outcome.end != newton_end::converged) {
@@ -134,6 +154,13 @@ class sequential_stages {
             }
             Z.col(i) = z_;
             v.k.col(i) = shift_[block_[i]] * (z_ - r_);
+            if constexpr (std::remove_cvref_t<Partner>::exists) {
+                yi_ = y + z_;
+                if (!partner.follow(system, t, h, i, yi_)) {
+                    slowest.end = newton_end::non_finite;
+                    return slowest;
+                }
+            }
             if (i == s - 1) last_ = y + z_;
         }
         return slowest;
@@ -233,10 +260,10 @@ class sequential_stages {
         const std::size_t from = i > 0 ? row_ends_[i - 1] : 0;
         return {terms_.data() + from, row_ends_[i] - from};
     }
-    template <class System, class Norm>
+    template <class System, class Norm, class Partner>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                    const Norm& norm, const newton_limits<Scalar>& limits, const slopes& v,
-                                   int i, long& solves) {
+                                   int i, long& solves, [[maybe_unused]] const Partner& partner) {
         const int b = block_[i];
         newton_monitor<Scalar> monitor(limits);
         while (monitor.may_go_on()) {
@@ -244,7 +271,10 @@ class sequential_stages {
             system(t + v.method.c[i] * h, yi_, fi_);
             d_ = r_ - z_;
             add_mass_times(system.mass(), shift_[b], d_.data(), fi_.data(), n_);
-            if (v.by_value) fi_ -= v.carry[i] * v.left;
+            if constexpr (std::remove_cvref_t<Partner>::exists)
+                partner.take_carried(fi_);
+            else if (v.by_value)
+                fi_ -= v.carry[i] * v.left;
             Scalar residual(0);
             if constexpr (inexact_blocks<Blocks, Scalar>) residual = norm(fi_);
             system.measure(work::solve, [&] {

@@ -28,6 +28,10 @@ struct guarded_method {
 
 namespace detail {
 
+/// The step that serves a method, and the columns its continuous solution may need.
+template <class Method>
+struct step_for;
+
 template <class Scalar, int Stages>
 std::tuple<transformed_tableau<Scalar, Stages>> as_tuple(const transformed_tableau<Scalar, Stages>& m) {
     return std::tuple<transformed_tableau<Scalar, Stages>>(m);
@@ -35,6 +39,15 @@ std::tuple<transformed_tableau<Scalar, Stages>> as_tuple(const transformed_table
 template <class Scalar, int Stages>
 std::tuple<tableau<Scalar, Stages>> as_tuple(const tableau<Scalar, Stages>& m) {
     return std::tuple<tableau<Scalar, Stages>>(m);
+}
+/// A method that brings its own step_for, with a name of its own.
+template <class Method>
+concept named_method = requires {
+    step_for<Method>::named;
+};
+template <named_method Method>
+std::tuple<Method> as_tuple(const Method& m) {
+    return std::tuple<Method>(m);
 }
 template <class... Methods>
 const std::tuple<Methods...>& as_tuple(const variable_order<Methods...>& m) {
@@ -45,9 +58,6 @@ decltype(auto) as_tuple(const guarded_method<Method, Guards>& m) {
     return as_tuple(m.method);
 }
 
-/// The step that serves a method, and the columns its continuous solution may need.
-template <class Method>
-struct step_for;
 template <class Scalar, int Stages>
 struct step_for<transformed_tableau<Scalar, Stages>> {
     static constexpr int columns = Stages;
@@ -100,6 +110,13 @@ template <class Tuple>
 int largest_columns(const Tuple& steps) {
     return std::apply([](const auto&... m) { return std::max({m.columns()...}); }, steps);
 }
+
+/// True of additive methods, which take a problem in two parts.
+template <class Method>
+inline constexpr bool takes_parts = requires {
+    step_for<std::tuple_element_t<
+        0, std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>>>::takes_parts;
+};
 
 }  // namespace detail
 

@@ -54,7 +54,7 @@ struct partitioned_file {
 /// What a message calls the k-th tableau: its name, or its number.
 std::string partner_name(const partitioned_file& file, std::size_t k);
 
-/// The file as JSON that read_method reads.
+/// The file as JSON that read_method_text reads.
 nlohmann::ordered_json to_json(const partitioned_file& file);
 
 }  // namespace stagecraft::tableaux

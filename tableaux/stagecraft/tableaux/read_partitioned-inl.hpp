@@ -124,8 +124,8 @@ STAGECRAFT_INLINE partitioned_file partitioned(const document& d, const reading&
 
 }  // namespace json_reader
 
-STAGECRAFT_INLINE method_file read_method(std::string_view text, const reading& how,
-                                          const std::filesystem::path& folder) {
+STAGECRAFT_INLINE method_file read_method_text(std::string_view text, const reading& how,
+                                               const std::filesystem::path& folder) {
     const auto d = json_reader::parse(text);
     if (json_reader::is_partitioned(d)) return json_reader::partitioned(d, how, folder);
     return json_reader::tableau(d, how);
@@ -134,7 +134,7 @@ STAGECRAFT_INLINE method_file read_method(std::string_view text, const reading& 
 STAGECRAFT_INLINE method_file read_method_file(const std::string& path, const reading& how) {
     const std::string text = text_of_file(path);
     try {
-        return read_method(text, how, std::filesystem::path(path).parent_path());
+        return read_method_text(text, how, std::filesystem::path(path).parent_path());
     } catch (const unusable_input& e) {
         throw unusable_input(path + ": " + e.what());
     }

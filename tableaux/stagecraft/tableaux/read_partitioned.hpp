@@ -32,8 +32,8 @@ using method_file = std::variant<tableau_file, partitioned_file>;
 /// with form "additive", "partitioned" or "separable" and partners that are tableaux or names of files,
 /// relative to `folder`; or {"form":"nystrom", "c", "A_bar", "b_bar", "b", "A", "b_bar_embedded",
 /// "b_embedded", "claims"}, A only where f depends on y'. Throws unusable_input as read_tableau.
-method_file read_method(std::string_view text, const reading& how = {},
-                        const std::filesystem::path& folder = ".");
+method_file read_method_text(std::string_view text, const reading& how = {},
+                             const std::filesystem::path& folder = ".");
 
 /// Reads the file at `path` (text_of_file). Throws unusable_input that names it.
 method_file read_method_file(const std::string& path, const reading& how = {});

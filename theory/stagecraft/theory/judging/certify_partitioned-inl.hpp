@@ -47,7 +47,7 @@ STAGECRAFT_INLINE file_certificate certify(const tableaux::method_file& file) {
 STAGECRAFT_INLINE int certify_text(std::string_view text, bool as_json, std::ostream& out, std::ostream& err,
                                    const tableaux::reading& how) {
     try {
-        const auto certificate = certify(tableaux::read_method(text, how));
+        const auto certificate = certify(tableaux::read_method_text(text, how));
         out << (as_json ? json_text(certificate) : to_text(certificate));
         return certificate.exit_code();
     } catch (const tableaux::unusable_input& e) {
