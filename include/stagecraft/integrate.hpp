@@ -98,13 +98,14 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
 
 /// Integrates M y' = f(t, y), y(t0) = y0 to t1, in either direction of time.
 ///
-/// method   One of four kinds. (1) A transformed_tableau (its A is regular: Radau IA/IIA, Gauss, Lobatto
+/// method   One of six kinds. (1) A transformed_tableau (its A is regular: Radau IA/IIA, Gauss, Lobatto
 ///          IIIC), e.g. radau_iia<3>() from coefficients/radau_iia.hpp, with the number of stages known at
 ///          compile time or at run time. (2) A variable_order set, which chooses among such methods. (3) Any
 ///          tableau: the stages of explicit and of diagonally implicit methods are solved one by one, those of
 ///          the others together, in real and complex blocks where A has a basis of eigenvectors. Adaptive
 ///          steps of a tableau need its b_embedded (or method/step_doubling.hpp). (4) additive(explicit_part,
-///          implicit_part) of additive.hpp, for a problem in two parts.
+///          implicit_part) of additive.hpp, for a problem in two parts. (5) partitioned(first, second) of
+///          partitioned.hpp, for q' = f, p' = g. (6) A Nystrom method of nystrom.hpp, for q'' = f.
 /// problem  Anything that can be called as problem(t, y, f) and writes f, or as problem(t, y) and returns it (then a
 ///          copy of it is called). Optional members are detected:
 ///          jacobian(t, y, J), mass(), index(), constant_jacobian(), second_order_components, bandwidth(),

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -11,6 +12,11 @@
 #include <stagecraft/work.hpp>
 
 namespace stagecraft {
+
+/// Thrown when the first evaluation shows that a problem is not what it claims to be. Leaves integrate().
+struct bad_problem : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
 
 /// All that a problem must have: `problem(t, y, f)` writes f(t, y) of M y' = f(t, y) into f. M is the
 /// identity unless the problem has a member `mass()`. f arrives with the size of y and must be written in

@@ -22,11 +22,6 @@
 
 namespace stagecraft {
 
-/// Thrown when the first evaluation shows that a problem is not what it claims to be. Leaves integrate().
-struct bad_problem : std::invalid_argument {
-    using std::invalid_argument::invalid_argument;
-};
-
 /// A component of index 2 or 3 and the power of h by which its error counts, 1 or 2.
 struct raised_component {
     int component, power;
@@ -77,6 +72,7 @@ class system
                        decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0))>> {
   public:
     using scalar = typename Vector::Scalar;
+    using problem_type = Problem;
     static constexpr int size_at_compile_time = Vector::RowsAtCompileTime;
     using matrix = decltype(detail::make_jacobian<Problem, Vector>(std::declval<Problem&>(), 0));
     using blocks = typename detail::blocks_for<std::remove_const_t<Problem>, matrix>::type;
@@ -118,10 +114,12 @@ class system
                         "integrate: problem.mass() must lie within problem.bandwidth()");
         if constexpr (has_second_order_components<Problem>) {
             const int m = position_components<Problem>(n_);
-            if (m < 0 || 2 * m > n_ || (Problem::second_order_components == Eigen::Dynamic && 2 * m != n_))
+            if (Problem::second_order_components == Eigen::Dynamic && 2 * m != n_)
                 throw std::invalid_argument(
-                    "integrate: problem.second_order_components must be at most n / 2, and n even where it "
-                    "is Eigen::Dynamic");
+                    "integrate: y0 = (q, v) must have an even number of components, as many q as v");
+            if (m < 0 || 2 * m > n_)
+                throw std::invalid_argument(
+                    "integrate: problem.second_order_components must be at most n / 2");
             if constexpr (!mass_type::identity) {
                 int ones = 0;
                 for (const auto& e : mass_.entries())
@@ -245,6 +243,12 @@ class system
     [[gnu::noinline]] void evaluate(const scalar& t, const Vector& y, Vector& f) { (*this)(t, y, f); }
     /// The same without a continuation: f is not finite beyond its border.
     [[gnu::noinline]] void evaluate_inside(const scalar& t, const Vector& y, Vector& f) { call(t, y, f); }
+    /// call(problem) of a method that knows more of a problem than f; counted as an evaluation of f if `counts`.
+    template <class Call>
+    [[gnu::always_inline]] void evaluate_part(Call&& call, bool counts) {
+        report_.f += counts ? 1 : 0;
+        failure_.keep([&] { measure(work::f, [&] { call(problem_); }); });
+    }
     /// The border of the domain of f, once a run has met it.
     border_type& border() { return border_; }
     /// f := the explicit part at (t, y), counted.

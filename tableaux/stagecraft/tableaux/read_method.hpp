@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <initializer_list>
 #include <stagecraft/method/additive_method.hpp>
+#include <stagecraft/method/nystrom_method.hpp>
+#include <stagecraft/method/partitioned_method.hpp>
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/tableaux/tableau_from_file.hpp>
 #include <stdexcept>
@@ -15,16 +18,20 @@ namespace stagecraft::tableaux {
 
 namespace detail {
 
-/// The file at `path`, which must have that form. Throws unusable_input that names both.
-inline partitioned_file read_coupled(const std::string& path, coupling form, const reading& how) {
+/// The file at `path`, which must have one of these forms. Throws unusable_input that names them.
+inline partitioned_file read_coupled(const std::string& path, std::initializer_list<coupling> forms,
+                                     const reading& how) {
     method_file file = read_method_file(path, how);
+    std::string wanted;
+    for (const coupling form : forms)
+        wanted += (wanted.empty() ? "\"" : "\" or \"") + std::string(name(form));
+    wanted += "\"";
     const auto* coupled = std::get_if<partitioned_file>(&file);
-    if (coupled == nullptr)
-        throw unusable_input(path + ": is one tableau, not of the form \"" + std::string(name(form)) + "\"");
-    if (coupled->coupling != form)
-        throw unusable_input(path + ": has the form \"" + std::string(name(coupled->coupling)) +
-                             "\", not \"" + std::string(name(form)) + "\"");
-    return std::move(std::get<partitioned_file>(file));
+    if (coupled == nullptr) throw unusable_input(path + ": is one tableau, not of the form " + wanted);
+    for (const coupling form : forms)
+        if (coupled->coupling == form) return std::move(std::get<partitioned_file>(file));
+    throw unusable_input(path + ": has the form \"" + std::string(name(coupled->coupling)) + "\", not " +
+                         wanted);
 }
 
 /// make(), whose complaints about the method take the path in front.
@@ -48,12 +55,45 @@ auto named_by(const std::string& path, Make make) {
 /// where a partner is not explicit, or not diagonally implicit.
 template <class Real = double>
 additive_method<Real> read_additive(const std::string& path, const reading& how = {}) {
-    const partitioned_file file = detail::read_coupled(path, coupling::additive, how);
+    const partitioned_file file = detail::read_coupled(path, {coupling::additive}, how);
     if (file.partners.size() != 2)
         throw unusable_input(path + ": has " + std::to_string(file.partners.size()) +
                              " partners; two are run, the explicit one first");
     return detail::named_by(
         path, [&] { return additive(rounded<Real>(file.partners[0]), rounded<Real>(file.partners[1])); });
+}
+
+/// The pair of tableaux in a file of form "partitioned" or "separable", ready for integrate() (partitioned.hpp), each entry
+/// rounded once. That of a separable form refuses other problems when a run begins. Throws unusable_input that names
+/// the file.
+template <class Real = double>
+partitioned_method<Real> read_partitioned(const std::string& path, const reading& how = {}) {
+    const partitioned_file file =
+        detail::read_coupled(path, {coupling::partitioned, coupling::separable}, how);
+    partitioned_method<Real> m;
+    m.first = rounded<Real>(file.partners[0]);
+    m.second = rounded<Real>(file.partners[1]);
+    m.separable = file.coupling == coupling::separable;
+    return m;
+}
+
+/// The Nystrom method in a file of form "nystrom", ready for integrate() (nystrom.hpp), each entry rounded once. Without A in
+/// the file a run with f(t, q, v) is refused when it begins. Throws unusable_input that names the file.
+template <class Real = double>
+velocity_nystrom_method<Real> read_nystrom(const std::string& path, const reading& how = {}) {
+    const partitioned_file file = detail::read_coupled(path, {coupling::nystrom}, how);
+    const tableau<Real> position = rounded<Real>(file.partners[0]),
+                        velocity = rounded<Real>(file.partners[1]);
+    velocity_nystrom_method<Real> m;
+    m.c = position.c;
+    m.A_bar = position.A;
+    m.b_bar = position.b;
+    m.b_bar_embedded = position.b_embedded;
+    m.b = velocity.b;
+    m.b_embedded = velocity.b_embedded;
+    if (file.uses_velocity) m.A = velocity.A;
+    m.order = file.claims.order.value_or(0);
+    return m;
 }
 
 }  // namespace stagecraft::tableaux
