@@ -18,6 +18,7 @@
 #include <stagecraft/problem/make_mass.hpp>
 #include <stagecraft/problem/unwritten.hpp>
 #include <stagecraft/refuse/problem/checked_capabilities.hpp>
+#include <stagecraft/refuse/problem/checked_values.hpp>
 #include <stagecraft/report.hpp>
 
 namespace stagecraft {
@@ -40,23 +41,27 @@ struct run_time<Problem> {
     explicit run_time(Problem& problem) : lap(problem.measure(work::run)) {}
 };
 
-/// What a problem brings that its run cannot use, and what it lacks; a message for each.
-template <class Problem, class Scalar, bool Analytic>
-struct checked_distribution {
-    static constexpr bool distributed = has_add_up<Problem, Scalar>;
-    static_assert(!distributed || Analytic,
-                  "problem.add_up: finite differences and automatic differentiation do not see components on "
-                  "other processes: write jacobian(t, y, J), J of the type of matrix()");
-    static_assert(
-        !distributed || has_linear_solver<Problem>,
-        "problem.add_up: the built-in linear solvers do not see components on other processes: give "
-        "the problem a linear_solver");
-    static_assert(!distributed || !has_second_order_components<Problem>,
-                  "problem.add_up: second_order_components cannot be used in a distributed problem");
-    static_assert(!has_matrix<Problem> || has_type_named_matrix<Problem> ||
-                      (Analytic && has_linear_solver<Problem>),
-                  "problem.matrix needs jacobian(t, y, J), J of its type, and a linear_solver that takes it");
-};
+/// The optional members that the problem has, but for its Jacobian.
+template <class Problem, class Vector>
+constexpr found_capabilities found_in() {
+    found_capabilities all;
+    const auto add = [&](bool there, capability c) {
+        if (there) all.add(c);
+    };
+    add(has_mass<Problem>, capability::mass);
+    add(has_index<Problem>, capability::index);
+    add(has_constant_jacobian<Problem>, capability::constant_jacobian);
+    add(has_second_order_components<Problem>, capability::second_order_components);
+    add(has_bandwidth<Problem>, capability::bandwidth);
+    add(has_sparsity<Problem>, capability::sparsity);
+    add(has_matrix<Problem>, capability::matrix);
+    add(has_linear_solver<Problem>, capability::linear_solver);
+    add(has_add_up<Problem, typename Vector::Scalar>, capability::add_up);
+    add(has_stopwatch<Problem>, capability::measure);
+    add(has_break_points<Problem>, capability::break_points);
+    add(has_domain<Problem, Vector>, capability::domain);
+    return all;
+}
 
 }  // namespace detail
 
@@ -102,48 +107,18 @@ class system
           mass_(make_mass<scalar>(problem, n_)),
           engine_(size_at_compile_time == Eigen::Dynamic ? 0 : n_),
           J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
-        report_.found = found();
+        report_.found = detail::found_in<Problem, Vector>();
         if (n_ == 0 && sums_type::complete)
             throw std::invalid_argument("integrate: y0 must have one component at least");
         static_assert(has_entries<mass_type> || has_linear_solver<Problem>,
                       "problem.mass() with add_times needs a linear_solver of the problem's own");
-        if constexpr (has_bandwidth<Problem> && !mass_type::identity && has_entries<mass_type>)
-            for (const auto& e : mass_.entries())
-                if (!J_.in_band(e.row, e.column))
-                    throw std::invalid_argument(
-                        "integrate: problem.mass() must lie within problem.bandwidth()");
-        if constexpr (has_second_order_components<Problem>) {
-            const int m = position_components<Problem>(n_);
-            if (Problem::second_order_components == Eigen::Dynamic && 2 * m != n_)
-                throw std::invalid_argument(
-                    "integrate: y0 = (q, v) must have an even number of components, as many q as v");
-            if (m < 0 || 2 * m > n_)
-                throw std::invalid_argument(
-                    "integrate: problem.second_order_components must be at most n / 2");
-            if constexpr (!mass_type::identity) {
-                int ones = 0;
-                for (const auto& e : mass_.entries())
-                    if (e.row < m || e.column < m)
-                        ones += e.row == e.column && e.value == scalar(1) ? 1 : 2 * n_;
-                if (ones != m)
-                    throw std::invalid_argument(
-                        "integrate: problem.mass() must be one in the rows and columns of "
-                        "second_order_components");
-            }
-        }
+        detail::demand_mass_fits<Problem>(mass_, J_, n_);
         if constexpr (has_index<Problem>) {
-            const auto& flags = problem.index();
-            if (static_cast<int>(flags.size()) != n_)
-                throw std::invalid_argument("integrate: problem.index() must have the size of y0");
+            detail::demand_index_flags(problem.index(), n_, mass_type::identity);
             for (int i = 0; i < n_; ++i) {
-                if (flags[i] < 0 || flags[i] > 3)
-                    throw std::invalid_argument("integrate: problem.index() must hold 1, 2 or 3");
-                if (flags[i] > 1 && mass_type::identity)
-                    throw std::invalid_argument(
-                        "integrate: problem.index() holds 2 or 3, but there is no problem.mass(): "
-                        "without one all components are of index 1");
-                if (flags[i] > 1) raised_.push_back({i, flags[i] - 1});
-                if (flags[i] > largest_index_) largest_index_ = flags[i];
+                const int index = problem.index()[i];
+                if (index > 1) raised_.push_back({i, index - 1});
+                if (index > largest_index_) largest_index_ = index;
             }
         }
     }
@@ -367,6 +342,7 @@ class system
         else
             return true;
     }
+    static constexpr bool excludes_states = has_domain<Problem, Vector>;
     /// Clips components of y below zero by less than atol(i) where the problem says so; how many.
     template <class Tolerance>
     long clip([[maybe_unused]] Vector& y, [[maybe_unused]] const Tolerance& atol) const {
@@ -387,27 +363,6 @@ class system
     }
 
   private:
-    /// The optional members that the problem has, but for its Jacobian.
-    static constexpr found_capabilities found() {
-        found_capabilities all;
-        const auto add = [&](bool there, capability c) {
-            if (there) all.add(c);
-        };
-        add(has_mass<Problem>, capability::mass);
-        add(has_index<Problem>, capability::index);
-        add(has_constant_jacobian<Problem>, capability::constant_jacobian);
-        add(has_second_order_components<Problem>, capability::second_order_components);
-        add(has_bandwidth<Problem>, capability::bandwidth);
-        add(has_sparsity<Problem>, capability::sparsity);
-        add(has_matrix<Problem>, capability::matrix);
-        add(has_linear_solver<Problem>, capability::linear_solver);
-        add(has_add_up<Problem, scalar>, capability::add_up);
-        add(has_stopwatch<Problem>, capability::measure);
-        add(has_break_points<Problem>, capability::break_points);
-        add(has_domain<Problem, Vector>, capability::domain);
-        return all;
-    }
-
     void count_products() const {
         if constexpr (requires { J_.take_calls(); }) report_.f_jacobian += J_.take_calls();
     }

@@ -10,12 +10,14 @@
 namespace stagecraft {
 
 /// Completes a step from (t, y) to y1 that has been accepted: `now` becomes its continuous solution, where `keeps` or the
-/// method wants one, and y1 moves onto the constraints where the method ends beside them, or into the domain of f. True if there is such a solution.
+/// method wants one, and y1 moves onto the constraints where the method ends beside them, or into the domain. `room` is
+/// overwritten. True if there is such a solution.
 template <class Step, class System, class Vector, class Scalar>
 [[gnu::always_inline]] inline bool complete_step(Step& method, System& system,
                                                  const planned_step<Scalar>& plan, domain_end end,
-                                                 const Scalar& t, const Vector& y, Vector& y1,
-                                                 end_slope<Vector>& f, bool keeps, typename Step::output& now,
+                                                 const options<Scalar>& o, const Scalar& t, const Vector& y,
+                                                 Vector& y1, end_slope<Vector>& f, bool keeps,
+                                                 typename Step::output& now, Vector& room,
                                                  report<Scalar>& counts) {
     if constexpr (System::sums_type::complete)
         if (end == domain_end::inside) f.take_right(system.border().value());
@@ -38,10 +40,8 @@ template <class Step, class System, class Vector, class Scalar>
             counts.error_solves += method.end_on_constraints(system, plan.h, f1, now, y1);
             f.retry();
         }
-    if (end == domain_end::beside) {
-        move_inside(system, y1, f, has_output ? &now : nullptr);
-        method.replaced();
-    }
+    if (end == domain_end::beside || System::clips)
+        if (move_inside(system, end, o, y1, f, has_output ? &now : nullptr, room, counts)) method.replaced();
     return has_output;
 }
 

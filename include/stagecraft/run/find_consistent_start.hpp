@@ -7,6 +7,7 @@
 #include <stagecraft/linear/norms.hpp>
 #include <stagecraft/options.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/end_slope.hpp>
 #include <stagecraft/run/inconsistent_start.hpp>
 #include <stagecraft/run/linearisation.hpp>
 
@@ -70,6 +71,20 @@ bool find_consistent_start(Method& method, System& system, linearisation<System,
         linear.moved();
     }
     return false;
+}
+
+/// The same for a method that forgets y0, in a run whose norm is of the state and which knows f at its start.
+template <class Method, class System, class Vector, class Norm>
+bool move_start(Method& method, System& system, linearisation<System, Vector>& linear,
+                const typename Vector::Scalar& t, Vector& y, const typename Vector::Scalar& h, Norm& norm,
+                end_slope<Vector>& f, const options<typename Vector::Scalar>& o,
+                report<typename Vector::Scalar>& counts) {
+    if (!method.stiffly_accurate() ||
+        !find_consistent_start(method, system, linear, t, y, h, norm, o, counts))
+        return false;
+    norm.at(y);
+    f.forget();
+    return true;
 }
 
 }  // namespace stagecraft

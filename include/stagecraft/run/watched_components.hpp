@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <type_traits>
 
 #include <stagecraft/linear/mass_kernel.hpp>
 #include <stagecraft/linear/norms.hpp>
@@ -61,5 +62,11 @@ class watched_components {
     Vector share_;  // 0, or as much that the mean over all components is that over these
     mutable Vector weights_;
 };
+
+/// Without a mass matrix there are none.
+struct no_watched_components {};
+template <class System, class Vector>
+using watched_components_of =
+    std::conditional_t<System::mass_type::identity, no_watched_components, watched_components<Vector>>;
 
 }  // namespace stagecraft
