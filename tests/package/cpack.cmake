@@ -1,6 +1,6 @@
-# `cpack` in the build folder makes libstagecraft-dev (headers and package files, the same on every architecture),
-# libstagecraft-compiled-dev (libraries of the exact part), stagecraft (the command) and a tarball of all. Without the
-# libraries or the command only the others.
+# `cpack` in the folder of a finished build makes libstagecraft-dev (headers and package files, the same on every
+# architecture), libstagecraft-compiled-dev (libraries of the exact part), stagecraft (the command) and a tarball of all.
+# Without the libraries or the command only the others.
 set(CPACK_PACKAGE_CONTACT "stagecraft maintainers <maintainers@users.noreply.github.com>")
 set(CPACK_PACKAGE_NAME stagecraft)
 set(CPACK_PACKAGE_VENDOR stagecraft)
