@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The numbers of a tableau file.
 #include "stagecraft/tableaux/entry-inl.hpp"
+#include "stagecraft/tableaux/partitioned_file-inl.hpp"
 #include "stagecraft/tableaux/polynomial_text-inl.hpp"
 #include "stagecraft/tableaux/reading-inl.hpp"
 #include "stagecraft/tableaux/stage_form-inl.hpp"

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/tableau_file.hpp>
 #include <string>
@@ -53,9 +52,6 @@ struct partitioned_file {
 
 /// What a message calls the k-th tableau: its name, or its number.
 std::string partner_name(const partitioned_file& file, std::size_t k);
-
-/// The file as JSON that read_method_text reads.
-nlohmann::ordered_json to_json(const partitioned_file& file);
 
 }  // namespace stagecraft::tableaux
 

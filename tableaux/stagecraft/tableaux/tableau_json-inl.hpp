@@ -33,4 +33,24 @@ STAGECRAFT_INLINE nlohmann::ordered_json to_json(const tableau_file& file) {
     return j;
 }
 
+STAGECRAFT_INLINE nlohmann::ordered_json to_json(const partitioned_file& file) {
+    nlohmann::ordered_json j{{"name", file.name}, {"source", file.source}, {"form", name(file.coupling)}};
+    if (file.coupling == coupling::nystrom) {
+        const auto position = to_json(file.partners[0]), velocity = to_json(file.partners[1]);
+        j["c"] = position["c"];
+        j["A_bar"] = position["A"];
+        j["b_bar"] = position["b"];
+        if (file.uses_velocity) j["A"] = velocity["A"];
+        j["b"] = velocity["b"];
+        if (position.contains("b_embedded")) {
+            j["b_bar_embedded"] = position["b_embedded"];
+            j["b_embedded"] = velocity["b_embedded"];
+        }
+    } else {
+        for (const auto& p : file.partners) j["partners"].push_back(to_json(p));
+    }
+    add_claims(file.claims, j);
+    return j;
+}
+
 }  // namespace stagecraft::tableaux
