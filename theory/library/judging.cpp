@@ -2,7 +2,10 @@
 // Certificates.
 #include "stagecraft/theory/judging/certificate-inl.hpp"
 #include "stagecraft/theory/judging/certify-inl.hpp"
+#include "stagecraft/theory/judging/enclosed_function-inl.hpp"
 #include "stagecraft/theory/judging/enclosed_report-inl.hpp"
+#include "stagecraft/theory/judging/enclosed_ssp-inl.hpp"
+#include "stagecraft/theory/judging/enclosed_stability-inl.hpp"
 #include "stagecraft/theory/judging/family_report-inl.hpp"
 #include "stagecraft/theory/judging/jumps_seen-inl.hpp"
 #include "stagecraft/theory/judging/principal_error-inl.hpp"

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stagecraft/theory/judging/rounded_properties.hpp>
+#include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/theory/judging/stability_report.hpp>
+#include <stagecraft/theory/judging/subject.hpp>
 #include <vector>
-
-/// Stability of tableaux known by enclosures: what no method in the enclosure can have is refuted, with a
-/// point; what is left was looked for on a grid, and is consistent.
 
 namespace stagecraft::theory {
 
-/// The stability report of a tableau known by enclosures: the properties that a file can claim, A(alpha), the
-/// intervals on both axes, the SSP radius of the middle, the orders for differential-algebraic problems that a method
-/// in the enclosures may have.
-std::vector<report_section> enclosed_stability_report(const subject<ball>& s);
+/// The stability report of a tableau known by enclosures: R(infinity), A(alpha), the intervals on both axes, the
+/// properties that a file can claim, the SSP radius (up to 16 stages), the orders for differential-algebraic problems.
+/// Every number holds for each tableau among them, or it is not decided and the reason is told (enclosed_stability.hpp).
+std::vector<report_section> enclosed_stability_report(const subject<tableaux::ball>& s);
 
 }  // namespace stagecraft::theory
 

@@ -100,6 +100,15 @@ bool find_two_faults(const subject<K>& s, const tableaux::tableau_file& file, co
     return true;
 }
 
+/// 0 beyond doubt.
+template <class K>
+bool vanishes_exactly(const K& x) {
+    if constexpr (exact_scalar<K>)
+        return x == K(0);
+    else
+        return x.exactly_zero();
+}
+
 /// Something done to a whole table, and its words.
 template <class K>
 struct mix_up {
@@ -196,11 +205,23 @@ std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
     return all;
 }
 
-/// Whether undoing a mix-up restores every claim.
+/// Whether undoing it leaves an explicit method explicit, and a diagonally implicit one that.
 template <class K>
-std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims) {
+bool keeps_structure(const mix_up<K>& m) {
+    const auto& A = m.undone.t.A;
+    for (int i = 0; i < A.rows(); ++i)
+        for (int j = i; j < A.rows(); ++j)
+            if ((m.undone.strictly_lower || (m.undone.lower && j > i)) && !vanishes_exactly(K(A(i, j))))
+                return false;
+    return true;
+}
+
+/// What is mixed up if undoing it restores every claim. Of those that do or do not respect its
+/// structure.
+template <class K>
+std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims, bool structured) {
     for (const auto& m : mix_ups(s))
-        if (keeps_claims(m.undone, claims)) return m.what;
+        if (keeps_structure(m) == structured && keeps_claims(m.undone, claims)) return m.what;
     return {};
 }
 
@@ -231,13 +252,17 @@ STAGECRAFT_INLINE void find_suspects(const tableaux::tableau_file& file, file_ce
         return;
     }
     const auto several = [&](const auto& s) {
-        note = find_mix_up(s, file.claims);
-        if (!note.empty()) {
-            note += ": undone, every claim is restored";
-            return;
+        for (const bool structured : {true, false}) {
+            note = find_mix_up(s, file.claims, structured);
+            if (!note.empty()) {
+                note += ": undone, every claim is restored";
+                return;
+            }
+            if (structured &&
+                (find_two_in_sums(s, file, certificate) || find_two_faults(s, file, all, certificate)))
+                return;
         }
-        if (!find_two_in_sums(s, file, certificate) && !find_two_faults(s, file, all, certificate))
-            note = "no change of a single entry restores every claim";
+        note = "no change of a single entry restores every claim";
     };
     if (file.kind() <= tableaux::number_kind::quadratic)
         several(exact_subject(file));

@@ -46,6 +46,17 @@ struct order_facts {
     std::string barrier;   ///< why that order fails where no condition was looked at
 };
 
+/// An order that nobody claims and that holds but for rounding of the digits.
+template <class Failure>
+finding found_numerically(finding f, const search_for_order<Failure>& found) {
+    const auto left = found.up_to(found.numerical).residual;
+    f.value = found.numerical;
+    f.numerical = numerical_order{found.numerical, brief(left), matching_digits(left)};
+    f.truth =
+        verdict::consistent(brief(left), "1e-" + std::to_string(f.numerical->digits), in_words(*f.numerical));
+    return f;
+}
+
 /// The verdict on an order, from a search whose failures begin at `first`. Exact: the residuals decide.
 template <class Failure>
 finding order_verdict(std::string name, std::optional<int> claimed, const search_for_order<Failure>& found,
@@ -56,6 +67,13 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
     if (claimed) f.claimed = std::to_string(*claimed);
     auto& judged = claimed ? f.judgement : f.truth;
     const int order = claimed.value_or(facts.value);
+    if (!claimed && !facts.by_time && facts.refuted_from <= found.numerical)
+        return found_numerically(std::move(f), found);
+    if (!claimed && facts.refuted_from == 1) {  // no method at all, whatever is claimed of it
+        f.truth = f.judgement = verdict::refuted(
+            "no order: " + (first ? first->condition + " leaves " + first->in_words : facts.barrier));
+        return f;
+    }
     const auto& size = found.up_to(order);
     if (facts.refuted_from <= order) {
         std::string why = "order " + std::to_string(facts.refuted_from - 1);
@@ -87,16 +105,28 @@ finding order_verdict(std::string name, std::optional<int> claimed, const search
     return f;
 }
 
-/// From the conditions of the first order that has failing ones.
+/// What the conditions of the first failing order that may hold can add to the principal error, at most.
+template <class K>
+tableaux::bound principal_error_left_open(const order_finding<K>& found) {
+    const int n = order(found.failing.front().tree);
+    return found.up_to(n).bound * static_cast<tableaux::bound>(number_of_trees(n));
+}
+
+/// From the conditions of the first order that has failing ones; nothing where the digits do not give three digits of it.
 template <class K>
 std::optional<principal_error> principal_error_of(const order_finding<K>& found) {
     if (found.failing.empty()) return std::nullopt;
-    tableaux::bound squares = 0, largest = 0;
+    tableaux::bound squares = 0, largest = 0, unknown = 0;
     for (const auto& [tree, residual] : found.failing) {
-        const auto tau = size_of(residual) / static_cast<tableaux::bound>(symmetry(tree));
+        const auto sigma = static_cast<tableaux::bound>(symmetry(tree));
+        const auto tau = size_of(residual) / sigma;
         squares += tau * tau;
         largest = std::max(largest, tau);
+        unknown += uncertainty_of(residual) / sigma;
     }
+    // Conditions that may hold count with their bound: three digits are printed where all of it is below them.
+    if constexpr (!exact_scalar<K>) unknown += principal_error_left_open(found);
+    if (unknown > 1e-4L * largest) return std::nullopt;
     return principal_error{order(found.failing.front().tree), brief(std::sqrt(squares)), brief(largest)};
 }
 
@@ -201,7 +231,7 @@ finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::
     finding f;
     f.name = "stage_order";
     const auto found = find_stage_order(s, std::max(claimed.value_or(0), 2 * s.stages()));
-    f.value = found.stage_order;
+    f.value = claimed ? found.stage_order : found.tested;
     if (!claimed) return f;
     f.claimed = std::to_string(*claimed);
     if (found.stage_order < *claimed) {

@@ -174,6 +174,7 @@ struct simplifying_failure {
 template <class K>
 struct stage_order_finding {
     int stage_order = 0;
+    int tested = 0;  ///< as far as every bound is small enough to refute
     std::vector<simplifying_failure<K>> failing;
     tableaux::bound residual = 0;
     tableaux::bound bound = 0;
@@ -211,6 +212,7 @@ stage_order_finding<K> find_stage_order(const subject<K>& s, int most) {
         satisfies_stages(s.t, power, equal);
         if (!found.failing.empty()) break;
         found.stage_order = power.k();
+        if (found.tested == power.k() - 1 && !says_nothing(found.relative_bound, 1)) found.tested = power.k();
     }
     return found;
 }

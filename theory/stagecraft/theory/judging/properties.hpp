@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stagecraft/tableaux/ball.hpp>
+#include <stagecraft/theory/judging/enclosed_stability.hpp>
 #include <stagecraft/theory/judging/rounded_properties.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/models/stage_algebra.hpp>

@@ -89,7 +89,7 @@ subject<K> make_subject(const tableaux::tableau_file& file, Convert convert) {
     for (int i = 0; i < file.stages(); ++i)
         for (int j = i; j < file.stages(); ++j) {
             const auto& e = entry_at(file, {part::A, i, j});
-            const bool zero = e.exact && *e.exact == 0;
+            const bool zero = e.enclosure == tableaux::range{0, 0};
             s.strictly_lower = s.strictly_lower && zero;
             s.lower = s.lower && (zero || i == j);
         }

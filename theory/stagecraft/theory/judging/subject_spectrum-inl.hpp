@@ -8,30 +8,11 @@
 #include <vector>
 
 #include "stagecraft/compiled.hpp"
+#include "stagecraft/theory/judging/enclosed_function.hpp"
 
 namespace stagecraft::theory {
 
 namespace detail {
-
-/// A without the rows and columns i of which one vanishes exactly: each brings the eigenvalue 0.
-STAGECRAFT_INLINE Eigen::Matrix<tableaux::ball, -1, -1> without_zero_lines(
-    const Eigen::Matrix<tableaux::ball, -1, -1>& A) {
-    std::vector<Eigen::Index> kept;
-    for (Eigen::Index i = 0; i < A.rows(); ++i) {
-        bool row = false, column = false;
-        for (Eigen::Index j = 0; j < A.rows(); ++j) {
-            row = row || !A(i, j).exactly_zero();
-            column = column || !A(j, i).exactly_zero();
-        }
-        if (row && column) kept.push_back(i);
-    }
-    const auto n = static_cast<Eigen::Index>(kept.size());
-    Eigen::Matrix<tableaux::ball, -1, -1> rest(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < n; ++j)
-            rest(i, j) = A(kept[static_cast<std::size_t>(i)], kept[static_cast<std::size_t>(j)]);
-    return n == A.rows() ? rest : without_zero_lines(rest);
-}
 
 STAGECRAFT_INLINE spectrum enclosed_eigenvalues(const Eigen::Matrix<tableaux::ball, -1, -1>& A) {
     const auto core = without_zero_lines(A);

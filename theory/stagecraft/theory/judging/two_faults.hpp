@@ -103,14 +103,37 @@ struct repaired_pair {
     repair<K> first, second;
 };
 
-/// All pairs of entries, one of each failing sum where two fail and both of it where one does, whose change
-/// restores every claim.
+/// The rows of A and b where none of these sums fails: two entries of one may be off by opposite amounts, zeros
+/// within the structure among them.
+template <class K>
+std::vector<failing_sum<K>> intact_sums(const subject<K>& s) {
+    std::vector<failing_sum<K>> all;
+    const int n = s.stages();
+    for (int i = 0; i < n; ++i) {
+        all.push_back({K(0), {}});
+        const int end = s.strictly_lower ? i : s.lower ? i + 1 : n;
+        for (int j = 0; j < end; ++j) all.back().places.push_back({part::A, i, j});
+    }
+    all.push_back({K(0), {}});
+    for (int i = 0; i < n; ++i) all.back().places.push_back({part::b, i, 0});
+    return all;
+}
+
+/// Beyond this the pairs within sums that do not fail are too many.
+inline constexpr int most_stages_of_opposite_faults = 8;
+
+/// All pairs of entries, one of each failing sum where two fail and both of it where one does, or of any where none does,
+/// whose change restores every claim.
 template <class K>
 std::vector<repaired_pair<K>> find_repaired_pairs(const subject<K>& s, const tableaux::claims& claims) {
     std::vector<repaired_pair<K>> found;
-    const auto sums = failing_sums(s, claims);
+    auto sums = failing_sums(s, claims);
     const auto rough = quick(s);
-    if (sums.empty() || sums.size() > 2 || !rough) return found;
+    const int highest = std::max(claims.order.value_or(0), claims.embedded_order.value_or(0));
+    const bool intact = sums.empty() && s.nodes_given && s.stages() <= most_stages_of_opposite_faults &&
+                        highest > 2;  // or the one condition of order 2 would be met by any pair
+    if (intact) sums = intact_sums(s);
+    if (sums.empty() || (sums.size() > 2 && !intact) || !rough) return found;
     const bool row_sums = !s.nodes_given || mostly_row_sums(s);
     const auto attempt = [&](const place& p, const K& at_p, const place& q, const K& at_q) {
         subject<K> changed = s;
@@ -121,22 +144,23 @@ std::vector<repaired_pair<K>> find_repaired_pairs(const subject<K>& s, const tab
         if (refutes_a_claim(changed, claims, row_sums)) return;
         found.push_back({{p, value_at(changed, p)}, {q, value_at(changed, q)}});
     };
-    if (sums.size() == 2) {
+    if (sums.size() == 2 && !intact) {
         for (const place& p : sums[0].places)
             for (const place& q : sums[1].places) attempt(p, -sums[0].defect, q, -sums[1].defect);
         return found;
     }
     const tree_table table(std::max({claims.order.value_or(1), claims.embedded_order.value_or(1), 1}));
-    const auto& [defect, places] = sums.front();
-    for (std::size_t k = 0; k < places.size(); ++k)
-        for (std::size_t i = 0; i < k; ++i) {
-            subject<K> right = s;
-            shift(right, places[i], K(-defect));
-            const auto fast = quick(right);
-            if (!fast) continue;
-            const auto amount = exchanged_amount(right, *fast, places[i], places[k], claims, table.view());
-            if (amount) attempt(places[i], K(*amount - defect), places[k], K(-*amount));
-        }
+    for (const auto& [defect, places] : sums)
+        for (std::size_t k = 0; k < places.size(); ++k)
+            for (std::size_t i = 0; i < k; ++i) {
+                subject<K> right = s;
+                if (!intact) shift(right, places[i], K(-defect));
+                const auto fast = quick(right);
+                if (!fast) continue;
+                const auto amount =
+                    exchanged_amount(right, *fast, places[i], places[k], claims, table.view());
+                if (amount) attempt(places[i], K(*amount - defect), places[k], K(-*amount));
+            }
     return found;
 }
 

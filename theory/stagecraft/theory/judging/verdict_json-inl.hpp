@@ -9,7 +9,7 @@ namespace stagecraft::theory {
 
 STAGECRAFT_INLINE nlohmann::ordered_json to_json(const verdict& v) {
     nlohmann::ordered_json j{{"verdict", name(v.standing())}};
-    if (v.is_consistent() || v.is_inconclusive()) {
+    if (!v.residual().empty()) {
         j["residual"] = v.residual();
         j["bound"] = v.bound();
     }

@@ -24,9 +24,14 @@ STAGECRAFT_INLINE verdict verdict::inconclusive(std::string residual, std::strin
     return v;
 }
 
+STAGECRAFT_INLINE verdict verdict::undecided(std::string why) {
+    return inconclusive({}, {}, "not decided: " + std::move(why));
+}
+
 STAGECRAFT_INLINE std::string verdict::text() const {
     std::string out(name(standing_));
-    if (is_consistent() || is_inconclusive()) out += ": residual " + residual_ + ", bound " + bound_;
+    if ((is_consistent() || is_inconclusive()) && !residual_.empty())
+        out += ": residual " + residual_ + ", bound " + bound_;
     if (!reason_.empty()) out += ": " + reason_;
     return out;
 }

@@ -51,6 +51,9 @@ class verdict {
     /// refuted the statement.
     static verdict inconclusive(std::string residual, std::string bound, std::string reason);
 
+    /// Inconclusive without a residual or a bound: why no method at hand decides it.
+    static verdict undecided(std::string why);
+
     /// Not looked at.
     static verdict unexamined() { return {}; }
 
@@ -65,7 +68,8 @@ class verdict {
     const std::string& residual() const { return residual_; }  ///< of an open case
     const std::string& bound() const { return bound_; }        ///< of an open case
 
-    /// "proved: ...", "refuted: ...", "consistent: residual r, bound b: ...", "inconclusive: ...".
+    /// "proved: ...", "refuted: ...", "consistent: residual r, bound b: ...", "inconclusive: ...",
+    /// "inconclusive: not decided: ...".
     std::string text() const;
 
     friend bool operator==(const verdict&, const verdict&) = default;
