@@ -7,6 +7,7 @@
 #include "stagecraft/tableaux/decimals-inl.hpp"
 #include "stagecraft/tableaux/elementary-inl.hpp"
 #include "stagecraft/tableaux/emit-inl.hpp"
+#include "stagecraft/tableaux/emit_pairs-inl.hpp"
 #include "stagecraft/tableaux/exact_tableau-inl.hpp"
 #include "stagecraft/tableaux/family-inl.hpp"
 #include "stagecraft/tableaux/fixed_rational-inl.hpp"

@@ -3,12 +3,16 @@
 // Embedded pairs hold their tolerance, and what a run of a second order system is given and gives.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <stagecraft/coefficients/nystrom.hpp>
+#include <stagecraft/coefficients/partitioned.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/nystrom.hpp>
 #include <stagecraft/observe/event.hpp>
 #include <stagecraft/observe/solution.hpp>
 #include <stagecraft/tableaux/read_method.hpp>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "../message.hpp"
 #include "../stepper/interrupt.hpp"
@@ -139,4 +143,35 @@ BOOST_AUTO_TEST_CASE(orders_by_trees_are_those_of_the_files) {
         BOOST_TEST(trees.order(m.b_bar, m.b) == p, name);
         if (embedded > 0) BOOST_TEST(trees.order(m.b_bar_embedded, m.b_embedded) == embedded, name);
     }
+}
+
+BOOST_AUTO_TEST_CASE(generated_methods_are_those_of_the_files) {
+    const auto same = [](const auto& m, const std::string& name) {
+        const auto read = file(name);
+        BOOST_TEST((m.c == read.c && m.A_bar == read.A_bar && m.b_bar == read.b_bar && m.b == read.b), name);
+        BOOST_TEST((m.b_embedded == read.b_embedded && m.b_bar_embedded == read.b_bar_embedded), name);
+        BOOST_TEST(m.order == read.order);
+        if constexpr (requires { m.A; }) BOOST_TEST((m.A == read.A), name);
+    };
+    same(stoermer_verlet_nystrom(), "stoermer_verlet_nystrom");
+    same(nystrom_4(), "nystrom_4");
+    same(nystrom_5(), "nystrom_5");
+    same(dormand_prince_rkn_4_3(), "dormand_prince_rkn_4_3");
+    same(dormand_prince_rkn_5_4(), "dormand_prince_rkn_5_4");
+    same(dormand_prince_rkn_6_4(), "dormand_prince_rkn_6_4");
+    const auto same_pair = [](const auto& m, const std::string& name) {
+        const auto read =
+            tableaux::read_partitioned(STAGECRAFT_SOURCE_DIR "/tableaux/pairs/" + name + ".json");
+        for (const auto& [a, b] : {std::pair(detail::with_stages<double, dynamic>(m.first), read.first),
+                                   std::pair(detail::with_stages<double, dynamic>(m.second), read.second)})
+            BOOST_TEST((a.A == b.A && a.b == b.b && a.c == b.c), name);
+        BOOST_TEST(m.separable == read.separable, name);
+    };
+    same_pair(symplectic_euler(), "symplectic_euler");
+    same_pair(stoermer_verlet(), "stoermer_verlet");
+    same_pair(ruth_3(), "ruth_3");
+    same_pair(forest_ruth_4(), "forest_ruth_4");
+    same_pair(mclachlan_4(), "mclachlan_4");
+    same_pair(blanes_moan_4(), "blanes_moan_4");
+    static_assert(std::is_same_v<decltype(ruth_3()), separable_method<double, 3>>);
 }

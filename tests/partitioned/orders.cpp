@@ -104,6 +104,6 @@ BOOST_AUTO_TEST_CASE(every_file_runs_with_its_certified_order) {
         }
     }
     BOOST_TEST(partitioned >= 4);
-    BOOST_TEST(separable >= 2);
+    BOOST_TEST(separable >= 4);
     BOOST_TEST(nystrom >= 6);
 }

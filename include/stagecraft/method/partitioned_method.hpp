@@ -19,6 +19,7 @@ template <class Scalar, int Stages = dynamic>
 struct partitioned_method {
     using scalar = Scalar;
     static constexpr int stages_at_compile_time = Stages;
+    static constexpr bool for_separable = false;
     tableau<Scalar, Stages> first, second;
     /// The order holds for f(t, p) and g(t, q) alone (trees of alternating colours); a run with others is refused.
     bool separable = false;
@@ -29,7 +30,9 @@ struct partitioned_method {
 /// The same, known at compile time to be for f(t, p) and g(t, q) alone: others do not compile. Made by
 /// separable(first, second).
 template <class Scalar, int Stages = dynamic>
-struct separable_method : partitioned_method<Scalar, Stages> {};
+struct separable_method : partitioned_method<Scalar, Stages> {
+    static constexpr bool for_separable = true;
+};
 
 namespace detail {
 

@@ -7,6 +7,7 @@
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/method/nystrom_method.hpp>
+#include <stagecraft/method/nystrom_trees.hpp>
 #include <stagecraft/method/remembered.hpp>
 #include <stagecraft/problem/second_order.hpp>
 #include <stagecraft/step/hermite_output.hpp>

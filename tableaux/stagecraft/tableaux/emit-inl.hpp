@@ -21,23 +21,6 @@ STAGECRAFT_INLINE std::string hexadecimal(double x) {
 
 namespace emitting {
 
-/// One constexpr array, row by row.
-template <class Matrix>
-std::string array(const char* name, const Matrix& m) {
-    if (m.size() == 0) return "";
-    std::string out = std::string("    static constexpr double ") + name + "[] = {";
-    const Eigen::Index rows = m.cols() == 1 ? 1 : m.rows();
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        out += "\n        ";
-        const Eigen::Index n = m.cols() == 1 ? m.rows() : m.cols();
-        for (Eigen::Index j = 0; j < n; ++j)
-            out += hexadecimal(m.cols() == 1 ? m(j, 0) : m(i, j)) + (i + 1 == rows && j + 1 == n ? ""
-                                                                     : j + 1 == n                ? ","
-                                                                                                 : ", ");
-    }
-    return out + "};\n";
-}
-
 inline std::string text(bool value) { return value ? "true" : "false"; }
 
 STAGECRAFT_INLINE std::string facts(const stagecraft::facts& f) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <stagecraft/tableaux/partitioned_file.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stagecraft::tableaux {
+
+/// A file and the name of the function that is to return what it holds.
+using named_pair = std::pair<std::string, partitioned_file>;
+
+/// A header of include/stagecraft/coefficients/: of each partitioned, separable or Nystrom method a function of its name,
+/// with the nearest doubles as constexpr arrays. `command` stands in the first line. Throws std::invalid_argument for
+/// additive methods and names that are none in C++.
+std::string pairs_header(const std::vector<named_pair>& methods, const std::string& command);
+
+}  // namespace stagecraft::tableaux
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/emit_pairs-inl.hpp"
+#endif
