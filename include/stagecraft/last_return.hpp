@@ -16,23 +16,24 @@ struct call_of_last_return {
     static constexpr bool say() {
         static_assert(
             never<T>,
-            "last_return(method, f, y0, t0, t1): method is radau_iia<3>() with its parentheses, say, f "
-            "is called as f(t, y, out), y0 is a vector of Eigen's; there are no options");
+            "last_return(method, f, y0, t0, t1, options): method is radau_iia<3>() with its parentheses, "
+            "say, f "
+            "is called as f(t, y, out), y0 is a vector of Eigen's; options are those of integrate()");
         return true;
     }
 };
 }  // namespace detail
 
 /// Integrates from t0 to t1, once to find the last state and once with an event where the trajectory passes the
-/// plane through it that is normal to f; the last pass near that state and t1 bound one return. Throws
-/// std::invalid_argument where the trajectory does not come back.
+/// plane through it that is normal to f; the last pass near that state and t1 bound one return. `o` are the options of the
+/// integrations. Throws std::invalid_argument where the trajectory does not come back.
 template <class Method, class Rhs, class Vector>
-requires detail::runnable_method<Method> orbit_guess<Vector> last_return(const Method& method, const Rhs& f,
-                                                                         const Vector& y0,
-                                                                         typename Vector::Scalar t0,
-                                                                         typename Vector::Scalar t1) {
+requires detail::runnable_method<Method> orbit_guess<Vector> last_return(
+    const Method& method, const Rhs& f, const Vector& y0, typename Vector::Scalar t0,
+    typename Vector::Scalar t1,
+    const options<typename Vector::Scalar>& o = {.rtol = typename Vector::Scalar(1e-8),
+                                                 .atol = typename Vector::Scalar(1e-8)}) {
     using scalar = typename Vector::Scalar;
-    const options<scalar> o{.rtol = scalar(1e-8), .atol = scalar(1e-8)};
     const auto first = integrate(method, f, y0, t0, t1, o);
     if (!first.ok()) throw std::invalid_argument("last_return: the integration does not reach t1");
     const Vector end = first.y;

@@ -141,6 +141,22 @@ BOOST_AUTO_TEST_CASE(a_period_of_zero_is_no_family_of_orbits) {
     BOOST_TEST(found.message.find("gone to zero") != std::string::npos);
 }
 
+// y'' + 0.2 y' + y = 0.2 sign(y'): where f jumps on the orbit Newton's iteration has no derivative to go by. The orbit of a guess
+// that closes is no point, and a period is positive. By the map of a half turn, y(0) = a and y'(0) = 0 turn into -a after T/2.
+BOOST_AUTO_TEST_CASE(a_guess_that_closes_is_left_for_no_point) {
+    const auto relay = [](double, const Vector2d& y, Vector2d& f) {
+        f = Vector2d(y[1], -y[0] - 0.2 * y[1] + (y[1] > 0 ? 0.2 : -0.2));
+    };
+    const auto guess = sc::last_return(sc::radau_iia<3>(), relay, Vector2d(1, 0), 0.0, 200.0,
+                                       {.rtol = 1e-10, .atol = 1e-10});
+    BOOST_TEST(std::abs(guess.period - 2 * 3.14159265358979 / std::sqrt(0.99)) < 1e-6);
+    for (const double rtol : {1e-4, 1e-7}) {
+        const auto r = sc::periodic_orbit(sc::gauss<5>(), relay, guess, {.rtol = rtol});
+        BOOST_TEST(sc::name(r.status) != std::string("equilibrium"));
+        BOOST_TEST((!r.ok() || std::abs(r.period - guess.period) < 10 * rtol));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_loose_tolerance_makes_no_point_and_no_multiple_of_an_orbit) {
     const auto once = sc::last_return(sc::radau_iia<3>(), oscillator{1}, Vector2d(2, 0), 0.0, 40.0);
     auto twice = once;

@@ -76,9 +76,11 @@ template <class Scalar, int S, class Rhs, class Conditions, class Guess>
 auto continuation(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
                   std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
                   const continuation_options<std::type_identity_t<Scalar>>& o = {}) {
-    constexpr bool guessed = detail::usable_guess<Guess, Scalar>;
+    constexpr bool real = detail::real_guess<Guess, Scalar>,
+                   guessed = real && detail::usable_guess<Guess, Scalar>;
+    static_assert(real, "continuation: y is real: a complex y of n components is a real one of 2 n");
     static_assert(
-        guessed,
+        guessed || !real,
         "continuation: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
         "that returns one (no expression: write `-> Eigen::Vector2d` or .eval()), or a solution");
     using vector = typename detail::vector_of_guess<Guess, Scalar>::type;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <stagecraft/break_points.hpp>
 
 namespace stagecraft {
 
@@ -20,7 +23,9 @@ struct bvp_options {
     int max_intervals = 10000;           ///< above it the run ends in bvp_status::too_many_intervals
     bool adapt = true;  ///< false: the first mesh is the only one, whatever the error turns out to be
     int newton_iterations = 50;  ///< at most this many factorisations on one mesh
-    bool conditioning = true;    ///< false: kappa1, kappa2, ... are not computed
+    break_times<Scalar>
+        break_points{};        ///< where f jumps or has a kink, as for integrate(): fixed points too
+    bool conditioning = true;  ///< false: kappa1, kappa2, ... are not computed
 };
 
 namespace detail {
@@ -56,6 +61,17 @@ void validate(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b, co
         demand(o.fixed_points[i] > a && o.fixed_points[i] < b, "fixed_points must lie inside (a, b)");
         demand(i == 0 || o.fixed_points[i - 1] < o.fixed_points[i], "fixed_points must increase");
     }
+}
+
+/// Break points inside (a, b) become fixed points, too.
+template <class Scalar>
+void take_break_points(bvp_options<Scalar>& o, const break_times<Scalar>& times, const Scalar& a,
+                       const Scalar& b) {
+    if (times.empty()) return;
+    times.validate("solve_bvp: break_points", a, b, false);
+    for (Scalar t = times.next(a, b); t < b; t = times.next(t, b)) o.fixed_points.push_back(t);
+    std::sort(o.fixed_points.begin(), o.fixed_points.end());
+    o.fixed_points.erase(std::unique(o.fixed_points.begin(), o.fixed_points.end()), o.fixed_points.end());
 }
 
 }  // namespace detail

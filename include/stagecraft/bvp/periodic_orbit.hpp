@@ -190,6 +190,16 @@ bvp_status judge_orbit(const solution<Vector>& y, const typename Vector::Scalar&
     return bvp_status::success;
 }
 
+/// Does the guess over [0, 1] come back to where it begins, to six digits of its size? It is an orbit then, not a point.
+template <class Vector, class Guess>
+bool closes(const Guess& guess) {
+    using scalar = typename Vector::Scalar;
+    const Vector start = guess(scalar(0));
+    scalar size(0);
+    for (int k = 1; k < 64; ++k) size = std::max(size, scalar((guess(scalar(k) / 64) - start).norm()));
+    return size > scalar(0) && (guess(scalar(1)) - start).norm() <= size / 1000000;
+}
+
 /// The verdict of judge_orbit in words.
 constexpr const char* words_of(bvp_status judged) {
     return judged == bvp_status::equilibrium ? "the orbit is a point"
@@ -232,7 +242,8 @@ struct call_of_periodic_orbit {
 
 /// A periodic orbit of the autonomous y' = f(y), its period (unknown, in the border of the linear systems) and
 /// its Floquet multipliers. f is called as f(t, y, out); guess from last_return(), or any orbit_guess. One of the
-/// multipliers is 1; for how they and their errors are found see bvp/paths/multipliers.hpp.
+/// multipliers is 1; for how they and their errors are found see bvp/paths/multipliers.hpp. Where the iteration leaves a guess
+/// that closes for an equilibrium, or for a period that is not positive, the status is newton_failed.
 template <class Scalar, int S, class Rhs, class Vector>
 requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> periodic_orbit(
     const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
@@ -290,9 +301,20 @@ requires detail::writes_last<Rhs, Vector, Scalar, Vector> orbit_result<Vector> p
         r.status = bvp_status::equilibrium;  // every point stays where it is for no time
         r.message = "the period has gone to zero, and the orbit found is a point";
     }
-    if (!r.ok()) return r;
-    r.status = detail::judge_orbit(r.y, r.error.global);
-    if (!r.ok()) r.message = detail::words_of(r.status);
+    if (r.ok() && !(r.period > Scalar(0))) {
+        r.status = bvp_status::newton_failed;
+        r.message = "the period found is not positive; a nearer guess may lead to the orbit";
+    }
+    if (r.ok()) {
+        r.status = detail::judge_orbit(r.y, r.error.global);
+        if (!r.ok()) r.message = detail::words_of(r.status);
+    }
+    if (r.status == bvp_status::equilibrium && detail::closes<Vector>(given)) {
+        r.status = bvp_status::newton_failed;
+        r.message =
+            "Newton's iteration left the guess, which closes, for an equilibrium: f may jump or have a kink "
+            "on the orbit";
+    }
     return r;
 }
 

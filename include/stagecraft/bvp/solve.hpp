@@ -11,6 +11,7 @@
 
 #include <stagecraft/bvp/solve/solve_functions.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
+#include <stagecraft/problem/system.hpp>
 #include <stagecraft/problem/two_point.hpp>
 #include <stagecraft/refuse/detect/named_member.hpp>
 #include <stagecraft/refuse/detect/refused_call.hpp>
@@ -29,6 +30,18 @@ requires usable_guess<Guess, Scalar>
 struct vector_of_guess<Guess, Scalar> {
     using type = decltype(guess_value(std::declval<const Guess&>(), std::declval<const Scalar&>()));
 };
+
+/// guess is, as far as it is one, of real numbers.
+template <class Guess, class Scalar>
+inline constexpr bool real_guess = [] {
+    if constexpr (usable_guess<Guess, Scalar>)
+        return std::is_same_v<typename vector_of_guess<Guess, Scalar>::type::Scalar, Scalar> ||
+               !requires(typename vector_of_guess<Guess, Scalar>::type::Scalar z) {
+            z.imag();
+        };
+    else
+        return true;
+}();
 
 /// f is generic, by its declaration, and will be differentiated automatically.
 template <class Rhs, class Vector,
@@ -67,7 +80,7 @@ struct call_of_solve_bvp {
             "Eigen::Vector2d(0, 1), say, not {0, 1}; p is a vector of Eigen's, left out if there is none, "
             "and options have no other names than {.rtol, .atol, "
             ".intervals, .mesh, .fixed_points, .max_intervals, .adapt, .newton_iterations, "
-            ".conditioning}");
+            ".break_points, .conditioning}");
         return true;
     }
 };
@@ -82,6 +95,7 @@ struct call_of_solve_bvp {
 ///          Newton's iteration then keeps inside, where else it may be caught on the other side.
 /// guess    For y: a vector, a function of t, or a solution, which is asked for derivative(t) as well.
 /// p        A guess for the unknown parameters; n + n_p conditions then.
+/// Conditions inside [a, b], jumps of y, integrals and an unknown b are said in bvp/multipoint.hpp.
 ///
 /// The mesh follows the contributions of its intervals to the global error, which is estimated by one more
 /// solve with the factors of Newton's iteration (bvp/measure/error_estimate.hpp). Success means: the estimated error
@@ -97,9 +111,14 @@ requires requires(const Parameters& p) { p.size(); }
 auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditions> problem,
                std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
                const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
-    constexpr bool guessed = detail::usable_guess<Guess, Scalar>;
+    constexpr bool real = detail::real_guess<Guess, Scalar>,
+                   guessed = real && detail::usable_guess<Guess, Scalar>;
     static_assert(
-        guessed,
+        real,
+        "solve_bvp: y is real: a complex y of n components is a real one of 2 n, its real parts and "
+        "then its imaginary parts, as f and r then write them");
+    static_assert(
+        guessed || !real,
         "solve_bvp: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
         "that returns one (no expression: write `-> Eigen::Vector2d` or .eval()), or a solution");
     using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
@@ -132,6 +151,10 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
                   "`Vector& out` or `auto& out`");
     if constexpr (guessed && rhs && conditions && writes_through) {
         detail::validate(o, a, b);
+        bvp_options<Scalar> own = o;
+        detail::take_break_points(own, o.break_points, a, b);
+        if constexpr (has_break_points<Rhs>)
+            detail::take_break_points(own, break_times<Scalar>(problem.f.break_points()), a, b);
         const int n = static_cast<int>(detail::guess_value(guess, a).size());
         detail::demand_bvp(n > 0, "guess must have at least one component");
         if constexpr (has_index<Rhs>)
@@ -143,7 +166,7 @@ auto solve_bvp(const tableau<Scalar, S>& method, two_point_problem<Rhs, Conditio
         two_point_system<two_point_problem<Rhs, Conditions>, vector, parameters> functions(
             problem.f, problem.r, n, static_cast<int>(p.size()), counts);
         return detail::solve_functions<S, vector, parameters>(method, functions, guess, a, b, parameters(p),
-                                                              o, positions);
+                                                              own, positions);
     } else {
         return bvp_result<vector, parameters>{};
     }
@@ -208,3 +231,6 @@ bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<deta
                                                        ...);
 
 }  // namespace stagecraft
+
+// solve_bvp of conditions inside [a, b] and of all else that two_point() takes after f and r.
+#include <stagecraft/bvp/multipoint.hpp>

@@ -59,6 +59,21 @@ template <class Conditions, class R, class... Arguments>
 concept writes_conditions = writes_watched_conditions<Conditions, R, Arguments...> ||
     (writes_last<Conditions, R, Arguments...>&& callable_unconverted<Conditions, const Arguments&..., R&>);
 
+/// Calls r with an R of m numbers to write, which go to out[first] and behind. `count` says in words how many these are.
+template <class R, class Conditions, class Out, class Count, class... Arguments>
+void write_conditions(Conditions& r, int m, const Count& count, Out& out, int first,
+                      const Arguments&... arguments) {
+    condition_values<R> value(m);
+    if constexpr (std::is_invocable_v<Conditions&, const Arguments&..., condition_values<R>&>)
+        r(arguments..., value);
+    else
+        r(arguments..., static_cast<R&>(value));
+    if (value.size() != m || value.spare == value.spare)
+        throw bad_problem("solve_bvp: the conditions must write " + count() + ", not " +
+                          (value.size() != m ? std::to_string(value.size()) : "more"));
+    for (int i = 0; i < m; ++i) out[first + i] = value[i];
+}
+
 /// Whether f and r can be called as two_point() says with states of the type Vector and these Parameters.
 template <class Rhs, class Conditions, class Vector, class Parameters>
 struct checked_two_point {
@@ -157,16 +172,10 @@ struct joint_conditions {
     template <class R, class Out, class... Arguments>
     void write(Out& out, const Arguments&... arguments) {
         const int m = n + parameters;
-        condition_values<R> value(m);
-        if constexpr (std::is_invocable_v<Conditions&, const Arguments&..., condition_values<R>&>)
-            r(arguments..., value);
-        else
-            r(arguments..., static_cast<R&>(value));
-        if (value.size() != m || value.spare == value.spare)
-            throw bad_problem("solve_bvp: the conditions must write n + n_p numbers, n = " +
-                              std::to_string(n) + ", n_p = " + std::to_string(parameters) + ", not " +
-                              (value.size() != m ? std::to_string(value.size()) : "more"));
-        for (int i = 0; i < m; ++i) out[i] = value[i];
+        const auto count = [this] {
+            return "n + n_p numbers, n = " + std::to_string(n) + ", n_p = " + std::to_string(parameters);
+        };
+        write_conditions<R>(r, m, count, out, 0, arguments...);
         for (int i = m; i < 2 * n + parameters; ++i) out[i] = typename R::Scalar(0);
     }
 };

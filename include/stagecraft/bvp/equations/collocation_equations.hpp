@@ -23,8 +23,9 @@ struct not_of_second_order {};
 
 /// An iterate of Newton's iteration: the mesh, y at its points, the scaled slopes Z = h y' at the s nodes of
 /// every interval (n x s each, side by side) and the parameters. Corrections have the same form.
-template <class Scalar, int N, int P>
+template <class Scalar, int Components, int P>
 struct bvp_iterate {
+    static constexpr int N = Components;
     std::vector<Scalar> t;
     Eigen::Matrix<Scalar, N, Eigen::Dynamic> y, Z;
     Eigen::Matrix<Scalar, P, 1> p;
@@ -131,14 +132,19 @@ class collocation_equations {
         return true;
     }
 
-    /// Are the Jacobians at x others than those of the factors? Looked at in one node of every interval; false for
-    /// linear problems, whose factors hold everywhere.
+    /// Are the Jacobians at x others than those of the factors? Looked at in one node of every interval, equation by equation,
+    /// as a large coefficient in one of them says nothing of the others; false for linear problems, whose factors hold
+    /// everywhere.
     bool jacobians_differ(const iterate& x) {
         using std::sqrt;
         const Scalar same =
             sqrt(sqrt(std::numeric_limits<Scalar>::epsilon()));  // differences of f leave less
         const auto differ = [&](const auto& now, const auto& before) {
-            return !((now - before).cwiseAbs().maxCoeff() <= same * before.cwiseAbs().maxCoeff());
+            for (Eigen::Index c = 0; c < now.rows(); ++c)
+                if (!((now.row(c) - before.row(c)).cwiseAbs().maxCoeff() <=
+                      same * before.row(c).cwiseAbs().maxCoeff()))
+                    return true;
+            return false;
         };
         for (int i = 0; i < x.intervals(); ++i) {
             const int j = i % s();
@@ -199,10 +205,26 @@ class collocation_equations {
         return std::max({Scalar(rho_.cwiseAbs().maxCoeff()), Scalar(gamma_.cwiseAbs().maxCoeff()),
                          Scalar(beta_.cwiseAbs().maxCoeff())});
     }
+    /// The size of the residuals last evaluated, which are kept.
+    Scalar keep_residual() {
+        kept_rho_ = rho_, kept_gamma_ = gamma_, kept_beta_ = beta_;
+        return residual_norm(rho_, gamma_, beta_);
+    }
+    /// The size of the residuals last evaluated; `change` is that of what they differ by from `part` of those kept.
+    Scalar residual_beside_kept(const Scalar& part, Scalar& change) const {
+        change =
+            residual_norm(rho_ - part * kept_rho_, gamma_ - part * kept_gamma_, beta_ - part * kept_beta_);
+        return residual_norm(rho_, gamma_, beta_);
+    }
     /// Another number whenever the Jacobians and factors are others.
     long version() const { return version_; }
 
   private:
+    template <class Rho, class Gamma, class Beta>
+    static Scalar residual_norm(const Rho& rho, const Gamma& gamma, const Beta& beta) {
+        using std::sqrt;
+        return sqrt(rho.squaredNorm() + gamma.squaredNorm() + beta.squaredNorm());
+    }
     /// The right-hand sides of the condensed equations, from residuals of the slopes (nullptr where these are zero) and of
     /// continuity.
     void condense(const Scalar* rho, const wide& gamma) {
@@ -229,7 +251,7 @@ class collocation_equations {
     /// The Jacobian at x in node j of interval i, that of the factors there, and at x that of the conditions.
     const auto& jacobian_at(const iterate& x, int i, int j) {
         set_stages(x, i), set_stage(j);
-        const Scalar t = x.t[i] + method_.c[j] * x.h(i);
+        const Scalar t = time(x, i, j);
         system_.f(t, stage_, x.p);
         return system_.jacobian(t);
     }
@@ -240,6 +262,15 @@ class collocation_equations {
     const auto& conditions_jacobian_at(const iterate& x) {
         system_.conditions(x.y.col(0), x.y.col(x.intervals()), x.p);
         return system_.conditions_jacobian();
+    }
+    /// Node j of interval i; one at a mesh point inside [a, b] lies on the interval's own side of it, where f may jump.
+    Scalar time(const iterate& x, int i, int j) const {
+        using std::abs;
+        const Scalar &c = method_.c[j], h = x.h(i), rounding = 2 * std::numeric_limits<Scalar>::epsilon();
+        if (c == Scalar(0) && i > 0) return x.t[i] + std::max(h, abs(x.t[i])) * rounding;
+        if (c == Scalar(1) && i + 1 < x.intervals())
+            return x.t[i + 1] - std::max(h, abs(x.t[i + 1])) * rounding;
+        return x.t[i] + c * h;
     }
     /// y at the nodes of interval i, one component behind the other.
     void set_stages(const iterate& x, int i) {
@@ -265,7 +296,7 @@ class collocation_equations {
             const Scalar h = x.h(i), *Z = &x.Z(0, i * count);
             set_stages(x, i);
             for (int j = 0; j < count; ++j) {
-                const Scalar t = x.t[i] + method_.c[j] * h;
+                const Scalar t = time(x, i, j);
                 set_stage(j);
                 const auto& f = system_.f(t, stage_, x.p);
                 if (!all_finite(f, size)) return fail_at(t);
@@ -314,7 +345,8 @@ class collocation_equations {
     detail::collocation_blocks<Scalar, N, P, S> blocks_;
     two_point_matrix<Scalar, N> matrix_;
     wide rho_, gamma_, g_, J_;
-    column beta_;
+    wide kept_rho_, kept_gamma_;
+    column beta_, kept_beta_;
     matrix work_, conditions_;
     Eigen::Matrix<Scalar, S, N, (S == 1 && N != 1 ? Eigen::RowMajor : Eigen::ColMajor)> stages_;
     state stage_;

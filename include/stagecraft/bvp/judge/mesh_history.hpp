@@ -41,9 +41,10 @@ struct mesh_history {
             solved = true;
         }
         if (e.knows(quantity::kappa) && !e.trial) look_at(e[quantity::kappa], v.unsettled);
-        if (v.act == mesh_act::finer_guess || v.act == mesh_act::halve_last || v.act == mesh_act::straight)
+        if (v.act == mesh_act::finer_guess || v.act == mesh_act::halve_last || v.act == mesh_act::straight ||
+            v.act == mesh_act::trajectory)
             ++failures;
-        if (v.act == mesh_act::finer_guess || v.act == mesh_act::usual_mesh)
+        if (v.act == mesh_act::finer_guess || v.act == mesh_act::usual_mesh || v.act == mesh_act::trajectory)
             least = std::numeric_limits<Scalar>::infinity(), idle = 0;
     }
 
