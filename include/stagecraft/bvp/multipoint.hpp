@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/bvp/options.hpp>
+#include <stagecraft/bvp/result.hpp>
+#include <stagecraft/bvp/solve/solve_functions.hpp>
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/problem/multipoint.hpp>
 

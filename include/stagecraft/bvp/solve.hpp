@@ -9,6 +9,7 @@
 // Before what includes it, so that what is said from there is said in fewer lines.
 #include <stagecraft/jacobian/dual_number.hpp>
 
+#include <stagecraft/bvp/multipoint.hpp>
 #include <stagecraft/bvp/solve/solve_functions.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/problem/system.hpp>
@@ -19,29 +20,6 @@
 namespace stagecraft {
 
 namespace detail {
-
-/// The type of y: that of guess, whatever where that cannot be one.
-template <class Guess, class Scalar>
-struct vector_of_guess {
-    using type = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-};
-template <class Guess, class Scalar>
-requires usable_guess<Guess, Scalar>
-struct vector_of_guess<Guess, Scalar> {
-    using type = decltype(guess_value(std::declval<const Guess&>(), std::declval<const Scalar&>()));
-};
-
-/// guess is, as far as it is one, of real numbers.
-template <class Guess, class Scalar>
-inline constexpr bool real_guess = [] {
-    if constexpr (usable_guess<Guess, Scalar>)
-        return std::is_same_v<typename vector_of_guess<Guess, Scalar>::type::Scalar, Scalar> ||
-               !requires(typename vector_of_guess<Guess, Scalar>::type::Scalar z) {
-            z.imag();
-        };
-    else
-        return true;
-}();
 
 /// f is generic, by its declaration, and will be differentiated automatically.
 template <class Rhs, class Vector,
@@ -231,6 +209,3 @@ bvp_result<Eigen::VectorXd, Eigen::VectorXd> solve_bvp(detail::refused_call<deta
                                                        ...);
 
 }  // namespace stagecraft
-
-// solve_bvp of conditions inside [a, b] and of all else that two_point() takes after f and r.
-#include <stagecraft/bvp/multipoint.hpp>

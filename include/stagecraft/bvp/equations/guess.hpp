@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <stagecraft/bvp/options.hpp>
@@ -53,6 +54,29 @@ concept usable_guess = constant_guess<Guess> || requires(const Guess& guess, con
     typename std::decay_t<decltype(guess(t))>::PlainObject;
     { guess(t) } -> owns_numbers;
 };
+
+/// The type of y: that of guess, whatever where that cannot be one.
+template <class Guess, class Scalar>
+struct vector_of_guess {
+    using type = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+};
+template <class Guess, class Scalar>
+requires usable_guess<Guess, Scalar>
+struct vector_of_guess<Guess, Scalar> {
+    using type = decltype(guess_value(std::declval<const Guess&>(), std::declval<const Scalar&>()));
+};
+
+/// guess is, as far as it is one, of real numbers.
+template <class Guess, class Scalar>
+inline constexpr bool real_guess = [] {
+    if constexpr (usable_guess<Guess, Scalar>)
+        return std::is_same_v<typename vector_of_guess<Guess, Scalar>::type::Scalar, Scalar> ||
+               !requires(typename vector_of_guess<Guess, Scalar>::type::Scalar z) {
+            z.imag();
+        };
+    else
+        return true;
+}();
 
 /// The same, which must have n components at every t.
 template <class Scalar, class Guess>
