@@ -7,7 +7,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <stagecraft/bvp/multipoint.hpp>
+#include <stagecraft/bvp/solve.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stdexcept>
 #include <string>

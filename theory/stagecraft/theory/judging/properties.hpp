@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stagecraft/tableaux/ball.hpp>
 #include <stagecraft/theory/judging/enclosed_stability.hpp>
+#include <stagecraft/theory/judging/exact_cost.hpp>
 #include <stagecraft/theory/judging/rounded_properties.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/models/stage_algebra.hpp>
@@ -16,19 +17,6 @@
 #include <string_view>
 
 namespace stagecraft::theory {
-
-/// Bits that the coefficients of det(I - zA) may have: a row's longest entry, summed over the rows.
-int determinant_bits(const subject<tableaux::quadratic>& s);
-
-/// Beyond this the stability function is enclosed: Sturm chains over such fractions take seconds. Published
-/// methods stay far below.
-inline constexpr int longest_exact_determinant = 1200;
-
-/// Whether exact stability takes a second or more: a full A of ten stages whose fractions have no structure.
-inline bool is_costly(const subject<tableaux::quadratic>& s) { return !s.lower && s.stages() >= 8; }
-
-/// The same tableau in enclosures of its exact entries.
-subject<tableaux::ball> enclosed(const subject<tableaux::quadratic>& s);
 
 /// The verdict on one of the properties that a file can claim (tableaux::yes_no_claims), by its name there:
 /// decided over exact fields (A- and L-stability unless the fractions are enormous), with enclosures refuted
@@ -69,7 +57,3 @@ verdict property_of(const subject<K>& s, std::string_view property) {
 }
 
 }  // namespace stagecraft::theory
-
-#ifndef STAGECRAFT_COMPILED
-#include "stagecraft/theory/judging/properties-inl.hpp"
-#endif

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <stagecraft/tableaux/small_solve.hpp>
-#include <stagecraft/theory/judging/properties.hpp>
+#include <stagecraft/theory/judging/exact_cost.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/stability/spectrum.hpp>
 #include <stagecraft/theory/stability/stability_function.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include "stagecraft/theory/judging/properties.hpp"
+#include "stagecraft/theory/judging/exact_cost.hpp"
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/range.hpp"
