@@ -67,8 +67,7 @@ struct report {
     long error_solves = 0;
     long linear_iterations = 0;
     long linear_failures = 0;
-    long clipped = 0;  ///< components set to zero by nonnegative(problem, {.clip = true})
-    unsolved_because linear_trouble = unsolved_because::nothing;
+    long clipped = 0;                  ///< components set to zero by nonnegative(problem, {.clip = true})
     Scalar smallest_step = Scalar(0);  ///< in absolute value, over accepted steps
     Scalar largest_step = Scalar(0);
     int largest_stages = 0;  ///< largest and smallest number of stages used by an accepted step
@@ -76,10 +75,11 @@ struct report {
     /// Of status::inconsistent_start: the equation that is farthest off (counted from 0; of a combination, the one of
     /// largest coefficient), what it leaves, and how many tolerances of all components make as much.
     int unmet_equation = -1;
+    unsolved_because linear_trouble = unsolved_because::nothing;
+    bool default_atol = false;  ///< steps are chosen by the atol of options nobody has set
     Scalar unmet_rest = Scalar(0), unmet_tolerances = Scalar(0);
     found_capabilities found{};
     Scalar rtol = Scalar(0), atol = Scalar(0);  ///< of the options; atol is 0 where it was given by component
-    bool default_atol = false;                  ///< steps are chosen by the atol of options nobody has set
 
     /// What the next step depends on (checkpoint.hpp).
     template <class Bag>

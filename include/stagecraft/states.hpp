@@ -251,7 +251,7 @@ struct split_problem_with_jacobian : split_problem<Problem, State> {
 
 /// The Problem with states of the type State as one of vectors.
 template <class Problem, class State>
-auto split(const Problem& problem, const State& y0) {
+auto in_vectors(const Problem& problem, const State& y0) {
     using form = state_parts<State>;
     static_assert(!form::complex || !(has_mass<const Problem> || has_index<const Problem> ||
                                       has_bandwidth<const Problem> || has_sparsity<const Problem> ||
@@ -259,7 +259,9 @@ auto split(const Problem& problem, const State& y0) {
                   "integrate: of a problem with a complex state only jacobian() and constant_jacobian() are "
                   "used: split "
                   "it into real and imaginary parts by hand");
-    if constexpr (has_member_named<Problem, jacobian_member>)
+    if constexpr (in_parts<Problem>)
+        return problem.with_each([&](const auto& part) { return in_vectors(part, y0); });
+    else if constexpr (has_member_named<Problem, jacobian_member>)
         return split_problem_with_jacobian<Problem, State>(problem, y0);
     else
         return split_problem<Problem, State>(problem, y0);
@@ -365,7 +367,7 @@ result<State> integrate(const Method& method, Problem&& problem, const State& y0
     } else {
         using form = detail::state_parts<State>;
         using vector = typename form::vector;
-        const auto real_problem = detail::split(problem, y0);
+        const auto real_problem = detail::in_vectors(problem, y0);
         using real_type = std::remove_const_t<decltype(real_problem)>;
         vector start(detail::elements_of(y0) * form::parts);
         detail::take_out_of(y0, start);

@@ -145,8 +145,12 @@ auto steps(const Method& method, Problem&& problem, const Eigen::MatrixBase<Deri
         "operator()(double "
         "t, const Vector& y, Vector& f) const` with Vector the type of y0 (of fixed size if that is); "
         "integrate() says more");
+    constexpr bool fit = detail::fit_in_parts<Method, std::remove_reference_t<Problem>>;
+    static_assert(fit,
+                  "steps: an additive method and a problem split(f_explicit, f_implicit) belong together: "
+                  "neither runs without the other");
     o.break_points.validate("steps: break_points", t0, t1, true);
-    if constexpr (callable)
+    if constexpr (callable && fit)
         return step_range<Method, Problem, vector>(method, std::forward<Problem>(problem), y0, t0, t1, o);
     else
         return std::initializer_list<result<vector>>();

@@ -4,11 +4,14 @@
 
 #include <boost/test/unit_test.hpp>
 #include <memory>
+#include <stagecraft/additive.hpp>
+#include <stagecraft/coefficients/additive.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/observe/event.hpp>
 #include <stagecraft/observe/output_times.hpp>
 #include <stagecraft/observe/solution.hpp>
+#include <stagecraft/problem/with.hpp>
 #include <stagecraft/radau_iia_variable.hpp>
 
 #include "../allocations.hpp"
@@ -24,10 +27,9 @@ void van_der_pol(const Vector& y, Vector& f) {
 }
 
 // Allocations between the third and the last step of a run.
-template <class Method, class Vector>
-long allocations_after_warm_up(const Method& method, const Vector& y0) {
-    const auto f = [](double, const Vector& y, Vector& out) { van_der_pol(y, out); };
-    sc::integrator<Method, decltype(f), Vector> run(method, f, y0, 0, 2, {.rtol = 1e-7, .atol = 1e-7});
+template <class Method, class Problem, class Vector>
+long allocations_after_warm_up(const Method& method, Problem& f, const Vector& y0) {
+    sc::integrator<Method, Problem, Vector> run(method, f, y0, 0, 2, {.rtol = 1e-7, .atol = 1e-7});
     for (int i = 0; i < 3; ++i) run.step();
     const long before = allocations;
     while (run.step()) {
@@ -36,6 +38,11 @@ long allocations_after_warm_up(const Method& method, const Vector& y0) {
     BOOST_TEST(run.counts().steps > 50);
     BOOST_TEST((run.status() == sc::status::success));
     return made;
+}
+template <class Method, class Vector>
+long allocations_after_warm_up(const Method& method, const Vector& y0) {
+    const auto f = [](double, const Vector& y, Vector& out) { van_der_pol(y, out); };
+    return allocations_after_warm_up(method, f, y0);
 }
 
 // Counts what a run asks of it.
@@ -79,6 +86,23 @@ BOOST_AUTO_TEST_CASE(a_step_of_a_plain_tableau_allocates_nothing) {
     auto coupled = methods::lobatto_iiia_3();
     coupled.b_embedded = Eigen::Vector3d(0.5, 0, 0.5);
     BOOST_TEST(allocations_after_warm_up(coupled, y0) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_an_additive_method_allocates_nothing) {
+    using Eigen::VectorXd;
+    const VectorXd y0 = Eigen::Vector2d(2, -0.66);
+    const auto m = sc::ark4();
+    const auto drift = [](double, const VectorXd& y, VectorXd& f) { f << y[1], 0; };
+    const auto force = [](double, const VectorXd& y, VectorXd& f) {
+        f << 0, ((1 - y[0] * y[0]) * y[1] - y[0]) * 1e3;
+    };
+    auto ordinary = sc::split(drift, force);
+    BOOST_TEST(allocations_after_warm_up(m, ordinary, y0) == 0);
+    auto algebraic = sc::split(  // 0 = y_1^2 - y_2
+        [](double t, const VectorXd& y, VectorXd& f) { f << 20 * std::cos(20 * t) - y[0] * y[1], 0; },
+        sc::with_mass([](double, const VectorXd& y, VectorXd& f) { f << -y[0], y[0] * y[0] - y[1]; },
+                      Eigen::MatrixXd(Eigen::Vector2d(1, 0).asDiagonal())));
+    BOOST_TEST(allocations_after_warm_up(m, algebraic, VectorXd(Eigen::Vector2d(1, 1))) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(an_allocation_would_be_seen_made_with_new_or_by_eigen) {

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <stagecraft/method/coloured_order.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 #include <stagecraft/method/structure.hpp>
 #include <stagecraft/refuse/detect/refused_call.hpp>
 #include <stagecraft/tableau.hpp>
@@ -75,6 +76,16 @@ auto additive(const tableau<Scalar, First>& explicit_part, const tableau<Scalar,
     m.order = coloured_order(e, i, e.b, i.b);
     if (e.b_embedded.size() > 0) m.embedded_order = coloured_order(e, i, e.b_embedded, i.b_embedded);
     return m;
+}
+
+/// The additive method that takes two half steps of m and estimates their error by a whole one: step_doubling() of both parts.
+template <class Scalar, int Stages>
+additive_method<Scalar> step_doubling(const additive_method<Scalar, Stages>& m) {
+    if (m.order < 1) throw std::invalid_argument("step_doubling: method has order 0");
+    const auto e = detail::shared_stages_of(m.explicit_part), i = detail::shared_stages_of(m.implicit_part);
+    const detail::shared_stages shared{e.first && i.first, e.last && i.last};
+    return additive(detail::doubled(m.explicit_part, m.order, shared),
+                    detail::doubled(m.implicit_part, m.order, shared));
 }
 
 namespace detail {

@@ -9,27 +9,27 @@
 
 namespace stagecraft {
 
-/// The method that takes two half steps of m and estimates their error by a whole one (Hairer-Norsett-Wanner
-/// I.II.4; lecture 2.4.1): for a method without embedded weights.
-///
-/// The result is a tableau of 3 s stages, those of the whole step first, and 3 s - 1 where the first stage of
-/// m is f(t, y), which the whole and the first half step share; 3 s - 2 where the last stage is that of the
-/// next step besides (last row of A equal to b, c_s = 1), so that it serves both half steps, and singular
-/// mass matrices are those that m serves. It is explicit, diagonally implicit or stiffly accurate if m is;
-/// the stages of another method are solved as one system. Its embedded weights are such that b - b_embedded
-/// is (b - b_whole) / (2^p - 1), the leading term of the error, p being m.facts.order or, where that is not
-/// set, the order found. Throws std::invalid_argument if m has no stages or order 0.
+namespace detail {
+
+/// Whether the first stage of m is f(t, y), and whether its last one is that of the next step besides.
+struct shared_stages {
+    bool first, last;
+};
 template <class Scalar, int Stages>
-tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
+shared_stages shared_stages_of(const tableau<Scalar, Stages>& m) {
     const int s = m.stages();
-    if (s < 1) throw std::invalid_argument("step_doubling: method has no stages");
-    const int p = classical_order(m);
-    if (p < 1) throw std::invalid_argument("step_doubling: method has order 0");
-    bool shared = true;  // the first stage
-    for (int j = 0; j < s; ++j) shared = shared && m.A(0, j) == Scalar(0);
-    bool handed_on = shared && s > 1 && m.c[s - 1] == Scalar(1);  // the last stage, to the next step
-    for (int j = 0; j < s; ++j) handed_on = handed_on && m.A(s - 1, j) == m.b[j];
-    const int first = shared ? 1 : 0, second = handed_on ? 1 : 0, size = 3 * s - first - second;
+    bool first = true;
+    for (int j = 0; j < s; ++j) first = first && m.A(0, j) == Scalar(0);
+    bool last = first && s > 1 && m.c[s - 1] == Scalar(1);
+    for (int j = 0; j < s; ++j) last = last && m.A(s - 1, j) == m.b[j];
+    return {first, last};
+}
+
+/// step_doubling() of a method of order p, with these stages shared.
+template <class Scalar, int Stages>
+tableau<Scalar> doubled(const tableau<Scalar, Stages>& m, int p, shared_stages shared) {
+    const int s = m.stages(), first = shared.first ? 1 : 0, second = shared.last ? 1 : 0,
+              size = 3 * s - first - second;
     // Stages of the whole step are 0 ... s-1; those of the first half follow, save a shared one; then those
     // of the second, save one handed on.
     const auto whole = [](int i) { return i; };
@@ -63,6 +63,26 @@ tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
     r.facts.stage_order = 0;
     r.facts.r_infinity = m.facts.r_infinity * m.facts.r_infinity;
     return r;
+}
+
+}  // namespace detail
+
+/// The method that takes two half steps of m and estimates their error by a whole one (Hairer-Norsett-Wanner
+/// I.II.4; lecture 2.4.1): for a method without embedded weights.
+///
+/// The result is a tableau of 3 s stages, those of the whole step first, and 3 s - 1 where the first stage of
+/// m is f(t, y), which the whole and the first half step share; 3 s - 2 where the last stage is that of the
+/// next step besides (last row of A equal to b, c_s = 1), so that it serves both half steps, and singular
+/// mass matrices are those that m serves. It is explicit, diagonally implicit or stiffly accurate if m is;
+/// the stages of another method are solved as one system. Its embedded weights are such that b - b_embedded
+/// is (b - b_whole) / (2^p - 1), the leading term of the error, p being m.facts.order or, where that is not
+/// set, the order found. Throws std::invalid_argument if m has no stages or order 0.
+template <class Scalar, int Stages>
+tableau<Scalar> step_doubling(const tableau<Scalar, Stages>& m) {
+    if (m.stages() < 1) throw std::invalid_argument("step_doubling: method has no stages");
+    const int p = classical_order(m);
+    if (p < 1) throw std::invalid_argument("step_doubling: method has order 0");
+    return detail::doubled(m, p, detail::shared_stages_of(m));
 }
 
 namespace detail {

@@ -107,6 +107,9 @@ Eigen::MatrixXd mass_of(Problem& problem) {
 template <class State = Eigen::VectorXd, class Problem>
 requires std::same_as<typename State::Scalar, double>
 auto erased(Problem problem) {
+    static_assert(!in_parts<Problem>,
+                  "erased(problem): of split(f_explicit, f_implicit) one part would be lost: erase both, "
+                  "split(erased(f_explicit), erased(f_implicit))");
     static_assert(
         !has_bandwidth<Problem> && !has_sparsity<Problem> && !has_matrix<Problem> &&
             !has_linear_solver<Problem> && !has_add_up<Problem, double>,

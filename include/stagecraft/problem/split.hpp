@@ -15,6 +15,7 @@ namespace stagecraft {
 template <class Explicit, class Implicit>
 struct problem_in_parts : Implicit {
     using explicit_function = Explicit;
+    using implicit_function = Implicit;
     Explicit f_explicit;
     problem_in_parts(Explicit e, Implicit i) : Implicit(std::move(i)), f_explicit(std::move(e)) {}
     using Implicit::operator();
@@ -25,6 +26,13 @@ struct problem_in_parts : Implicit {
     template <class T, class Y, class F>
     void explicit_part(const T& t, const Y& y, F& f) const {
         write(f_explicit, t, y, f);
+    }
+    /// The same with make(part) in the place of each part.
+    template <class Make>
+    auto with_each(const Make& make) const {
+        auto e = make(f_explicit);
+        auto i = make(static_cast<const Implicit&>(*this));
+        return problem_in_parts<decltype(e), decltype(i)>(std::move(e), std::move(i));
     }
 
   private:

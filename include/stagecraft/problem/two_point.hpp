@@ -30,6 +30,9 @@ struct two_point_problem {
 /// it does not bring, and the derivatives of r, come from automatic differentiation or differences.
 template <class Rhs, class Conditions>
 two_point_problem<Rhs, Conditions> two_point(Rhs f, Conditions r) {
+    static_assert(!in_parts<Rhs>,
+                  "two_point(f, r): f is the whole right-hand side: write the sum of the "
+                  "parts of split(f_explicit, f_implicit)");
     return {std::move(f), std::move(r)};
 }
 

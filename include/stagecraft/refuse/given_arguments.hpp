@@ -47,7 +47,7 @@ struct given_arguments {
     /// An additive method and a problem in two parts, or neither.
     static constexpr bool in_parts_or_not = [] {
         if constexpr (method_first)
-            return takes_parts<Method> == in_parts<Problem>;
+            return fit_in_parts<Method, Problem>;
         else
             return true;
     }();

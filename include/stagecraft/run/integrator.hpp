@@ -22,6 +22,10 @@ class integrator : public step_loop<Method, Problem, Vector> {
   public:
     using typename loop::output_type;
     using typename loop::scalar;
+    static_assert(detail::fit_in_parts<Method, Problem>,
+                  "an additive method and a problem split(f_explicit, f_implicit) belong together: neither "
+                  "runs without the other");
+
     integrator(const Method& method, Problem& problem, const Vector& y0, const scalar& t0, const scalar& t1,
                const options<scalar>& o, bool keeps_output = true)
         : loop(method, problem, y0, t0, t1, o, keeps_output) {}

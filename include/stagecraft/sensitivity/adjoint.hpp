@@ -147,6 +147,10 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
     using derivatives = detail::parameter_derivatives<Problem, vector, parameters>;
+    constexpr bool whole = !in_parts<Problem>;
+    static_assert(whole,
+                  "adjoint_gradient: of the whole right-hand side: write the sum of the "
+                  "parts of split(f_explicit, f_implicit)");
     constexpr bool differentiable = derivatives::exist || derivatives::adjoint_given;
     static_assert(
         differentiable,
@@ -167,7 +171,7 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
     static_assert(functional,
                   "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
                   "and return a number, not a product of Eigen's: [](const auto& y) { return y.dot(y); }");
-    if constexpr (!differentiable || !functional) {
+    if constexpr (!whole || !differentiable || !functional) {
         return gradient_result<vector, parameters>{};
     } else {
         auto all =

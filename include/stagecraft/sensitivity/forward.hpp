@@ -93,12 +93,16 @@ auto sensitivities(
     Observer&& observer = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
+    constexpr bool whole = !in_parts<Problem>;
+    static_assert(whole,
+                  "sensitivities: of the whole right-hand side: write the sum of the parts "
+                  "of split(f_explicit, f_implicit)");
     constexpr bool differentiable = detail::parameter_derivatives<Problem, vector, parameters>::exist;
     static_assert(
         differentiable,
         "sensitivities: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
         "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F)");
-    if constexpr (differentiable)
+    if constexpr (whole && differentiable)
         return detail::run_with_sensitivities(method, problem, vector(y0), parameters(p), t0, t1, o, s,
                                               std::tuple<>(), observer);
     else
@@ -131,6 +135,10 @@ auto sensitivities_with_events(
     Observer&& observer = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
+    constexpr bool whole = !in_parts<Problem>;
+    static_assert(whole,
+                  "sensitivities_with_events: of the whole right-hand side: write the sum "
+                  "of the parts of split(f_explicit, f_implicit)");
     constexpr bool differentiable = detail::parameter_derivatives<Problem, vector, parameters>::automatic;
     static_assert(
         differentiable,
@@ -140,7 +148,7 @@ auto sensitivities_with_events(
     static_assert(good,
                   "sensitivities_with_events: events are sensitivity_event(g, options, jump, change), or a "
                   "std::tuple of several");
-    if constexpr (!differentiable || !good)
+    if constexpr (!whole || !differentiable || !good)
         return sensitivity_result<vector, typename sensitivity_options<vector, parameters>::matrix>{};
     else if constexpr (detail::is_state_event<Events>)
         return detail::run_with_sensitivities(method, problem, vector(y0), parameters(p), t0, t1, o, s,

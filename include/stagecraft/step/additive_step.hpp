@@ -2,18 +2,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <stdexcept>
-#include <type_traits>
+#include <string>
 #include <vector>
 
 #include <stagecraft/dense_output.hpp>
-#include <stagecraft/linear/mass_kernel.hpp>
+#include <stagecraft/linear/mass.hpp>
 #include <stagecraft/method/additive_method.hpp>
 #include <stagecraft/method/embedded_estimate.hpp>
 #include <stagecraft/method/structure.hpp>
 #include <stagecraft/problem/system.hpp>
+#include <stagecraft/stages/constrained_end.hpp>
 #include <stagecraft/stages/sequential.hpp>
-#include <stagecraft/stages/together.hpp>
+#include <stagecraft/step/cubic_output.hpp>
 #include <stagecraft/step/one_step_method.hpp>
 
 namespace stagecraft {
@@ -54,9 +58,7 @@ class additive_step : public step_defaults<Space> {
           is_(structure_of(m.implicit_part, v_.carry)),
           sequential_(m.implicit_part, n, false),
           order_(m.order),
-          hermite_(3),
-          plain_(3),
-          constraints_(identity_mass{}),
+          end_(n),
           left_implicit_(n),
           left_explicit_(n),
           left_slope_(n),
@@ -64,7 +66,6 @@ class additive_step : public step_defaults<Space> {
           right_explicit_(n),
           right_slope_(n),
           given_(n),
-          end_(n),
           part_(n) {
         const auto &e = m.explicit_part, &i = m.implicit_part;
         const int s = m.stages();
@@ -85,10 +86,7 @@ class additive_step : public step_defaults<Space> {
             needs_implicit_.push_back(is_asked_for(i, j, ends_in_stage_));
         }
         last_difference_ = e.b - e.A.row(s - 1).transpose();
-        hermite_.size = 3;
-        hermite_.c[0] = Scalar(0), hermite_.c[1] = Scalar(1), hermite_.c[2] = Scalar(1) / 2;
-        hermite_.finish();
-        find_plain_nodes();
+        output_.prepare(i.c, is_.left_stage ? 1 : 0);
         v_.k.setZero(), w_.k.setZero();
         left_implicit_.setZero(), left_explicit_.setZero();
     }
@@ -118,7 +116,7 @@ class additive_step : public step_defaults<Space> {
     const method_type& method() const { return v_.method; }
     int count() const { return v_.method.stages(); }
     int coupled_stages_count() const { return 1; }
-    int columns() const { return count() > 3 ? count() : 3; }
+    int columns() const { return output_.columns(count()); }
     int order() const { return order_; }
     int estimate_power() const { return power_; }
     Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
@@ -129,12 +127,7 @@ class additive_step : public step_defaults<Space> {
 
     template <class System>
     bool factor(const System& system, const Scalar& h) {
-        if (!sequential_.factor(system, h)) return false;
-        for (auto& block : end_block_)
-            if (!system.measure(work::factorisation,
-                                [&] { return factor_together(system, block, end_shift(h)); }))
-                return false;
-        return true;
+        return sequential_.factor(system, h) && end_.factor(system, h);
     }
     static constexpr bool knows_determinant = sequential_stages<vector, Stages, blocks>::knows_determinant;
     int determinant_sign() requires knows_determinant { return sequential_.determinant_sign(); }
@@ -162,8 +155,10 @@ class additive_step : public step_defaults<Space> {
             right_implicit_ = given_;  // that of the last stage
             add_mass_times(system.mass(), Scalar(1), v_.k.col(last).data(), right_implicit_.data(),
                            system.size());
-            if (!end_block_.empty()) {
-                const auto end = solve_end(system, t + h, h, norm, limits, solves);
+            if (end_.exists()) {
+                w_.combine([&](int j) { return last_difference_[j]; }, count(), h, part_);
+                const auto end =
+                    end_.solve(system, t + h, h, sequential_.last_stage(), part_, norm, limits, solves);
                 if (end.iterations > outcome.iterations) outcome.iterations = end.iterations;
                 outcome.end = end.end;
             }
@@ -191,7 +186,7 @@ class additive_step : public step_defaults<Space> {
         if (ends_in_stage_) {
             y1 = sequential_.last_stage();
         } else if (by_value_) {
-            y1 = end_;
+            y1 = end_.state();
         } else if (is_.stiffly_accurate) {
             w_.combine([&](int j) { return last_difference_[j]; }, count(), h_, y1);
             y1 += sequential_.last_stage();
@@ -227,17 +222,10 @@ class additive_step : public step_defaults<Space> {
     }
     /// Hermite's cubic; where the slopes at the ends are not known the quadratic through both ends and a stage.
     void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) {
-        auto& z = now.increments();
-        if (slopes_known_) {
-            now.cover(hermite_, t, h, y);
-            z.col(0) = h * left_slope_;
-            z.col(1) = y1 - y;
-            z.col(2) = (y1 - y) / Scalar(2) + (h / Scalar(8)) * (left_slope_ - right_slope_);
-        } else {
-            now.cover(plain_, t, h, y);
-            if (plain_.size > 1 && middle_ != 1) z.col(1) = z.col(middle_);
-            z.col(0) = y1 - y;
-        }
+        if (slopes_known_)
+            output_.by_slopes(t, y, h, y1, left_slope_, right_slope_, now);
+        else
+            output_.by_stage(t, y, h, y1, now);
     }
     void accepted() {
         left_explicit_known_ = slopes_known_ && right_explicit_known_;
@@ -252,6 +240,7 @@ class additive_step : public step_defaults<Space> {
                 left_implicit_ = v_.k.col(count() - 1);
         }
         slopes_known_ = false;
+        begun_ = true;
     }
     void replaced() { left_explicit_known_ = left_implicit_known_ = slope_known_ = false; }
 
@@ -265,16 +254,15 @@ class additive_step : public step_defaults<Space> {
             sequential_.filter(system, error);
             return 1;
         }
-        const per_stage weights = explicit_difference_ + carried_.transpose() * implicit_difference_;
-        w_.combine([&](int j) { return weights[j]; }, count(), Scalar(1), part_);
+        w_.combine([&](int j) { return value_difference_[j]; }, count(), Scalar(1), part_);
         part_ += implicit_difference_.dot(v_.carry) * left_implicit_;
-        if (end_block_.empty()) {
+        if (!end_.exists()) {
             sequential_.filter(system, error, part_, h);
         } else {  // unfiltered but for algebraic components, which follow the others
             part_ *= h;
             add_mass_times(system.mass(), Scalar(1), error.data(), part_.data(), system.size());
-            error = end_shift(h) * part_;
-            solve_end_block(system, error);
+            error = part_;
+            end_.follow(system, h, error);
         }
         return 1;
     }
@@ -300,7 +288,7 @@ class additive_step : public step_defaults<Space> {
         const Scalar plain = size(error, false) * ratio;
         if (ends_in_stage_ || !is_.stiffly_accurate || !implicit()) return plain;
         if (by_value_)
-            part_ = end_ - sequential_.last_stage();
+            part_ = end_.state() - sequential_.last_stage();
         else
             w_.combine([&](int j) { return last_difference_[j]; }, count(), h_, part_);
         sequential_.stiff_part(system, part_);
@@ -344,22 +332,6 @@ class additive_step : public step_defaults<Space> {
         for (int i = j + 1; i < m.stages(); ++i) any = any || !(m.A(i, j) == Scalar(0));
         return any || (m.b_embedded.size() > 0 && !(m.b_embedded[j] == m.b[j]));
     }
-    static Scalar end_shift(const Scalar& h) { return Scalar(1 << 30) / h; }
-
-    /// Both ends and the stage nearest the middle of the step.
-    void find_plain_nodes() {
-        using std::abs;
-        const auto& c = v_.method.c;
-        const auto off = [&](int i) { return abs(c[i] - Scalar(1) / 2); };
-        middle_ = -1;
-        for (int i = is_.left_stage ? 1 : 0; i < count(); ++i)
-            if (off(i) < Scalar(1) / 2 && (middle_ < 0 || off(i) < off(middle_))) middle_ = i;
-        plain_.size = middle_ < 0 ? 1 : 2;
-        plain_.c[0] = Scalar(1);
-        if (middle_ >= 0) plain_.c[1] = c[middle_];
-        plain_.finish();
-    }
-
     /// M is singular: how the method serves it, or why it does not.
     template <class System>
     void prepare_singular(const System& system) {
@@ -376,14 +348,13 @@ class additive_step : public step_defaults<Space> {
                 for (int l = 0; l < i; ++l) sum += v_.method.A(i, l) * carried_(l, j);
                 carried_(i, j) = -sum / v_.method.A(i, i);
             }
-        if constexpr (has_entries<typename System::mass_type> && System::sums_type::complete)
-            constraints_ = mass_kernel<Scalar>(system.mass().transposed(), system.size());
-        if (ends_in_stage_) return;
-        if (constraints_.empty())
+        value_difference_ = explicit_difference_;
+        if (power_ > 0) value_difference_ += carried_.transpose() * implicit_difference_;
+        end_.prepare(system, !ends_in_stage_);
+        if (!ends_in_stage_ && end_.constraints().empty())
             throw std::invalid_argument(
                 "integrate: problem.mass() is singular and does not show its entries: the additive method "
                 "must have a last row equal to b in both parts");
-        end_block_.emplace_back(system.size());
     }
 
     /// f := M^-1 f_E(t, y), or f_E where M is singular. False where it is not finite.
@@ -395,17 +366,24 @@ class additive_step : public step_defaults<Space> {
             v_.mass.solve(f.data());
             return true;
         }
-        for (const auto& c : constraints_.basis()) {
-            using std::abs;
+        demand_no_constraint_in(f);
+        return true;
+    }
+    /// f_E, as a value, is zero in the equations that M leaves without a derivative. Where it is not at the start the run is
+    /// refused, later it ends.
+    void demand_no_constraint_in(const vector& f) const {
+        using std::abs;
+        for (const auto& c : end_.constraints().basis()) {
             Scalar size(0);
             for (std::size_t k = 0; k < c.at.size(); ++k) size += abs(c.value[k] * f[c.at[k]]);
-            if (abs(c.of(f)) > Scalar(1000) * std::numeric_limits<Scalar>::epsilon() * size)
-                throw bad_problem(
-                    "integrate: f_explicit of split() is not zero in an equation that problem.mass() leaves "
-                    "without a derivative: equation " +
-                    std::to_string(c.at[0]) + " (counted from 0) belongs to f_implicit as a whole");
+            if (abs(c.of(f)) <= Scalar(1000) * std::numeric_limits<Scalar>::epsilon() * size) continue;
+            const std::string text =
+                "integrate: f_explicit of split() is not zero in an equation that problem.mass() leaves "
+                "without a derivative: equation " +
+                std::to_string(c.at[0]) + " (counted from 0) belongs to f_implicit as a whole";
+            if (begun_) throw std::invalid_argument(text);
+            throw bad_problem(text);
         }
-        return true;
     }
     /// What the first stage, and the continuous solution, take of the left end.
     template <class System>
@@ -432,52 +410,22 @@ class additive_step : public step_defaults<Space> {
         w_.combine([&](int j) { return carried_(i, j); }, i, Scalar(1), given_);
         given_ += v_.carry[i] * left_implicit_;
     }
-    /// end_ := y1 with M y1 = M Y_s + h sum_j (b^E_j - a^E_sj) f_E(Y_j) and the equations without a derivative, by Newton's
-    /// iteration with M/h_0 - J, h_0 being so small that the other components stay where M has them.
-    template <class System, class Norm>
-    newton_outcome<Scalar> solve_end(System& system, const Scalar& t1, const Scalar& h, const Norm& norm,
-                                     const newton_limits<Scalar>& limits, long& solves) {
-        const Scalar shift = end_shift(h);
-        const auto& last = sequential_.last_stage();
-        w_.combine([&](int j) { return last_difference_[j]; }, count(), h * shift, right_explicit_);
-        end_ = last;
-        newton_monitor<Scalar> monitor(limits);
-        while (monitor.may_go_on()) {
-            system(t1, end_, part_);
-            constraints_.project(part_);
-            part_ += right_explicit_;
-            right_slope_ = last - end_;
-            add_mass_times(system.mass(), shift, right_slope_.data(), part_.data(), system.size());
-            solve_end_block(system, part_);
-            ++solves;
-            end_ += part_;
-            if (monitor.over(norm(part_))) break;
-        }
-        return monitor.outcome();
-    }
-
-    template <class System>
-    void solve_end_block(const System& system, vector& x) {
-        auto& block = end_block_.front();
-        system.measure(work::solve, [&] { solve_together(system, block, [&] { block.solve(x.data()); }); });
-    }
-
     slopes v_, w_;  // of the implicit and of the explicit part
     tableau_structure is_;
     sequential_stages<vector, Stages, blocks> sequential_;
     int order_, power_ = 0;
+    bool begun_ = false;          // a step has been accepted
     bool by_value_ = false;       // M is singular
     bool ends_in_stage_ = false;  // y1 is the last stage of both parts
     bool filtered_ = false, blind_ = false, wants_slopes_ = false;
     std::vector<char> needs_explicit_, needs_implicit_;  // stages whose slopes are asked for
     per_stage implicit_difference_, explicit_difference_, last_difference_;
+    per_stage value_difference_;  // of the values of f_E in the estimate where M is singular
     Eigen::Matrix<Scalar, Stages, Stages> carried_;
-    interpolation_nodes<Scalar, Space::columns> hermite_, plain_;
-    int middle_ = -1;
-    mass_kernel<Scalar> constraints_;
-    std::vector<typename blocks::real> end_block_;  // where y1 is no stage and M singular
+    cubic_output<Space> output_;
+    constrained_end<vector, blocks> end_;  // where y1 is no stage and M singular
     vector left_implicit_, left_explicit_, left_slope_, right_implicit_, right_explicit_, right_slope_;
-    vector given_, end_, part_;
+    vector given_, part_;
     Scalar h_{0};
     bool left_implicit_known_ = false, left_explicit_known_ = false, slope_known_ = false;
     bool right_known_ = false, right_explicit_known_ = false, slopes_known_ = false;

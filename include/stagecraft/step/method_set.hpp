@@ -118,6 +118,10 @@ inline constexpr bool takes_parts = requires {
         0, std::decay_t<decltype(detail::as_tuple(std::declval<const Method&>()))>>>::takes_parts;
 };
 
+/// An additive method and a problem in two parts, or neither.
+template <class Method, class Problem>
+inline constexpr bool fit_in_parts = takes_parts<Method> == in_parts<Problem>;
+
 }  // namespace detail
 
 /// How many methods a run chooses from: those of a variable_order, otherwise 1.

@@ -29,7 +29,10 @@ STAGECRAFT_INLINE std::string pair_data(const std::string& id, const partitioned
     const auto first = rounded<double>(file.partners[0]), second = rounded<double>(file.partners[1]);
     std::string out = "\nstruct " + id +
                       " {\n    static constexpr int stages = " + std::to_string(file.stages()) +
-                      ", order = " + std::to_string(file.claims.order.value_or(0)) + ";\n";
+                      ", order = " + std::to_string(file.claims.order.value_or(0));
+    if (file.coupling == coupling::additive)
+        out += ", embedded_order = " + std::to_string(file.claims.embedded_order.value_or(0));
+    out += ";\n";
     if (file.coupling == coupling::nystrom) {
         out += arrays(first, {"c", "A_bar", "b_bar", "b_bar_embedded"});
         out += arrays(second, {nullptr, file.uses_velocity ? "A" : nullptr, "b", "b_embedded"});
@@ -42,10 +45,11 @@ STAGECRAFT_INLINE std::string pair_data(const std::string& id, const partitioned
 
 STAGECRAFT_INLINE std::string pair_function(const std::string& id, const partitioned_file& file) {
     const bool exact = file.kind() == number_kind::rational || file.kind() == number_kind::quadratic;
-    const std::string type = std::string(file.coupling == coupling::partitioned ? "partitioned_method"
-                                         : file.coupling == coupling::separable ? "separable_method"
-                                         : file.uses_velocity                   ? "velocity_nystrom_method"
-                                                                                : "nystrom_method") +
+    const std::string type = std::string(file.coupling == coupling::additive      ? "additive_method"
+                                         : file.coupling == coupling::partitioned ? "partitioned_method"
+                                         : file.coupling == coupling::separable   ? "separable_method"
+                                         : file.uses_velocity                     ? "velocity_nystrom_method"
+                                                                                  : "nystrom_method") +
                              "<Scalar, " + std::to_string(file.stages()) + ">";
     return "\n/// " + file.name + " (" + file.source + "), order " +
            std::to_string(file.claims.order.value_or(0)) +
@@ -66,9 +70,8 @@ STAGECRAFT_INLINE std::string pairs_header(const std::vector<named_pair>& method
         bool good = !id.empty() && !std::isdigit(static_cast<unsigned char>(id[0]));
         for (const char ch : id) good = good && (std::isalnum(static_cast<unsigned char>(ch)) || ch == '_');
         if (!good) throw std::invalid_argument("coefficients: '" + id + "' is no name of a function");
-        if (file.coupling == coupling::additive)
-            throw std::invalid_argument("coefficients: " + id +
-                                        " is an additive method, of which no header is written");
+        if (file.partners.size() != 2)
+            throw std::invalid_argument("coefficients: " + id + " must have two tableaux");
         data += emitting::pair_data(id, file);
         functions += emitting::pair_function(id, file);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <stagecraft/any_method.hpp>
 #include <stagecraft/method/additive_method.hpp>
 #include <stagecraft/method/nystrom_method.hpp>
 #include <stagecraft/method/partitioned_method.hpp>
@@ -96,8 +97,21 @@ velocity_nystrom_method<Real> read_nystrom(const std::string& path, const readin
     return m;
 }
 
+/// The method of a file of any kind that runs, for integrate() of stagecraft/any_method.hpp: a tableau, each entry rounded once
+/// to a Real, or what read_additive makes. Throws unusable_input as these do, and for other forms.
+template <class Real = double>
+any_method<Real> read_method(const std::string& path, const reading& how = {}) {
+    const method_file file = read_method_file(path, how);
+    if (const auto* one = std::get_if<tableau_file>(&file)) return rounded<Real>(*one);
+    const coupling form = std::get<partitioned_file>(file).coupling;
+    if (form == coupling::additive) return read_additive<Real>(path, how);
+    throw unusable_input(path + ": methods of the form \"" + std::string(name(form)) +
+                         "\" are read by read_partitioned and read_nystrom");
+}
+
 }  // namespace stagecraft::tableaux
 
 namespace stagecraft {
 using tableaux::read_additive;
-}
+using tableaux::read_method;
+}  // namespace stagecraft
