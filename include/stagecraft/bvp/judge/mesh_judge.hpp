@@ -21,9 +21,9 @@ class mesh_judge {
 
     /// Newton's iteration begins again so often: with the trajectory from the guess, then on meshes up to 64 times as fine.
     static constexpr int most_failures = 7;
-    /// But not after so many times the evaluations of f that the first mesh takes: solutions take 20 to 200, and what has
-    /// not been found by then mostly is not.
-    static constexpr int most_sweeps = 1000;
+    /// But not after so many times the evaluations of f that the first mesh takes. Most solutions take 20 to 200, shock layers
+    /// in the interior that are met from a straight line up to 20,000.
+    static constexpr int most_sweeps = 30000;
     /// A condition number that is not more than so many times another stays; with singular ends 1/h enters it, which
     /// doubles with every mesh.
     static constexpr double stays = 2, stays_at_singular_end = 4;
