@@ -12,7 +12,6 @@
 #include <stagecraft/bvp/judge/mesh_refinement.hpp>
 #include <stagecraft/bvp/judge/multiplier_judge.hpp>
 #include <stagecraft/bvp/judge/newton_damping.hpp>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -176,7 +175,7 @@ BOOST_AUTO_TEST_CASE(mesh_history_ends_a_search_that_gets_nowhere) {
     BOOST_TEST(!judge(jump, jumped).divide);
     // A new beginning from the guess forgets the errors before it, not the failures.
     h.error = 1;
-    BOOST_CHECK(follow(h, failed(nonlinear_problem())) == trajectory);
+    BOOST_CHECK(follow(h, failed(nonlinear_problem())) == finer_guess);
     BOOST_TEST(h.least == none);
     BOOST_TEST(h.failures == 1);
 }
@@ -199,40 +198,24 @@ BOOST_AUTO_TEST_CASE(mesh_judge_refuses_nothing_on_trial) {
 
 BOOST_AUTO_TEST_CASE(mesh_judge_begins_again_where_newtons_iteration_fails_and_says_so_in_the_end) {
     const evidence e = failed(nonlinear_problem());
-    BOOST_CHECK(judge(e, history{}).act == trajectory);
-    evidence with_mass = e;
-    with_mass.no_mass = false;
-    BOOST_CHECK(judge(with_mass, history{}).act == finer_guess);
+    BOOST_CHECK(judge(e, history{}).act == finer_guess);
     history solved;
     follow(solved, good({{error, 1e-3}}));
     BOOST_CHECK(judge(e, solved).act == halve_last);
     history h;
-    bool bold = false, residual = false;
     for (int k = 0; k < mesh_judge<double>::most_failures; ++k) {
-        BOOST_CHECK((judge.test(h) == newton_test::correction) == (k % 4 < 2));
-        bold |= judge.test(h) == newton_test::bold, residual |= judge.test(h) == newton_test::residual;
-        BOOST_CHECK(follow(h, e) == (k == 0 ? trajectory : finer_guess));
+        BOOST_TEST(judge.bold(h) == (k % 2 == 1));
+        BOOST_CHECK(follow(h, e) == finer_guess);
     }
-    BOOST_TEST((bold && residual));
     const auto v = judge(e, h);
     BOOST_CHECK(v.act == finish && v.status == bvp_status::newton_failed);
-    const auto says = [](const std::string& text, const char* what) {
-        return text.find(what) != std::string::npos;
-    };
-    for (const char* tried : {"no decrease", "guess", "finer meshes", "trajectory", "continuation()"})
-        BOOST_TEST(says(words_of(v), tried));
-    BOOST_TEST(judge.steps(history{}, 1e9, 1, 50) == 50);
-    BOOST_TEST(judge.steps(h, 0, 2, 50) == 50);
-    BOOST_TEST(judge.steps(h, mesh_judge<double>::most_sweeps - 100, 4, 50) == 25);
-    BOOST_TEST(judge.steps(h, 1e9, 64, 50) == 8);
-    evidence dear = e;
-    dear.sweeps = 2 * mesh_judge<double>::most_sweeps;
-    BOOST_CHECK(judge(dear, history{}).status == bvp_status::newton_failed);
-    BOOST_TEST(!says(words_of(judge(dear, history{})), "trajectory"));
+    BOOST_TEST(words_of(v) == "Newton's iteration found no decrease");
     // With M of the iterate singular the message says so, and of which condition.
     const auto singular = judge(with(e, {{norm, 1e20}, {dependent, 2}}), h);
     BOOST_CHECK(singular.status == bvp_status::newton_failed);
-    BOOST_TEST(says(words_of(singular), "; at its last iterate condition r[2] depends on those before it"));
+    BOOST_TEST(words_of(singular) ==
+               "Newton's iteration found no decrease; at its last iterate condition r[2] "
+               "depends on those before it");
     // Twice as many intervals would be too many.
     evidence large = e;
     large.intervals = 51;
@@ -244,8 +227,6 @@ BOOST_AUTO_TEST_CASE(mesh_judge_begins_again_where_newtons_iteration_fails_and_s
     nan.from_guess = false;
     BOOST_CHECK(judge(nan, history{}).act == finer_guess);
     BOOST_CHECK(judge(good({{evaluable, 0}}), history{}).act == straight);
-    BOOST_CHECK(judge(good({{evaluable, 0}, {next_intervals, 101}}), history{}).status ==
-                bvp_status::non_finite);
     BOOST_CHECK(judge(good({{evaluable, 0}}), h).status == bvp_status::non_finite);
 }
 
@@ -419,7 +400,7 @@ BOOST_AUTO_TEST_CASE(kernel_judge_counts_modes_that_no_mesh_shows_to_be_regular)
 
 BOOST_AUTO_TEST_CASE(newton_damping_takes_steps_that_the_next_correction_confirms) {
     using damping = newton_damping<double>;
-    damping d(1, newton_test::correction);
+    damping d(1, false);
     BOOST_TEST(d.full());
     BOOST_TEST(d.accepts(0.75));
     BOOST_TEST(!d.accepts(0.76));
@@ -439,7 +420,7 @@ BOOST_AUTO_TEST_CASE(newton_damping_takes_steps_that_the_next_correction_confirm
     for (int k = 0; k < 2; ++k) d.refused(1e9);
     BOOST_TEST(d.gives_up());
     // A bold one ends at 1/16 and takes it.
-    damping bold(1, newton_test::bold);
+    damping bold(1, true);
     bold.refused(1e9);
     BOOST_TEST(bold.lambda() == 0.1);
     BOOST_TEST(!bold.accepts(2));

@@ -23,9 +23,8 @@ struct not_of_second_order {};
 
 /// An iterate of Newton's iteration: the mesh, y at its points, the scaled slopes Z = h y' at the s nodes of
 /// every interval (n x s each, side by side) and the parameters. Corrections have the same form.
-template <class Scalar, int Components, int P>
+template <class Scalar, int N, int P>
 struct bvp_iterate {
-    static constexpr int N = Components;
     std::vector<Scalar> t;
     Eigen::Matrix<Scalar, N, Eigen::Dynamic> y, Z;
     Eigen::Matrix<Scalar, P, 1> p;
@@ -132,19 +131,14 @@ class collocation_equations {
         return true;
     }
 
-    /// Are the Jacobians at x others than those of the factors? Looked at in one node of every interval, equation by equation,
-    /// as a large coefficient in one of them says nothing of the others; false for linear problems, whose factors hold
-    /// everywhere.
+    /// Are the Jacobians at x others than those of the factors? Looked at in one node of every interval; false for
+    /// linear problems, whose factors hold everywhere.
     bool jacobians_differ(const iterate& x) {
         using std::sqrt;
         const Scalar same =
             sqrt(sqrt(std::numeric_limits<Scalar>::epsilon()));  // differences of f leave less
         const auto differ = [&](const auto& now, const auto& before) {
-            for (Eigen::Index c = 0; c < now.rows(); ++c)
-                if (!((now.row(c) - before.row(c)).cwiseAbs().maxCoeff() <=
-                      same * before.row(c).cwiseAbs().maxCoeff()))
-                    return true;
-            return false;
+            return !((now - before).cwiseAbs().maxCoeff() <= same * before.cwiseAbs().maxCoeff());
         };
         for (int i = 0; i < x.intervals(); ++i) {
             const int j = i % s();
@@ -205,26 +199,10 @@ class collocation_equations {
         return std::max({Scalar(rho_.cwiseAbs().maxCoeff()), Scalar(gamma_.cwiseAbs().maxCoeff()),
                          Scalar(beta_.cwiseAbs().maxCoeff())});
     }
-    /// The size of the residuals last evaluated, which are kept.
-    Scalar keep_residual() {
-        kept_rho_ = rho_, kept_gamma_ = gamma_, kept_beta_ = beta_;
-        return residual_norm(rho_, gamma_, beta_);
-    }
-    /// The size of the residuals last evaluated; `change` is that of what they differ by from `part` of those kept.
-    Scalar residual_beside_kept(const Scalar& part, Scalar& change) const {
-        change =
-            residual_norm(rho_ - part * kept_rho_, gamma_ - part * kept_gamma_, beta_ - part * kept_beta_);
-        return residual_norm(rho_, gamma_, beta_);
-    }
     /// Another number whenever the Jacobians and factors are others.
     long version() const { return version_; }
 
   private:
-    template <class Rho, class Gamma, class Beta>
-    static Scalar residual_norm(const Rho& rho, const Gamma& gamma, const Beta& beta) {
-        using std::sqrt;
-        return sqrt(rho.squaredNorm() + gamma.squaredNorm() + beta.squaredNorm());
-    }
     /// The right-hand sides of the condensed equations, from residuals of the slopes (nullptr where these are zero) and of
     /// continuity.
     void condense(const Scalar* rho, const wide& gamma) {
@@ -345,8 +323,7 @@ class collocation_equations {
     detail::collocation_blocks<Scalar, N, P, S> blocks_;
     two_point_matrix<Scalar, N> matrix_;
     wide rho_, gamma_, g_, J_;
-    wide kept_rho_, kept_gamma_;
-    column beta_, kept_beta_;
+    column beta_;
     matrix work_, conditions_;
     Eigen::Matrix<Scalar, S, N, (S == 1 && N != 1 ? Eigen::RowMajor : Eigen::ColMajor)> stages_;
     state stage_;

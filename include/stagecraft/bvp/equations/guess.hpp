@@ -152,42 +152,6 @@ void take_guess(const guess_view<Vector>& guess, int n, const Nodes& c, Iterate&
     if (!x.y.allFinite() || !x.p.allFinite()) throw bad_problem("solve_bvp: guess must be finite");
 }
 
-/// Replaces the guess in x by the solution of the initial value problem that begins at it: by the classical Runge-Kutta method
-/// from node to node, and from the guess again wherever |y| exceeds `most`, as in multiple shooting. What is left of Newton's
-/// iteration is then what the conditions ask for, which a guess that is far from any solution does not let it see.
-template <class System, class Nodes, class Iterate>
-void follow_trajectory(System& system, const Nodes& c, const std::decay_t<decltype(Iterate{}.t[0])>& most,
-                       Iterate& x) {
-    using scalar = std::decay_t<decltype(x.t[0])>;
-    using state = Eigen::Matrix<scalar, Iterate::N, 1>;
-    const int s = static_cast<int>(c.size()), n = system.size();
-    const auto f = [&](const scalar& t, const state& y) { return state(system.f(t, y, x.p).head(n)); };
-    const auto tame = [&](const state& y) { return y.cwiseAbs().maxCoeff() <= most; };
-    const auto advance = [&](const scalar& t, const scalar& h, const state& y) {
-        const state k1 = f(t, y), k2 = f(t + h / 2, y + h / 2 * k1), k3 = f(t + h / 2, y + h / 2 * k2),
-                    k4 = f(t + h, y + h * k3);
-        return state(y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4));
-    };
-    Eigen::Matrix<scalar, Iterate::N, Eigen::Dynamic> slopes(n, s);
-    state next = x.y.col(0);
-    for (int i = 0; i < x.intervals(); ++i) {
-        const scalar h = x.h(i);
-        state y = next;
-        scalar at(0);
-        bool good = true;
-        for (int j = 0; j <= s && good; ++j) {
-            const scalar to = j < s ? scalar(c[j]) : scalar(1);
-            if (to > at) y = advance(x.t[i] + at * h, (to - at) * h, y);
-            at = to;
-            if (j < s) slopes.col(j) = h * f(x.t[i] + at * h, y);
-            good = tame(y) && (j == s || slopes.col(j).cwiseAbs().maxCoeff() <= most);
-        }
-        if (good) x.y.col(i) = next, x.Z.middleCols(i * s, s) = slopes;
-        next = good ? y : state(x.y.col(i + 1));
-    }
-    x.y.col(x.intervals()) = next;
-}
-
 /// The mesh values of x as a guess, straight lines between them.
 template <class Vector, class Iterate>
 auto straight_between(const Iterate& x) {

@@ -68,7 +68,6 @@ struct mesh_evidence {
     bool linear = false;       ///< the same factors hold for every x
     bool differences = false;  ///< f_y comes from differences
     bool no_mass = true;       ///< no matrix stands before y'
-    Scalar sweeps{0};          ///< evaluations of f so far, in those of the guess's mesh
     bool from_guess = true;    ///< Newton's iteration began at the user's guess
     Scalar guess_size{1};      ///< max |y| of that, and atol/rtol
 
@@ -120,7 +119,6 @@ enum class mesh_act {
     finish,       ///< the run ends, with `status`
     usual_mesh,   ///< begin again at the guess, on the usual first mesh
     finer_guess,  ///< begin again at the guess, on its mesh halved
-    trajectory,   ///< begin again on the guess's mesh, with the trajectory from there
     halve_last,   ///< Newton's iteration has failed: from the solution before it, on this mesh halved
     straight,     ///< f could not be evaluated between mesh points: from their values on a spread mesh
     resolve,      ///< a mesh halved, with points where modes have layers

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include <stagecraft/bvp/judge/mesh_history.hpp>
-#include <stagecraft/bvp/judge/newton_damping.hpp>
 #include <stagecraft/bvp/judge/singularity_judge.hpp>
 
 namespace stagecraft::detail {
@@ -19,11 +17,8 @@ class mesh_judge {
     using verdict = mesh_verdict<Scalar>;
     using history = mesh_history<Scalar>;
 
-    /// Newton's iteration begins again so often: with the trajectory from the guess, then on meshes up to 64 times as fine.
-    static constexpr int most_failures = 7;
-    /// But not after so many times the evaluations of f that the first mesh takes. Most solutions take 20 to 200, shock layers
-    /// in the interior that are met from a straight line up to 20,000.
-    static constexpr int most_sweeps = 30000;
+    /// Newton's iteration begins again so often: from the guess's mesh up to 64 times as fine.
+    static constexpr int most_failures = 6;
     /// A condition number that is not more than so many times another stays; with singular ends 1/h enters it, which
     /// doubles with every mesh.
     static constexpr double stays = 2, stays_at_singular_end = 4;
@@ -68,20 +63,8 @@ class mesh_judge {
                      loose = std::min(Scalar(Scalar(1) / 10000), Scalar(h.least / 100));
         return tight > loose || !limits_.adapt ? tight : loose;
     }
-    /// How many steps the next iteration may take, of the number given, on a mesh `size` times as large as the first: after a
-    /// failure no more than the evaluations that are left pay for, but some.
-    static int steps(const history& h, const Scalar& sweeps, const Scalar& size, int given) {
-        constexpr int some = 8;
-        const double left = static_cast<double>((Scalar(most_sweeps) - sweeps) / size);
-        return h.failures == 0 || left >= given ? given
-                                                : std::min(given, std::max(some, static_cast<int>(left)));
-    }
-    /// What has to decrease in the next iteration, after so many failures: each test solves what others do not.
-    static newton_test test(const history& h) {
-        using enum newton_test;
-        constexpr newton_test tests[] = {correction, correction, bold, residual};
-        return tests[h.failures % 4];
-    }
+    /// Every second failure is followed by steps that need not decrease.
+    bool bold(const history& h) const { return h.failures % 2 == 1; }
 
     /// A solution wrong in its first digit.
     static bool rough(const Scalar& error) { return !(error < Scalar(first_digit)); }
@@ -108,7 +91,7 @@ class mesh_judge {
     }
 
     verdict of_solution(const reader& r, const history& h) const {
-        if (!r.yes(quantity::evaluable)) return not_evaluable(r, h);
+        if (!r.yes(quantity::evaluable)) return not_evaluable(h);
         if (!limits_.adapt) return accepted(r, condition{});
         verdict v;
         if (within(r) && r.converged()) {
@@ -129,40 +112,19 @@ class mesh_judge {
         const singularity_judge<Scalar> singularity(r, limits_);
         if (finite)
             if (const auto end = singularity.hopeless(r->remainder)) return *end;
-        verdict v = verdict::end(bvp_status::newton_failed, without_decrease(r, h));
+        verdict v = verdict::end(bvp_status::newton_failed, "Newton's iteration found no decrease");
         if (finite) v = singularity.because(v);
-        if (h.failures >= most_failures || r->sweeps > Scalar(most_sweeps) ||
-            2 * r->intervals > limits_.max_intervals || !limits_.adapt)
+        if (h.failures >= most_failures || 2 * r->intervals > limits_.max_intervals || !limits_.adapt)
             return finite ? v : not_finite();
         const bool again = !h.solved || rough(h.error) || !finite;
-        v.act = !again                                    ? mesh_act::halve_last
-                : h.failures == 0 && r->no_mass && finite ? mesh_act::trajectory
-                                                          : mesh_act::finer_guess;
+        v.act = again ? mesh_act::finer_guess : mesh_act::halve_last;
         return v;
-    }
-    /// What was tried, and what is left to try.
-    const char* without_decrease(const reader& r, const history& h) const {
-        if (!limits_.adapt) return "Newton's iteration found no decrease on the given mesh";
-        if (h.solved) return "Newton's iteration found no decrease from the solution on a coarser mesh";
-        if (!r->no_mass || h.failures == 0)
-            return "Newton's iteration found no decrease from the guess; a nearer one, or continuation() in "
-                   "a "
-                   "parameter from an easier problem, may lead to the solution";
-        return "Newton's iteration found no decrease, neither from the guess, on finer meshes too, nor from "
-               "the "
-               "trajectory that begins at it; a nearer guess, or continuation() in a parameter from an "
-               "easier "
-               "problem, may lead to the solution";
     }
 
     /// Between its points a coarse solution may lead to where f cannot be evaluated.
-    verdict not_evaluable(const reader& r, const history& h) const {
+    verdict not_evaluable(const history& h) const {
         if (h.failures >= most_failures || !limits_.adapt) return not_finite();
-        return too_many(r) ? not_finite() : verdict::go(mesh_act::straight);
-    }
-    /// Has the next mesh more than max_intervals?
-    bool too_many(const reader& r) const {
-        return static_cast<double>(r(quantity::next_intervals)) > limits_.max_intervals;
+        return verdict::go(mesh_act::straight);
     }
     static verdict not_finite() {
         verdict v = verdict::end(bvp_status::non_finite, "");
@@ -185,7 +147,7 @@ class mesh_judge {
                                 : spread              ? mesh_act::spread
                                                       : mesh_act::refine);
         v.doubled = h.idle > 0, v.divide = h.jumped > seen_jumps;
-        if (too_many(r)) {
+        if (static_cast<double>(r(quantity::next_intervals)) > limits_.max_intervals) {
             if (const auto end = singularity.hopeless(overestimated * error)) return *end;
             return verdict::end(bvp_status::too_many_intervals,
                                 "the tolerance asks for more than max_intervals");

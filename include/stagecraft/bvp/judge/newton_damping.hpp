@@ -3,14 +3,9 @@
 
 namespace stagecraft::detail {
 
-/// What has to decrease: the simplified correction (Deuflhard 2004, section 3.3, the error-oriented method; invariant
-/// to how equations are scaled), or the residual (section 3.2, the residual-based one; to how unknowns are, and what Newton's
-/// direction always decreases at first). `bold` is the first of them with steps that need not decrease.
-enum class newton_test { correction, bold, residual };
-
 /// How far to go along a correction d of Newton's iteration, decided by norms: `size` of d, `next` of the simplified
 /// correction that follows the step lambda d, `change` of next - (1 - lambda) d, which Newton's iteration on a linear problem
-/// leaves zero. With the test `residual` all three are those of residuals.
+/// leaves zero (Deuflhard 2004, section 3.3: the error-oriented method).
 template <class Scalar>
 class newton_damping {
   public:
@@ -28,7 +23,7 @@ class newton_damping {
     /// Factors are kept while corrections contract by this.
     static constexpr int contraction = 4;
 
-    newton_damping(const Scalar& size, newton_test test) : size_(size), bold_(test == newton_test::bold) {}
+    newton_damping(const Scalar& size, bool bold) : size_(size), bold_(bold) {}
 
     const Scalar& lambda() const { return lambda_; }
     bool full() const { return lambda_ == Scalar(1); }

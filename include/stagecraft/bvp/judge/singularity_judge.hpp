@@ -30,9 +30,6 @@ class singularity_judge {
     /// and errors of that size change u by a tenth.
     static constexpr double answer_of_differences = 1e-3, change_of_differences = 0.1;
 
-    /// An iterate that its mesh does not resolve, with more than this left of its slopes, says nothing of M.
-    static constexpr double resolved = 0.1;
-
     singularity_judge(const evidence_reader<Scalar>& r, const mesh_limits<Scalar>& limits)
         : r_(r), limits_(limits) {}
 
@@ -52,7 +49,7 @@ class singularity_judge {
         if (const auto end = singular()) return end;
         const bool nonlinear = of_iterate();
         if (regularity_judge<Scalar>(r_).decide(Scalar(0)).undecided) {
-            if (r_.converged() || nonlinear || !(r_(quantity::unresolved) <= Scalar(resolved))) return {};
+            if (r_.converged() || nonlinear) return {};
             return verdict::end(bvp_status::singular, "M is singular as far as any mesh shows");
         }
         if (!(error < signs_in_favour * r_(quantity::rounding)) &&

@@ -29,13 +29,12 @@ class damped_newton {
     using iterate = typename Equations::iterate;
     using scalar = std::decay_t<decltype(iterate{}.t[0])>;
     using outcome = damped_newton_outcome<scalar>;
-    using test = detail::newton_test;
 
     damped_newton(Equations& equations, bvp_report& counts, const scalar& threshold)
         : equations_(equations), counts_(counts), threshold_(threshold) {}
 
     /// Improves x until the error left is estimated below `target`, with at most `most` factorisations.
-    outcome run(iterate& x, const scalar& target, int most, test by = test::correction) {
+    outcome run(iterate& x, const scalar& target, int most, bool bold = false) {
         using std::sqrt;
         constexpr int rounding_errors = 100;  // that a correction may be, without anything left to correct
         const scalar rounding = rounding_errors * std::numeric_limits<scalar>::epsilon();
@@ -47,23 +46,22 @@ class damped_newton {
             moved_ = scalar(0);
             solve(x, d_);
             weigh(x);
-            by_residual_ = by == test::residual;
-            const scalar size = norm(d_), residual = by_residual_ ? equations_.keep_residual() : scalar(0);
+            const scalar size = norm(d_);
             if (!(size - size == scalar(0))) return {damped_newton_end::failed, size};
             const scalar left = accuracy(x, d_);
-            const bool look = !tested_ && left > scalar(visible_step);
-            if (look) {
+            const bool test = !tested_ && left > scalar(visible_step);
+            if (test) {
                 add(x, scalar(1), d_, trial_);
                 linear_ = !equations_.jacobians_differ(trial_);
                 tested_ = true;
             }
             if (linear_ &&
-                !(look && differences())) {  // errors of differences leave something of a large step
+                !(test && differences())) {  // errors of differences leave something of a large step
                 moved_ = left;
                 add(x, scalar(1), d_, x);
                 return {damped_newton_end::converged, std::numeric_limits<scalar>::epsilon() * moved_};
             }
-            damping step_length(by_residual_ ? residual : size, by);
+            damping step_length(size, bold);
             scalar next(0);
             const bool decreased = search(x, sqrt(rounding), step_length, next);
             if (!decreased && !(left <= sqrt(rounding))) return {damped_newton_end::failed, left};
@@ -129,18 +127,9 @@ class damped_newton {
                 step.not_finite();
                 continue;
             }
-            if (by_residual_) {
-                scalar change(0);
-                const scalar residual = equations_.residual_beside_kept(scalar(1 - step.lambda()), change);
-                if (!step.accepts(residual)) {
-                    if (step.full() && accuracy(x, d_) <= rounding) return false;
-                    step.refused(change);
-                    continue;
-                }
-            }
             solve(x, bar_);
             next = norm(bar_);
-            if (by_residual_ || step.accepts(next)) return true;
+            if (step.accepts(next)) return true;
             if (step.full() && accuracy(x, d_) <= rounding) return false;
             combine(bar_, 1 - step.lambda(), d_, difference_);
             step.refused(norm(difference_));
@@ -201,7 +190,7 @@ class damped_newton {
     scalar threshold_, moved_{0};
     /// The first step that moved x found the same Jacobians where it led to: steps are taken without a test, as the error
     /// estimate evaluates f and r and sees what they leave.
-    bool linear_ = false, tested_ = false, by_residual_ = false;
+    bool linear_ = false, tested_ = false;
     iterate d_, bar_, trial_, difference_;
     typename Equations::state weights_;
     typename Equations::parameters scale_p_;

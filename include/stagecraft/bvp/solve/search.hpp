@@ -14,7 +14,6 @@
 #include <stagecraft/bvp/judge/mesh_points.hpp>
 #include <stagecraft/bvp/measure/error_estimate.hpp>
 #include <stagecraft/bvp/measure/finer_meshes.hpp>
-#include <stagecraft/bvp/measure/kinks.hpp>
 #include <stagecraft/bvp/measure/largest_errors.hpp>
 #include <stagecraft/bvp/measure/measurements.hpp>
 #include <stagecraft/bvp/result.hpp>
@@ -69,12 +68,11 @@ class bvp_solver {
         }  // run() says what is wrong with f
     }
     bool of_second_order() const { return equations_.positions() > 0; }
-    /// Adds the work of another run for the same problem, which was given up.
-    void count_work_of(const result_type& other) { result_.report = other.report; }
+    /// Adds the work of another solver of the same problem, which was given up.
+    void count_work_of(const bvp_solver& other) { result_.report = other.result_.report; }
 
     result_type run(const guess_type& guess, const Scalar& a, const Scalar& b) {
         guess_mesh_ = first_mesh(o_, a, b, usual_intervals);
-        first_intervals_ = static_cast<int>(guess_mesh_.size()) - 1;
         trial_ = o_.intervals == 0 && o_.mesh.empty() && o_.adapt;
         begin(guess, trial_ ? first_mesh(o_, a, b, trial_intervals) : guess_mesh_);
         try {
@@ -112,8 +110,6 @@ class bvp_solver {
   private:
     /// Without fast modes the intervals of the trial are mostly enough; where they are not, they cost little.
     static constexpr int usual_intervals = 10, trial_intervals = 6;
-    /// A trajectory that leaves the size of the guess by this factor says nothing of the solution.
-    static constexpr int far_from_guess = 100;
 
     /// Newton on meshes that follow the error, coarse first.
     void search(const guess_type& guess) {
@@ -133,11 +129,8 @@ class bvp_solver {
             begin(guess, guess_mesh_);
         else if (v.act == mesh_act::finer_guess)
             begin(guess, guess_mesh_ = halved(guess_mesh_));
-        else if (v.act == mesh_act::trajectory)
-            begin(guess, guess_mesh_),
-                follow_trajectory(system_, equations_.method().c, far_from_guess * guess_size_, x_);
         else if (v.act == mesh_act::straight)
-            begin(straight_between<Vector>(x_), next_), from_guess_ = false;
+            begin(straight_between<Vector>(x_), choice().spread()), from_guess_ = false;
         else
             follow(next_);
         return true;
@@ -151,22 +144,16 @@ class bvp_solver {
     }
 
     bool converged() const { return outcome_.end == damped_newton_end::converged; }
-    /// The evaluations of f so far, in those of the first mesh.
-    Scalar sweeps() const {
-        return Scalar(static_cast<double>(system_.counts().f)) / Scalar(equations_.s() * first_intervals_);
-    }
     evidence iterate_on_mesh() {
         ++result_.report.meshes;
         measured_.forget();
-        const Scalar size = Scalar(x_.intervals()) / Scalar(first_intervals_);
-        const int most = judge_.steps(history_, sweeps(), size, o_.newton_iterations);
-        outcome_ = newton_.run(x_, judge_.newton_target(history_), most, judge_.test(history_));
+        outcome_ =
+            newton_.run(x_, judge_.newton_target(history_), o_.newton_iterations, judge_.bold(history_));
         remainder_ = outcome_.remainder;
         evidence e;
         e.newton = outcome_.end, e.converged = converged();
         e.remainder = outcome_.remainder, e.linear = newton_.linear();
         e.intervals = x_.intervals(), e.unknowns = equations_.n() + equations_.np();
-        e.sweeps = sweeps();
         e.trial = std::exchange(trial_, false), e.from_guess = from_guess_, e.guess_size = guess_size_;
         e.differences = system_.differences, e.no_mass = mass_.identity();
         return e;
@@ -265,7 +252,7 @@ class bvp_solver {
     mesh_choice<equations_type> choice() { return {equations_, estimate_, x_, o_}; }
     std::vector<Scalar> mesh_of(const verdict& v) {
         if (v.planned == mesh_act::resolve) return choice().resolving(halved(x_.t));
-        if (v.planned == mesh_act::spread || v.planned == mesh_act::straight) return choice().spread();
+        if (v.planned == mesh_act::spread) return choice().spread();
         return choice().refined(error_, threshold_, v.doubled, v.divide);
     }
     /// Where the errors are large, the collocation polynomial is a better start than what was to correct it.
@@ -285,7 +272,7 @@ class bvp_solver {
         return true;
     }
     void finish_with(const verdict& v) {
-        end(v.status, v.at_place ? where_not_finite() : words_of(v) + kinks_of(v));
+        end(v.status, v.at_place ? where_not_finite() : words_of(v));
         if (!v.family) return;
         if (!converged()) x_ = full_;
         equations_type own(equations_.method(), system_, mass_, equations_.positions());
@@ -297,11 +284,6 @@ class bvp_solver {
     void end(bvp_status status, const std::string& message) {
         result_.status = status;
         result_.message = message;
-    }
-    /// What hinders an iteration that has failed, as far as f shows it.
-    std::string kinks_of(const verdict& v) {
-        if (v.status != bvp_status::newton_failed || outcome_.end != damped_newton_end::failed) return {};
-        return kink_along(equations_, x_);
     }
     std::string where_not_finite() const {
         if (!converged() && equations_.conditions_at_fault())
@@ -353,7 +335,6 @@ class bvp_solver {
     std::vector<Scalar> guess_mesh_, next_;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
     Scalar error_{std::numeric_limits<Scalar>::infinity()}, remainder_{0}, guess_size_{1};
-    int first_intervals_ = 1;  ///< of the guess's mesh
     bool trial_ = false, from_guess_ = true;
 };
 

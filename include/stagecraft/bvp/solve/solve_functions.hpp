@@ -19,9 +19,8 @@ bvp_result<Vector, Parameters> solve_functions(const tableau<typename Vector::Sc
     const bool declared = positions >= 0;
     solver first(method, problem, p, o, declared ? positions : 0);
     if (!declared) first.look_for_second_order(guess, a, b);
-    bvp_result<Vector, Parameters> result;
     try {
-        result = first.run(guess, a, b);
+        auto result = first.run(guess, a, b);
         const bool failed =
             result.status == bvp_status::newton_failed || result.status == bvp_status::non_finite;
         if (declared || !failed || !first.of_second_order()) return result;
@@ -30,12 +29,8 @@ bvp_result<Vector, Parameters> solve_functions(const tableau<typename Vector::Sc
             throw bad_problem("solve_bvp: problem.second_order_components does not hold: f_i is not y_{m+i}");
     }
     solver again(method, problem, p, o);
-    again.count_work_of(result);
-    auto other = again.run(guess, a, b);
-    if (other.status != bvp_status::newton_failed || result.status != other.status || result.message.empty())
-        return other;
-    result.report = other.report;  // what the first one says of its ways is the longer story
-    return result;
+    again.count_work_of(first);
+    return again.run(guess, a, b);
 }
 
 }  // namespace stagecraft::detail
