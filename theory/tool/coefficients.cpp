@@ -45,10 +45,11 @@ void write_pairs(const std::vector<std::string>& files) {
 
 const stagecraft::tool::command coefficients{[](CLI::App& app) {
     const auto asked = std::make_shared<std::vector<std::string>>();
-    auto* command = app.add_subcommand("coefficients",
-                                       "Write a header of stagecraft/coefficients/: the nearest doubles of a "
-                                       "family, FAMILY MOST, or of files "
-                                       "with partitioned, separable and Nystrom methods, FILE.json ...");
+    auto* command =
+        app.add_subcommand("coefficients",
+                           "Write a header of stagecraft/coefficients/: the nearest doubles of a "
+                           "family, FAMILY MOST, or of files "
+                           "with additive, partitioned, separable and Nystrom methods, FILE.json ...");
     command
         ->add_option("what", *asked,
                      "One of " + tableaux::family_names() + " and the largest number of stages, or files")
