@@ -183,7 +183,7 @@ struct given_energies_of_pair {
     static constexpr bool callable = false, number = true;
 };
 template <class Energy, class... Parts>
-constexpr bool gives_number() {
+constexpr bool is_of_number() {
     if constexpr (is_energy_of<Energy, double, Parts...>)
         return owned_number<decltype(energy_value(std::declval<const Energy&>(), 0.0,
                                                   std::declval<const Parts&>()...))>;
@@ -194,13 +194,13 @@ template <int N, class H>
 requires(N > 0) struct given_energies_of_pair<N, H> {
     using part = Eigen::Matrix<energy_dual<double, 2 * N>, N, 1>;
     static constexpr bool callable = is_energy_of<H, double, part, part>,
-                          number = gives_number<H, part, part>();
+                          number = is_of_number<H, part, part>();
 };
 template <int N, class T, class V>
 requires(N > 0) struct given_energies_of_pair<N, T, V> {
     using part = energy_vector<double, N>;
     static constexpr bool callable = is_energy_of<T, double, part> && is_energy_of<V, double, part>,
-                          number = gives_number<T, part>() && gives_number<V, part>();
+                          number = is_of_number<T, part>() && is_of_number<V, part>();
 };
 template <int N, class... Energies>
 inline constexpr bool usable_energies =

@@ -284,11 +284,11 @@ STAGECRAFT_INLINE claim enclosed_sector(const subject<ball>& s, const enclosed_s
 
 STAGECRAFT_INLINE claim enclosed_real_interval(const enclosed_stability_function& given_f) {
     detail::assumptions given;
-    const auto every = signs_on_half_line(margin_on_ray(given_f, ball(1)), {.to_first_negative = true});
-    const bool ends = first_with_sign(every, -1) != nullptr;
+    const auto signs = signs_on_half_line(margin_on_ray(given_f, ball(1)), {.to_first_negative = true});
+    const bool ends = first_with_sign(signs, -1) != nullptr;
     const auto identity = [](bound x) { return x; };
     if (ends || given_f.unbounded())
-        return detail::interval_claim("real stability interval", every, 0, identity, given);
+        return detail::interval_claim("real stability interval", signs, 0, identity, given);
     detail::assume_degree(given_f, given);
     const auto f = given_f.trimmed();
     auto margin = margin_on_ray(f, ball(1));

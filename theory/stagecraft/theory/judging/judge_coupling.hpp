@@ -158,14 +158,14 @@ finding judge_coupled_stage_order(const coupled_subject<K>& s, std::optional<int
     finding f;
     f.name = "stage_order";
     int least = 2 * s.stages();
-    tableaux::bound residual = 0, bound = 0, relative_bound = 0;
+    tableaux::bound residual = 0, most = 0, relative_bound = 0;
     std::string who;
     const bool same = same_nodes(s);
     for (std::size_t k = 0; k < s.partners.size(); ++k) {
         const auto found = find_stage_order(s.partners[k], 2 * s.stages());
         const int q = found.stage_order;
         residual = std::max(residual, found.residual);
-        bound = std::max(bound, found.bound);
+        most = std::max(most, found.bound);
         relative_bound = std::max(relative_bound, found.relative_bound);
         if (q < least) who = partner_name(*s.file, k);
         least = std::min(least, q);
@@ -179,7 +179,7 @@ finding judge_coupled_stage_order(const coupled_subject<K>& s, std::optional<int
     else if constexpr (exact_scalar<K>)
         f.judgement = verdict::proved("B(" + *f.claimed + ") and C(" + *f.claimed + ") hold for each");
     else
-        set_open_stage_order(f, residual, bound, relative_bound);
+        set_open_stage_order(f, residual, most, relative_bound);
     return f;
 }
 

@@ -41,8 +41,8 @@ template <class>
 inline constexpr bool never = false;
 
 constexpr std::int64_t part(tableaux::int128 n) {
-    constexpr auto bound = std::numeric_limits<std::int64_t>::max();
-    if (n > bound || n < -bound)
+    constexpr auto largest = std::numeric_limits<std::int64_t>::max();
+    if (n > largest || n < -largest)
         throw std::overflow_error("a number in an expression needs more than 64 bits");
     return static_cast<std::int64_t>(n);
 }
