@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <stdexcept>
 
 #include <stagecraft/linear/mass.hpp>
@@ -46,7 +47,7 @@ void demand_mass_fits([[maybe_unused]] const Mass& mass, [[maybe_unused]] const 
         if constexpr (!Mass::identity) {
             int ones = 0;
             for (const auto& e : mass.entries())
-                if (e.row < m || e.column < m) ones += e.row == e.column && e.value == 1 ? 1 : 2 * n;
+                if (std::min(e.row, e.column) < m) ones += e.row == e.column && e.value == 1 ? 1 : 2 * n;
             if (ones != m)
                 throw std::invalid_argument(
                     "integrate: problem.mass() must be one in the rows and columns of "
