@@ -33,4 +33,28 @@ STAGECRAFT_INLINE scaled_conditions scaled(const Eigen::MatrixXd& B0, const Eige
     return r;
 }
 
+namespace detail {
+
+/// Orthonormal columns that span im X P for a projector P and a regular X. The singular values of a projector are 0 or at
+/// least 1, so its rank is no matter of a tolerance.
+STAGECRAFT_INLINE Eigen::MatrixXd image_of(const Eigen::MatrixXd& X, const Eigen::MatrixXd& P) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeFullU);
+    const Eigen::Index rank = (svd.singularValues().array() > 0.5).count();
+    const Eigen::MatrixXd image = X * svd.matrixU().leftCols(rank);
+    if (rank == 0) return image;
+    return image.householderQr().householderQ() * Eigen::MatrixXd::Identity(X.rows(), rank);
+}
+
+}  // namespace detail
+
+STAGECRAFT_INLINE solution_spaces dichotomy_spaces(const linear_two_point<double>& p,
+                                                   const Eigen::MatrixXd& P, double t) {
+    const Eigen::MatrixXd X = p.X(t);
+    if (P.rows() != X.rows() || P.cols() != X.cols() ||
+        !((P * P - P).cwiseAbs().maxCoeff() <= 1e-8 * (1 + P.norm() * P.norm())))
+        throw std::invalid_argument("P: must be a projector, P P = P, of the size of the problem");
+    const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(P.rows(), P.cols()) - P;
+    return {detail::image_of(X, P), detail::image_of(X, rest)};
+}
+
 }  // namespace stagecraft::theory

@@ -90,6 +90,16 @@ Scalar dichotomy_constant(const linear_two_point<Scalar>& p, const square_matrix
     return most;
 }
 
+/// Bases of S_-(t) = im X(t) P and S_+(t) = im X(t) (1 - P), orthonormal columns (lecture, after Definition 4.5): the values at
+/// t of the solutions that do not grow, |x(t)| <= K e^{-alpha (t - s)} |x(s)| for s <= t, and of those that do not fall,
+/// |x(s)| >= e^{beta (s - t)} |x(t)|/K for s >= t. Together they span R^m.
+struct solution_spaces {
+    Eigen::MatrixXd minus, plus;
+};
+
+/// Throws std::invalid_argument where P is no projector of the size of the problem, to 1e-8 of its norm. Two factorisations.
+solution_spaces dichotomy_spaces(const linear_two_point<double>& p, const Eigen::MatrixXd& P, double t);
+
 /// Conditions in the form of Definition 4.3: B0 = D0 Q0^T, BT = DT QT^T with orthogonal Q, diagonal D,
 /// entries in [0, 1], of which one of each pair (D0_i, DT_i) is 1. S (B0 BT) is that of the given conditions.
 struct scaled_conditions {
