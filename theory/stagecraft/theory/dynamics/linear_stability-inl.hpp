@@ -98,6 +98,82 @@ STAGECRAFT_INLINE dense<rational> at_matrix(const polynomial<rational>& p, const
     return value;
 }
 
+/// The polynomial with the eigenvalues of B on the imaginary axis as its simple roots, p that of B, none on the right:
+/// the roots that p(x) and p(-x) share are those on the axis.
+STAGECRAFT_INLINE polynomial<rational> axis_polynomial(const polynomial<rational>& p) {
+    return squarefree(gcd(p, reflected(p)));
+}
+
+/// The operator G -> G B + B^T G on symmetric matrices, which are numbered by their upper triangles.
+struct lyapunov_operator {
+    dense<rational> matrix;
+    Eigen::Index n;
+
+    explicit lyapunov_operator(const dense<rational>& B) : n(B.rows()) {
+        const auto size = n * (n + 1) / 2;
+        matrix = dense<rational>::Constant(size, size, rational(0));
+        for (Eigen::Index j = 0; j < n; ++j)
+            for (Eigen::Index i = 0; i <= j; ++i)
+                for (Eigen::Index k = 0; k < n; ++k) {
+                    matrix(index(i, j), index(i, k)) += B(k, j);
+                    matrix(index(i, j), index(k, j)) += B(k, i);
+                }
+    }
+    static Eigen::Index index(Eigen::Index i, Eigen::Index j) {
+        return i < j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
+    }
+    dense<rational> numbered(const dense<rational>& Q) const {
+        dense<rational> q(matrix.rows(), 1);
+        for (Eigen::Index j = 0; j < n; ++j)
+            for (Eigen::Index i = 0; i <= j; ++i) q(index(i, j), 0) = Q(i, j);
+        return q;
+    }
+    dense<rational> symmetric(const dense<rational>& g) const {
+        dense<rational> G(n, n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < n; ++j) G(i, j) = g(index(i, j), 0);
+        return G;
+    }
+};
+
+/// The mean over all times of e^(t B)^T e^(t B), for a B with semisimple eigenvalues on the imaginary axis: G > 0 with
+/// G B + B^T G = 0. The operator L of that equation is semisimple as well, so its kernel and its image are complements, and
+/// the mean is the part of 1 in the kernel: 1 - L H with L L H = L 1.
+STAGECRAFT_INLINE dense<rational> mean_inner_product(const dense<rational>& B) {
+    const lyapunov_operator L(B);
+    const dense<rational> one = L.numbered(tableaux::identity<rational>(B.rows()));
+    const auto size = L.matrix.rows();
+    dense<rational> work(size, size + 1);
+    work.leftCols(size) = multiplied(L.matrix, L.matrix);
+    work.rightCols(1) = multiplied(L.matrix, one);
+    const auto pivots = tableaux::detail::eliminate<rational>(work, size);
+    dense<rational> H = dense<rational>::Constant(size, 1, rational(0));
+    for (std::size_t k = 0; k < pivots.size(); ++k)
+        H(pivots[k], 0) = work(static_cast<Eigen::Index>(k), size);
+    const dense<rational> image = multiplied(L.matrix, H);
+    dense<rational> mean = one;
+    for (Eigen::Index i = 0; i < size; ++i) mean(i, 0) -= image(i, 0);
+    return L.symmetric(mean);
+}
+
+/// B, all eigenvalues on the left or on the axis, in a basis of ker s(B) and im s(B), s of `axis_polynomial`.
+struct axis_splitting {
+    dense<rational> basis;     ///< columns; not square where the two are no complements
+    Eigen::Index on_axis = 0;  ///< how many of them span ker s(B)
+};
+
+STAGECRAFT_INLINE axis_splitting split_off_axis(const dense<rational>& B) {
+    const auto once = at_matrix(axis_polynomial(tableaux::characteristic_polynomial<rational>(B)), B);
+    const auto axis = kernel(once);
+    dense<rational> work = once;
+    const auto pivots = tableaux::detail::eliminate<rational>(work, work.cols());
+    axis_splitting split{dense<rational>(B.rows(), B.rows()), static_cast<Eigen::Index>(axis.size())};
+    Eigen::Index column = 0;
+    for (const auto& v : axis) split.basis.col(column++) = v;
+    for (const auto j : pivots) split.basis.col(column++) = once.col(j);
+    return split;
+}
+
 STAGECRAFT_INLINE void require_square_system(const dense<rational>& B) {
     if (B.rows() != B.cols() || B.rows() == 0) throw std::invalid_argument("B: must be square and not empty");
 }
@@ -111,29 +187,14 @@ STAGECRAFT_INLINE dense<rational> solve_lyapunov(const dense<rational>& B, const
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < i; ++j)
             if (Q(i, j) != Q(j, i)) throw std::invalid_argument("Q: must be symmetric");
-    const auto index = [](Eigen::Index i, Eigen::Index j) {
-        return i < j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
-    };
-    const auto size = n * (n + 1) / 2;
-    dense<rational> M = dense<rational>::Constant(size, size, rational(0)), right(size, 1);
-    for (Eigen::Index j = 0; j < n; ++j) {
-        for (Eigen::Index i = 0; i <= j; ++i) {
-            const auto row = index(i, j);
-            right(row, 0) = -Q(i, j);
-            for (Eigen::Index k = 0; k < n; ++k) {
-                M(row, index(i, k)) += B(k, j);
-                M(row, index(k, j)) += B(k, i);
-            }
-        }
-    }
-    const auto g = tableaux::solve<rational>(M, right);
+    const detail::lyapunov_operator L(B);
+    dense<rational> right = L.numbered(Q);
+    for (Eigen::Index i = 0; i < right.rows(); ++i) right(i, 0) = -right(i, 0);
+    const auto g = tableaux::solve<rational>(L.matrix, right);
     if (!g)
         throw std::invalid_argument("B: the Lyapunov equation is singular, the eigenvalues " +
                                     detail::mirrored_pair(B) + " add up to 0");
-    dense<rational> G(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < n; ++j) G(i, j) = (*g)(index(i, j), 0);
-    return G;
+    return L.symmetric(*g);
 }
 
 STAGECRAFT_INLINE supremum spectral_abscissa(const dense<rational>& B, const rational& width) {
@@ -153,16 +214,44 @@ STAGECRAFT_INLINE supremum spectral_abscissa(const dense<rational>& B, const rat
     return {low, high, {}};
 }
 
+namespace detail {
+
+/// An inner product in which B, without eigenvalues on the right and with some on the axis, is dissipative; nothing where
+/// one of these has a Jordan block of order 2 or more.
+STAGECRAFT_INLINE std::optional<dense<rational>> marginal_inner_product(const dense<rational>& B) {
+    const auto split = split_off_axis(B);
+    const auto inverse = tableaux::inverse<rational>(split.basis);
+    if (!inverse) return {};
+    const auto n = B.rows(), k = split.on_axis;
+    const dense<rational> parts = multiplied(*inverse, multiplied(B, split.basis));
+    dense<rational> G = dense<rational>::Constant(n, n, rational(0));
+    G.topLeftCorner(k, k) = mean_inner_product(parts.topLeftCorner(k, k));
+    if (k < n)
+        G.bottomRightCorner(n - k, n - k) =
+            solve_lyapunov(parts.bottomRightCorner(n - k, n - k), tableaux::identity<rational>(n - k));
+    return multiplied(inverse->transpose(), multiplied(G, *inverse));
+}
+
+}  // namespace detail
+
 STAGECRAFT_INLINE dense<rational> inner_product(const dense<rational>& B, const rational& gamma) {
     detail::require_square_system(B);
     const auto shifted = detail::shifted(B, gamma);
-    if (detail::eigenvalue_count(shifted).left < B.rows())
-        throw std::invalid_argument("gamma: must exceed the spectral abscissa of B, is " + gamma.str());
-    const auto G = solve_lyapunov(shifted, tableaux::identity<rational>(B.rows()));
-    require_inner_product(G, B.rows());
-    if (!bounds(gamma, G, symmetric_part<rational>(G, B)))
+    const auto count = detail::eigenvalue_count(shifted);
+    std::optional<dense<rational>> G;
+    if (count.right == 0 && count.axis > 0) G = detail::marginal_inner_product(shifted);
+    if (count.right == 0 && count.axis == 0)
+        G = solve_lyapunov(shifted, tableaux::identity<rational>(B.rows()));
+    if (!G)
+        throw std::invalid_argument(
+            "gamma: must exceed the spectral abscissa of B, or equal it where the eigenvalues there have "
+            "Jordan "
+            "blocks of order 1; is " +
+            gamma.str());
+    require_inner_product(*G, B.rows());
+    if (!bounds(gamma, *G, symmetric_part<rational>(*G, B)))
         throw std::logic_error("inner_product: the inequality fails");
-    return G;
+    return *G;
 }
 
 STAGECRAFT_INLINE linear_stability_verdict linear_stability(const dense<rational>& B) {
@@ -174,9 +263,7 @@ STAGECRAFT_INLINE linear_stability_verdict linear_stability(const dense<rational
                 std::to_string(count.right) + " eigenvalues in the right half-plane"};
     if (count.axis == 0)
         return {lyapunov_stability::asymptotically_stable, "all eigenvalues in the left half-plane"};
-    // Without roots on the right, the roots that p(x) and p(-x) share are those on the axis.
-    const auto s = squarefree(gcd(p, reflected(p)));
-    const auto once = detail::at_matrix(s, B);
+    const auto once = detail::at_matrix(detail::axis_polynomial(p), B);
     const auto twice = detail::multiplied(once, once);
     for (const auto& v : detail::kernel(twice)) {
         const auto image = detail::multiplied(once, v);

@@ -23,9 +23,12 @@ dense<rational> solve_lyapunov(const dense<rational>& B, const dense<rational>& 
 /// alpha(B) = high where a dyadic number met exactly), high - low <= width, by exact half-plane counts.
 supremum spectral_abscissa(const dense<rational>& B, const rational& width = rational(1, 1 << 20));
 
-/// An inner product x^T G y with <B x, x> <= gamma |x|^2, G > 0, for any gamma > alpha(B) (lecture, Lemma 3.3
-/// and Satz 3.5): the solution of G (B - gamma) + (B - gamma)^T G = -1. Both inequalities are checked by
-/// exact L D L^T. Throws std::invalid_argument for gamma <= alpha(B).
+/// An inner product x^T G y with <B x, x> <= gamma |x|^2, G > 0 (lecture, Lemma 3.3 and Satz 3.5). For gamma >
+/// alpha(B), part 1, it is the solution of G (B - gamma) + (B - gamma)^T G = -1. For gamma = alpha(B) there is one if
+/// and only if the eigenvalues with that real part have Jordan blocks of order 1 (part 2): on their invariant subspace,
+/// split off exactly, it is the mean over all times of the Euclidean product along the flow, on the complement it is as
+/// in part 1. Both inequalities are checked by exact L D L^T. Throws std::invalid_argument for gamma < alpha(B), and for
+/// gamma = alpha(B) with a larger Jordan block.
 dense<rational> inner_product(const dense<rational>& B, const rational& gamma);
 
 enum class lyapunov_stability { asymptotically_stable, stable, unstable };

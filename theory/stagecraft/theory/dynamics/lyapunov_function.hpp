@@ -51,7 +51,8 @@ multinomial orbital_derivative(V&& v, F&& f) {
 /// Whether V is a Lyapunov function of x' = f(x) at 0 (lecture, Definition 3.9), V(x) and f polynomial: V(0)
 /// = 0, V > 0 elsewhere, dV/dt <= 0. Decided where V and dV/dt are quadratic forms. Else proved by Gram matrices (V
 /// minus a multiple of its lowest even powers, and -dV/dt, are sums of squares); refuted with a point other than 0 where
-/// V <= 0, or one where dV/dt > 0; consistent where neither was found.
+/// V <= 0, or one where dV/dt > 0; consistent where neither was found. (A V that stays bounded as |x| -> oo says nothing of
+/// bounded solutions: the lecture's remark after the definition needs V -> oo.)
 template <int N, class V, class F>
 verdict lyapunov_function(V&& v, F&& f) {
     state<multinomial, N> x;
