@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/tableaux/exact_tableau.hpp>
+#include <stagecraft/tableaux/simplifying.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
 #include <stagecraft/theory/stability/stability_function.hpp>
 
@@ -139,18 +140,57 @@ BOOST_AUTO_TEST_CASE(the_printed_formula_for_d_s_gives_no_radau_ia_method) {
     BOOST_TEST(equal(m.by_d(), t.A));
 }
 
-BOOST_AUTO_TEST_CASE(two_explicit_stages_have_b_a_c_0_and_so_never_order_3) {
-    // c_1 = 0 and A strictly lower triangular: b^T A c = b_2 a_21 c_1 = 0, which order 3 wants to be 1/6
-    for (const rational& c2 : {rational(1, 3), rational(1, 2), rational(2, 3), rational(1), rational(7)}) {
-        const rational b2 = 1 / (2 * c2);  // order 2: b_2 c_2 = 1/2
-        const rational c1 = 0;
-        BOOST_TEST((b2 * c2 == rational(1, 2)));
-        BOOST_TEST((b2 * c2 * c1 == 0));
-        BOOST_TEST((b2 * c2 * c1 != rational(1, 6)));
+BOOST_AUTO_TEST_CASE(lemma_2_10_needs_distinct_nodes_and_no_positive_weights) {
+    const auto q = [](int a, int b) {
+        return quadratic(rational(tableaux::integer(a), tableaux::integer(b)));
+    };
+    // Nodes 1/10, 1/5, 48/61: b_1 = -50/1257 < 0, B(4).
+    tableaux::column<quadratic> c(3);
+    c << q(1, 10), q(1, 5), q(48, 61);
+    const auxiliary m(c);
+    tableau<quadratic> t;
+    t.c = c;
+    t.b = m.B.diagonal();
+    BOOST_TEST((t.b[0] == q(-50, 1257)));
+    // 1. B(3 + 1), C(3) => D(1), and 2. B(3 + 1), D(3) => C(1), both with a negative weight.
+    t.A = m.by_c();
+    const auto from_c = tableaux::simplifying_orders_of(t);
+    BOOST_TEST((from_c.B == 4 && from_c.C == 3 && from_c.D == 1));
+    t.A = m.by_d();
+    const auto from_d = tableaux::simplifying_orders_of(t);
+    BOOST_TEST((from_d.B == 4 && from_d.C == 1 && from_d.D == 3));
+    // A node moved: B(3) only, and neither conclusion.
+    c[2] = q(4, 5);
+    const auxiliary moved(c);
+    t.c = c, t.b = moved.B.diagonal(), t.A = moved.by_c();
+    const auto without_b = tableaux::simplifying_orders_of(t);
+    BOOST_TEST((without_b.B == 3 && without_b.C == 3 && without_b.D == 0));
+    // Equal nodes: b and A of the one-stage midpoint rule, split; B(2), C(1) stay, D(1) does not.
+    tableau<quadratic> twice;
+    twice.c = tableaux::column<quadratic>::Constant(2, q(1, 2));
+    twice.b = twice.c;
+    twice.A = matrix(2, 2);
+    twice.A << q(1, 1), q(-1, 2), q(1, 1), q(-1, 2);
+    const auto equal_nodes = tableaux::simplifying_orders_of(twice);
+    BOOST_TEST((equal_nodes.B == 2 && equal_nodes.C >= 1 && equal_nodes.D == 0));
+}
+
+BOOST_AUTO_TEST_CASE(d_of_s_and_b_of_s_leave_no_weight_0_which_lemma_2_10_divides_by) {
+    // Nodes x, 1/4, 5/6: b_1 = 0, since (t - 1/4)(t - 5/6) has the integral 0 over [0, 1]. D(3) fixes b_1 a_1j = sum_k
+    // (V^-T)_1k b_j (1 - c_j^k)/k, which would have to be 0 for all j; for no x it is.
+    const auto q = [](int a, int b) {
+        return quadratic(rational(tableaux::integer(a), tableaux::integer(b)));
+    };
+    for (const int x : {0, 1, 3, 7, 11, 12}) {
+        tableaux::column<quadratic> c(3);
+        c << q(x, 12), q(1, 4), q(5, 6);
+        if (c[0] == c[1]) continue;
+        const auxiliary m(c);
+        BOOST_TEST((m.B(0, 0) == 0));
+        const matrix Vt = m.V.transpose(), right = m.minus(m.N, m.C).transpose(),
+                     weighted = times(*tableaux::inverse<quadratic>(Vt), times(right, m.B));
+        BOOST_TEST(!(weighted(0, 0) == 0 && weighted(0, 1) == 0 && weighted(0, 2) == 0));
     }
-    // three stages reach it: Kutta's third-order method
-    const rational b3(1, 6), a32 = 2, c2(1, 2);
-    BOOST_TEST((b3 * a32 * c2 == rational(1, 6)));
 }
 
 BOOST_AUTO_TEST_CASE(section_2_2_every_mode_of_a_linear_system_is_multiplied_by_r_of_h_sigma_exactly) {

@@ -67,9 +67,10 @@ BOOST_AUTO_TEST_CASE(b_and_c_imply_d_and_b_and_d_imply_c_lecture_lemma_2_10) {
     check(methods::lobatto_iiib3(), 3);
     // IIIC has neither C(s) nor D(s), B(2s-2), and yet D(s-1): no consequence of the lemma
     BOOST_TEST(orders(simplifying_orders_of(methods::lobatto_iiic4())) == "6 3 3");
-    // positive weights are needed: c = -1, 0, 1/5 has C(3), and fails where the lemma is not entitled to
-    // speak
-    BOOST_TEST(collocation<rational>({0, q(1, 10), q(1, 2)}).tableau.b[1] < 0);
+    // positive weights are not needed: b_2 < 0, B(3) and C(3), and the lemma says D(0)
+    const auto negative = collocation<rational>({0, q(1, 10), q(1, 2)}).tableau;
+    BOOST_TEST((negative.b[1] < 0));
+    BOOST_TEST(orders(simplifying_orders_of(negative)) == "3 3 0");
 }
 
 BOOST_AUTO_TEST_CASE(collocation_at_gauss_and_radau_nodes_has_the_order_of_folgerung_2_11) {
