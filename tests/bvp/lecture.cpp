@@ -8,6 +8,7 @@
 #include <random>
 #include <stagecraft/coefficients/lobatto_iiia.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/sensitivity/forward.hpp>
 #include <stagecraft/tableaux/fixed_rational.hpp>
 #include <stagecraft/theory/dynamics/green_function.hpp>
 
@@ -47,24 +48,6 @@ MatrixXd random_matrix(std::mt19937& generator, Eigen::Index m) {
 }
 
 double norm(const MatrixXd& a) { return theory::two_norm<double>(a); }
-
-/// The flow of x' = f(x) over [0, T] by the classical Runge-Kutta method, with its derivative by x0.
-template <class F, class J>
-std::pair<VectorXd, MatrixXd> flow(const F& f, const J& jacobian, const VectorXd& x0, double T, int steps) {
-    const double h = T / steps;
-    VectorXd x = x0;
-    MatrixXd X = MatrixXd::Identity(x0.size(), x0.size());
-    for (int n = 0; n < steps; ++n) {
-        const VectorXd a = f(x), b = f(VectorXd(x + h / 2 * a)), c = f(VectorXd(x + h / 2 * b)),
-                       d = f(VectorXd(x + h * c));
-        const MatrixXd A = jacobian(x) * X, B = jacobian(VectorXd(x + h / 2 * a)) * (X + h / 2 * A),
-                       C = jacobian(VectorXd(x + h / 2 * b)) * (X + h / 2 * B),
-                       D = jacobian(VectorXd(x + h * c)) * (X + h * C);
-        x += h / 6 * (a + 2 * b + 2 * c + d);
-        X += h / 6 * (A + 2 * B + 2 * C + D);
-    }
-    return {x, X};
-}
 
 }  // namespace
 
@@ -183,67 +166,37 @@ BOOST_AUTO_TEST_CASE(the_c1_estimate_as_printed_is_refuted_and_with_the_missing_
     }
 }
 
-BOOST_AUTO_TEST_CASE(satz_4_7_the_derivative_of_shooting_is_m_and_bratu_has_two_solutions_one_or_none) {
-    // u'' = -lambda e^u, S(x0) = (u(0), u(1)); a = sqrt(2 lambda) cosh(a / 4), u'(0) = a tanh(a / 4).
-    const auto field = [](double lambda) {
-        return
-            [lambda](const VectorXd& x) { return VectorXd(Eigen::Vector2d(x[1], -lambda * std::exp(x[0]))); };
-    };
-    const auto jacobian = [](double lambda) {
-        return [lambda](const VectorXd& x) {
-            return (MatrixXd(2, 2) << 0, 1, -lambda * std::exp(x[0]), 0).finished();
-        };
-    };
-    const auto determinant = [&](double lambda, double a) {  // of M_* = B0 + B1 X_*(1)
-        const auto [x, X] =
-            flow(field(lambda), jacobian(lambda), VectorXd(Eigen::Vector2d(0, a * std::tanh(a / 4))), 1, 400);
-        BOOST_TEST(std::abs(x[0]) < 1e-7);
-        return X(0, 1);
-    };
-    const auto solutions = [](double lambda) {
-        int count = 0;
-        const auto f = [lambda](double a) { return a - std::sqrt(2 * lambda) * std::cosh(a / 4); };
-        for (double a = 0; a < 20; a += 0.01)
-            count += f(a) < 0 && f(a + 0.01) > 0, count += f(a) > 0 && f(a + 0.01) < 0;
-        return count;
-    };
-    BOOST_TEST(solutions(1) == 2);
-    BOOST_TEST(solutions(3.51) == 2);
-    BOOST_TEST(solutions(3.52) == 0);
-    BOOST_TEST(determinant(1, 1.5171645990507544) > 0.5);    // isolated
-    BOOST_TEST(determinant(1, 10.938702772115119) < -0.05);  // isolated
-    // At the fold a/4 tanh(a/4) = 1 both meet and M_* is singular: the hypothesis fails.
-    const double a = 4 * 1.1996786402577339, lambda = a * a / (2 * std::cosh(a / 4) * std::cosh(a / 4));
-    BOOST_TEST(std::abs(lambda - 3.513830719125161) < 1e-12);
-    BOOST_TEST(std::abs(determinant(lambda, a)) < 1e-7);
-    // S' = M_* by differences.
-    const double h = 1e-5;
-    const VectorXd x0 = Eigen::Vector2d(0, 0.5493527287752708);
-    const auto end = [&](double v) {
-        return flow(field(1), jacobian(1), VectorXd(Eigen::Vector2d(0, v)), 1, 400).first[0];
-    };
-    const double difference = (end(x0[1] + h) - end(x0[1] - h)) / (2 * h);
-    BOOST_TEST(std::abs(difference - flow(field(1), jacobian(1), x0, 1, 400).second(0, 1)) < 1e-8);
-}
-
 BOOST_AUTO_TEST_CASE(section_4_4_x_of_T_has_the_eigenvalue_1_with_the_direction_of_the_orbit) {
-    const auto field = [](const VectorXd& x) {
-        const double r = 1 - x.squaredNorm();
-        return VectorXd(Eigen::Vector2d(x[1] + x[0] * r, x[1] * r - x[0]));
+    const auto field = [](const auto&, const auto& x, const auto&, auto& f) {
+        const auto r = 1 - x[0] * x[0] - x[1] * x[1];
+        f[0] = x[1] + x[0] * r;
+        f[1] = x[1] * r - x[0];
     };
-    const auto jacobian = [](const VectorXd& x) {
-        const double r = 1 - x.squaredNorm();
-        return (MatrixXd(2, 2) << r - 2 * x[0] * x[0], 1 - 2 * x[0] * x[1], -1 - 2 * x[0] * x[1],
-                r - 2 * x[1] * x[1])
-            .finished();
+    const Eigen::Matrix2d unit = Eigen::Matrix2d::Identity();
+    const auto X_of_T = [&](const Eigen::Vector2d& start) {
+        const auto r = sensitivities(radau_iia<5>(), field, start, Eigen::Vector2d(0, 0), 0.0, 2 * pi,
+                                     {.rtol = 1e-12, .atol = 1e-12}, &unit);
+        BOOST_REQUIRE(r.ok());
+        return r.S;
     };
-    const VectorXd start = Eigen::Vector2d(0, 1);
-    const MatrixXd X = flow(field, jacobian, start, 2 * pi, 2000).second;
-    BOOST_TEST((X * field(start) - field(start)).norm() < 1e-9);
-    BOOST_TEST(std::abs((one - X).determinant()) < 1e-9);  // Satz 4.7 does not apply
+    const Eigen::Vector2d start(0, 1), direction(1, 0);  // f(start)
+    const Eigen::Matrix2d X = X_of_T(start);
+    BOOST_TEST((X * direction - direction).norm() < 1e-9);
+    BOOST_TEST(std::abs((unit - X).determinant()) < 1e-9);  // Satz 4.7 does not apply
     BOOST_TEST(std::abs(X.determinant() - std::exp(-4 * pi)) < 1e-10);
-    // x' = x/4 + sin t is not autonomous: 1 - X(T) is regular.
-    BOOST_TEST(std::abs(1 - std::exp(pi / 2)) > 1);
+    // off the orbit there is no eigenvalue 1
+    BOOST_TEST(std::abs((unit - X_of_T({0, 0.5})).determinant()) > 1e-2);
+    // x' = x/4 + sin t is not autonomous: 1 - X(T) = 1 - e^(pi/2) is regular.
+    const auto forced = [](const auto& t, const auto& x, const auto&, auto& f) {
+        using std::sin;
+        f[0] = x[0] / 4 + sin(t);
+    };
+    using number = Eigen::Matrix<double, 1, 1>;
+    const number one_by_one(1.0);
+    const auto r = sensitivities(radau_iia<5>(), forced, number(-16.0 / 17), number(0.0), 0.0, 2 * pi,
+                                 {.rtol = 1e-11, .atol = 1e-11}, &one_by_one);
+    BOOST_TEST(std::abs(r.S(0, 0) - std::exp(pi / 2)) < 1e-8);
+    BOOST_TEST(std::abs(r.y[0] + 16.0 / 17) < 1e-8);  // the periodic solution
 }
 
 BOOST_AUTO_TEST_CASE(satz_5_1_bounds_the_condition_of_multiple_shooting_and_its_inverse_has_a_minus_sign) {
@@ -278,42 +231,6 @@ BOOST_AUTO_TEST_CASE(satz_5_1_bounds_the_condition_of_multiple_shooting_and_its_
     const double condition = theory::block_row_norm<double>(theory::shooting_matrix(large, t), 2) *
                              theory::block_row_norm<double>(theory::shooting_inverse(large, t), 2);
     BOOST_TEST(condition > (large.kappa1(4) + large.kappa2(4)) * (1 + std::exp(0.5)));
-}
-
-BOOST_AUTO_TEST_CASE(satz_6_3_the_stability_constant_stays_bounded_on_uniform_and_graded_meshes) {
-    // Lobatto IIIA-3 on x' = A x: -L y_{i-1} + R y_i = h r_i, B0 y_0 + BT y_N = d; the constant is the norm of (r, d) -> y.
-    const auto constant = [](const MatrixXd& A, const std::vector<double>& t, const MatrixXd& B0,
-                             const MatrixXd& BT) {
-        const auto N = static_cast<Eigen::Index>(t.size()) - 1;
-        MatrixXd F = MatrixXd::Zero(2 * N + 2, 2 * N + 2);
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const double h = t[i + 1] - t[i];
-            F.block(2 * i, 2 * i, 2, 2) = -(one + h / 2 * A + h * h / 12 * A * A) / h;
-            F.block(2 * i, 2 * i + 2, 2, 2) = (one - h / 2 * A + h * h / 12 * A * A) / h;
-        }
-        F.block(2 * N, 0, 2, 2) = B0;
-        F.block(2 * N, 2 * N, 2, 2) = BT;
-        return F.inverse().cwiseAbs().rowwise().sum().maxCoeff();
-    };
-    const auto mesh = [](int N, double T, double power) {
-        std::vector<double> t;
-        for (int i = 0; i <= N; ++i) t.push_back(T * std::pow(static_cast<double>(i) / N, power));
-        return t;
-    };
-    const MatrixXd growth = (MatrixXd(2, 2) << 0, 1, 110, 1).finished(),
-                   turn = (MatrixXd(2, 2) << 0, 1, -1, 0).finished();
-    for (const double power : {1.0, 2.0, 4.0}) {
-        std::vector<double> s, resonant;
-        for (const int N : {20, 40, 80}) {
-            s.push_back(constant(growth, mesh(N, 3, power), first, second));
-            resonant.push_back(constant(turn, mesh(N, pi, power), first, second));
-        }
-        BOOST_TEST(s[1] < 1.2 * s[0]);
-        BOOST_TEST(s[2] < 1.05 * s[1]);
-        // M_* singular: what the discretisation leaves of it is O(h^4).
-        BOOST_TEST(resonant[1] > 10 * resonant[0]);
-        BOOST_TEST(resonant[2] > 10 * resonant[1]);
-    }
 }
 
 namespace splines {
