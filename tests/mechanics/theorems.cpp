@@ -9,42 +9,75 @@
 
 #include <problems/thesis/solve.hpp>
 
+#include "radau_stages.hpp"
+
 using namespace thesis;
 
 namespace {
 
-struct norms {
-    double plain, scaled;
+const Eigen::Matrix3d& radau_matrix() {
+    static const double r = std::sqrt(6.0);
+    static const Eigen::Matrix3d A = (Eigen::Matrix3d() << (88 - 7 * r) / 360, (296 - 169 * r) / 1800,
+                                      (-2 + 3 * r) / 225, (296 + 169 * r) / 1800, (88 + 7 * r) / 360,
+                                      (-2 - 3 * r) / 225, (16 - r) / 36, (16 + r) / 36, 1.0 / 9)
+                                         .finished();
+    return A;
+}
+
+// (2.41), I (x) M - h A (x) J for Radau IIA-3, at y_n and with J of each stage at the exact stage values. Unknowns and
+// equations: those of y of all stages, then those of lambda.
+struct newton_matrices {
+    Eigen::MatrixXd at_start, at_stages;
+    int ny = 10, nl = 2;
+    newton_matrices(const setup& s, double h) : at_start(Eigen::MatrixXd::Zero(36, 36)), at_stages(at_start) {
+        Eigen::MatrixXd J(12, 12), J0(12, 12);
+        s.problem.jacobian(0, s.y0, J0);
+        for (int j = 0; j < 3; ++j) {
+            const vector Y =
+                solve(s, {.stages = 5, .tolerance = 1e-13, .steps = 4, .end = radau_nodes[j] * h})
+                    .path.back()
+                    .y;
+            s.problem.jacobian(0, Y, J);
+            for (int i = 0; i < 3; ++i) {
+                place(at_stages, i, j, (i == j) * s.problem.M - h * radau_matrix()(i, j) * J);
+                place(at_start, i, j, (i == j) * s.problem.M - h * radau_matrix()(i, j) * J0);
+            }
+        }
+    }
+    void place(Eigen::MatrixXd& K, int i, int j, const Eigen::MatrixXd& block) const {
+        K.block(i * ny, j * ny, ny, ny) = block.topLeftCorner(ny, ny);
+        K.block(i * ny, 30 + j * nl, ny, nl) = block.topRightCorner(ny, nl);
+        K.block(30 + i * nl, j * ny, nl, ny) = block.bottomLeftCorner(nl, ny);
+        K.block(30 + i * nl, 30 + j * nl, nl, nl) = block.bottomRightCorner(nl, nl);
+    }
 };
 
-// Norm of the derivative of the simplified Newton iteration for Radau IIA-3 at the exact stage values,
-// I - K(y0)^-1 K(Y), K = I (x) M - h A (x) J, in the plain norm and in that of D = diag(1, h) (thesis 2.4).
+double norm(const Eigen::MatrixXd& a) { return a.jacobiSvd().singularValues()[0]; }
+
+Eigen::MatrixXd kronecker(const Eigen::Matrix3d& A, const Eigen::MatrixXd& B) {
+    Eigen::MatrixXd K(3 * B.rows(), 3 * B.cols());
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) K.block(i * B.rows(), j * B.cols(), B.rows(), B.cols()) = A(i, j) * B;
+    return K;
+}
+
+struct norms {
+    double plain, scaled, kantorovich;
+};
+
+// Norm of the derivative of the simplified Newton iteration at the exact stage values, I - K(y0)^-1 K(Y), in the plain
+// norm and in that of D = diag(1, h) (thesis 2.4), and the product that Kantorovich's theorem wants below 1/2.
 norms iteration_derivative(const setup& s, double h) {
-    const double r = std::sqrt(6.0);
-    Eigen::Matrix3d A;
-    A << (88 - 7 * r) / 360, (296 - 169 * r) / 1800, (-2 + 3 * r) / 225, (296 + 169 * r) / 1800,
-        (88 + 7 * r) / 360, (-2 - 3 * r) / 225, (16 - r) / 36, (16 + r) / 36, 1.0 / 9;
-    const double c[] = {(4 - r) / 10, (4 + r) / 10, 1};
-    const int n = static_cast<int>(s.y0.size());
-    Eigen::MatrixXd J(n, n), K = Eigen::MatrixXd::Zero(3 * n, 3 * n), K0 = K;
-    for (int j = 0; j < 3; ++j) {
-        const vector Y =
-            solve(s, {.stages = 5, .tolerance = 1e-13, .steps = 4, .end = c[j] * h}).path.back().y;
-        s.problem.jacobian(0, Y, J);
-        for (int i = 0; i < 3; ++i) K.block(i * n, j * n, n, n) = (i == j) * s.problem.M - h * A(i, j) * J;
-        s.problem.jacobian(0, s.y0, J);
-        for (int i = 0; i < 3; ++i) K0.block(i * n, j * n, n, n) = (i == j) * s.problem.M - h * A(i, j) * J;
-    }
+    newton_matrices k(s, h);
+    const Eigen::MatrixXd inverse = k.at_start.inverse();
+    const double kantorovich = norm(inverse) * norm(k.at_stages - k.at_start);
     // The rows of the algebraic equations are divided by h first, which changes nothing but the conditioning.
-    for (int i = 0; i < 3; ++i) {
-        K.middleRows(i * n + 10, 2) /= h;
-        K0.middleRows(i * n + 10, 2) /= h;
-    }
-    const Eigen::MatrixXd P = Eigen::MatrixXd::Identity(3 * n, 3 * n) - K0.partialPivLu().solve(K);
-    Eigen::VectorXd D = Eigen::VectorXd::Ones(3 * n);
-    for (int i = 0; i < 3; ++i) D.segment(i * n + 10, 2).setConstant(h);
-    const Eigen::MatrixXd Q = D.asDiagonal() * P * D.cwiseInverse().asDiagonal();
-    return {P.jacobiSvd().singularValues()[0], Q.jacobiSvd().singularValues()[0]};
+    k.at_start.bottomRows(6) /= h, k.at_stages.bottomRows(6) /= h;
+    const Eigen::MatrixXd P =
+        Eigen::MatrixXd::Identity(36, 36) - k.at_start.partialPivLu().solve(k.at_stages);
+    Eigen::VectorXd D = Eigen::VectorXd::Ones(36);
+    D.tail(6).setConstant(h);
+    return {norm(P), norm(D.asDiagonal() * P * D.cwiseInverse().asDiagonal()), kantorovich};
 }
 
 // Slopes in h of errors in y, P y (P = I - f_lambda (g_y f_lambda)^-1 g_y), lambda and of |g(y)|.
@@ -125,15 +158,48 @@ bool near(double order, double expected) { return std::abs(order - expected) < 0
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(equation_2_41_the_inverse_has_blocks_of_order_1_1_over_h_1_over_h_and_1_over_h_squared) {
+    const setup s = restarted(disc_dae(), 0.4);
+    Eigen::MatrixXd J(12, 12);
+    s.problem.jacobian(0, s.y0, J);
+    const Eigen::MatrixXd g_y = J.block(10, 0, 2, 10), f_lambda = J.block(0, 10, 10, 2),
+                          inner = (g_y * f_lambda).inverse(), unit = Eigen::MatrixXd::Identity(10, 10);
+    const Eigen::Matrix3d one = Eigen::Matrix3d::Identity(), Ai = radau_matrix().inverse();
+    // norms of the four blocks, and of what their leading terms leave
+    std::vector<double> h, size[4], rest[4];
+    for (double step = 1e-2; step > 5e-4; step /= 2) {
+        const Eigen::MatrixXd K = newton_matrices(s, step).at_start.inverse();
+        const Eigen::MatrixXd blocks[4] = {K.topLeftCorner(30, 30), K.topRightCorner(30, 6),
+                                           K.bottomLeftCorner(6, 30), K.bottomRightCorner(6, 6)};
+        const Eigen::MatrixXd leading[4] = {
+            kronecker(one, unit - f_lambda * inner * g_y), -kronecker(Ai, f_lambda * inner) / step,
+            -kronecker(Ai, inner * g_y) / step, -kronecker(Ai * Ai, inner) / (step * step)};
+        h.push_back(step);
+        for (int i = 0; i < 4; ++i) {
+            size[i].push_back(norm(blocks[i]));
+            rest[i].push_back(norm(blocks[i] - leading[i]));
+        }
+    }
+    const double order[4] = {0, -1, -1, -2};
+    for (int i = 0; i < 4; ++i) {
+        BOOST_TEST(std::abs(slope(h, size[i]) - order[i]) < 0.05);
+        BOOST_TEST(slope(h, rest[i]) > order[i] + 0.9);  // printed: one power of h more
+    }
+}
+
 BOOST_AUTO_TEST_CASE(newton_contracts_in_the_norm_scaled_by_h_only) {
     const setup s = restarted(disc_dae(), 0.4);
-    std::vector<double> h, plain, scaled;
+    std::vector<double> h, plain, scaled, kantorovich;
     for (double step = 1e-3; step > 5e-5; step /= 2) {
         const norms n = iteration_derivative(s, step);
         h.push_back(step);
         plain.push_back(n.plain);
         scaled.push_back(n.scaled);
+        kantorovich.push_back(n.kantorovich);
     }
+    // "Unbounded, so Kantorovich fails": |K^-1| |K(Y) - K(y_n)| is O(1) and far above 1/2, however small h
+    BOOST_TEST(std::abs(slope(h, kantorovich)) < 0.2);
+    BOOST_TEST(*std::min_element(kantorovich.begin(), kantorovich.end()) > 0.5);
     BOOST_TEST(std::abs(slope(h, scaled) - 1) < 0.1);  // O(h)
     BOOST_TEST(std::abs(slope(h, plain)) < 0.1);       // O(1): however small h, no contraction
     BOOST_TEST(scaled.back() < 0.5);
@@ -165,6 +231,11 @@ BOOST_AUTO_TEST_CASE(theorem_2_local_orders_with_and_without_the_projector) {
     BOOST_TEST(near(two.y, 3));
     BOOST_TEST(near(two.projected, 4));
     BOOST_TEST(near(two.lambda, 2));
+    // p > q is needed: the implicit Euler method has p = q = 1, and P y = O(h^2) as y itself, not O(h^3).
+    const orders euler = local({.stages = 1});
+    BOOST_TEST(near(euler.y, 2));
+    BOOST_TEST(near(euler.projected, 2));
+    BOOST_TEST(near(euler.lambda, 1));
 }
 
 BOOST_AUTO_TEST_CASE(theorem_3_local_errors_of_y_accumulate_to_their_projected_order) {
@@ -221,19 +292,6 @@ BOOST_AUTO_TEST_CASE(corollary_1_collocation_has_order_s_at_least) {
 }
 
 namespace {
-
-// The stages (Y_ni, Lambda_ni) of one step of Radau IIA-3: its collocation polynomial at the nodes.
-std::array<vector, 3> stages(const setup& s, double step) {
-    const double c[] = {(4 - std::sqrt(6.0)) / 10, (4 + std::sqrt(6.0)) / 10, 1};
-    std::array<vector, 3> values;
-    request one{.tolerance = 1e-12, .steps = 1, .end = step};
-    one.watch = [&](double, const vector&, double, const piece& p) {
-        for (int i = 0; i < 3; ++i) values[i] = p(c[i] * step);
-        return true;
-    };
-    solve(s, one);
-    return values;
-}
 
 // Slopes in h of Y_ni - y_n and Lambda_ni - lambda_n, i = 1, 2, 3, from starts that `disturb` moves.
 template <class Disturb>
