@@ -77,9 +77,9 @@ const auto& options_of(const Point& point) {
 template <class Options, class Numbers, class Choices>
 void visit_options(Options& o, Numbers&& numbers, Choices&& choices) {
     auto& [rtol, atol, components, fixed, first, least, largest, control, continuous, jumps, steps,
-           iterations, factor,
-           breaks] = o;  // all of them: another one does not compile before it is saved
-    static_cast<void>(components), static_cast<void>(breaks);
+           iterations, factor, breaks, consistent] =
+        o;  // all of them: another one does not compile before it is saved
+    static_cast<void>(components), static_cast<void>(breaks), static_cast<void>(consistent);
     numbers(rtol, atol, fixed, first, least, largest, factor);
     choices(control, continuous, jumps, steps, iterations);
 }
@@ -264,6 +264,7 @@ void write_options(std::ostream& out, const std::optional<options<Scalar>>& give
     write_counts(out, "choices", choices);
     write_bits(out, "atol_components", given ? given->atol_components : numbers_of_components<Scalar>());
     if (given && !given->break_points.empty()) write_bits(out, "break_points", given->break_points.numbers());
+    if (given && given->consistent_start) write_counts(out, "consistent_start", {1});
 }
 /// Reads the same. std::invalid_argument where there are fewer or more than there are options.
 template <class Scalar>
@@ -288,9 +289,15 @@ std::optional<options<Scalar>> read_options(std::istream& in) {
     read.atol_components =
         numbers_of_components<Scalar>(Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(
             components.data(), static_cast<Eigen::Index>(components.size())));
-    if (in >> std::ws && !in.eof())
+    const auto begins_with = [&](char first) { return in >> std::ws && in.peek() == first; };
+    if (begins_with('b'))
         read_bits<Scalar>(in, "break_points",
                           [&](const Scalar& x) { read.break_points.numbers().push_back(x); });
+    if (begins_with('c')) {
+        std::vector<long> asked;
+        read_counts(in, "consistent_start", asked);
+        read.consistent_start = !asked.empty();
+    }
     return read;
 }
 
@@ -299,7 +306,7 @@ std::optional<options<Scalar>> read_options(std::istream& in) {
 /// Writes a checkpoint of doubles or floats as text that reads back to the same bits everywhere: the line
 /// "stagecraft checkpoint 3" (the version of the form), then the lists t, y, numbers, counts, options (rtol, atol,
 /// fixed_step, initial_step, min_step, max_step, newton_factor; none where there are no options), choices (control,
-/// continuous, jumps, max_steps, newton_iterations), atol_components and, where there are any, break_points, each as a line with its
+/// continuous, jumps, max_steps, newton_iterations), atol_components and, where there are any, break_points and consistent_start, each as a line with its
 /// name and size and a line for every entry, then "checksum" and the FNV-1a hash (64 bits, decimal) of all lines
 /// before. A floating-point number is the hexadecimal digits of its IEEE 754 bits, most significant first (Python:
 /// struct.unpack('>d', bytes.fromhex(line))); a count is decimal.

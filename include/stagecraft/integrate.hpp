@@ -28,6 +28,10 @@ namespace detail {
 template <class Run, class Vector, class Observer>
 result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Scalar& t1, Observer& observer,
                               [[maybe_unused]] bool begins) {
+    if (begins) {
+        run.make_consistent();
+        start = run.y();
+    }
     run.between_steps([&] {
         announce(observer, run.t(), start, t1);
         return true;

@@ -55,13 +55,15 @@ class step_range {
 
     step_range(const Method& method, Problem&& problem, const Vector& y0, const scalar& t0, const scalar& t1,
                const options<scalar>& o)
-        : problem_(std::forward<Problem>(problem)), run_(method, problem_, y0, t0, t1, o) {}
+        : problem_(std::forward<Problem>(problem)), run_(method, problem_, y0, t0, t1, o) {
+        run_.make_consistent();
+    }
 
     template <class Correction>
     step_range(const Method& method, Problem&& problem, const Vector& y0, const scalar& t0, const scalar& t1,
                const options<scalar>& o, Correction&& correction)
         : step_range(method, std::forward<Problem>(problem), y0, t0, t1, o) {
-        detail::announce(correction, t0, y0, t1);
+        detail::announce(correction, t0, run_.y(), t1);
         if constexpr (std::is_lvalue_reference_v<Correction>) {
             correct_ = [&correction, y = y0](run_type& run) mutable { detail::correct(correction, run, y); };
         } else {

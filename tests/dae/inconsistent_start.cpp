@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE inconsistent_start
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/dae/consistent.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/observe/at.hpp>
+#include <stagecraft/observe/observers.hpp>
+#include <stagecraft/observe/solution.hpp>
+#include <stagecraft/problem/semi_explicit.hpp>
 #include <stagecraft/problem/with.hpp>
 #include <stagecraft/report_text.hpp>
 
@@ -91,4 +98,62 @@ BOOST_AUTO_TEST_CASE(where_there_is_no_solution_near_the_status_names_the_equati
     std::ostringstream text;
     print(text, r);
     BOOST_TEST(text.str().find("equation 1 (counted from 0) leaves 1.25") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_consistent_start_may_be_asked_for) {
+    // y' = -y z, 0 = z + z^3 - y: with w = z, (1 + 3 w^2) w' = -(w + w^3) w, so that 1/w - 2 atan(w) - t is constant.
+    const dae root{[](double, const V& y, V& f) { f << -y[0] * y[1], y[1] * y[1] * y[1] + y[1] - y[0]; },
+                   first_only};
+    const auto constant = [](double t, double w) { return 1 / w - 2 * std::atan(w) - t; };
+    const auto rest = [](const V& y) { return std::abs(y[1] * y[1] * y[1] + y[1] - y[0]); };
+    const double w0 = std::cbrt(0.5 + std::sqrt(31 / 108.0)) + std::cbrt(0.5 - std::sqrt(31 / 108.0));
+    for (const double tol : {1e-3, 1e-6, 1e-9}) {
+        const sc::options<double> o{.rtol = tol, .atol = tol, .consistent_start = true};
+        sc::solution<V> path;
+        const auto by_radau = sc::integrate(sc::radau_iia<3>(), root, V{{1, 0.5}}, 0, 1, o, path);
+        const auto by_gauss =
+            sc::integrate(sc::gauss<3>(), root, V{{1, 0.5}}, 0, 1, o);  // which never forgets z0
+        BOOST_TEST((by_radau.ok() && by_gauss.ok()));
+        BOOST_TEST(rest(path(0)) < 1e-14);  // observers see where the run begins, to rounding
+        BOOST_TEST(std::abs(path(0)[1] - w0) < 1e-14);
+        BOOST_TEST(path(0)[0] == 1);
+        for (const V& y : {by_radau.y, by_gauss.y})
+            BOOST_TEST(std::abs(constant(1, y[1]) - constant(0, w0)) < 30 * tol);
+        BOOST_TEST(by_radau.report.rejected_error + by_radau.report.rejected_newton == 0);
+    }
+    // Behind a change as well, before anybody sees it.
+    double largest = 0;
+    auto dose = sc::at({0.5}, [](double, V& y) { y[0] += 1; });
+    const auto r = sc::integrate(sc::radau_iia<3>(), root, V{{1, 0.5}}, 0, 1, {.consistent_start = true},
+                                 sc::observers(dose, [&](double t, const V& y) {
+                                     if (t >= 0.5) largest = std::max(largest, rest(y));
+                                     return true;
+                                 }));
+    BOOST_TEST(r.ok());
+    BOOST_TEST(largest < 1e-5);
+    // Index 2 by the rules of consistent_initial_values; the multiplier of the unit circle is 0.
+    const auto circle = sc::semi_explicit<2, 1>(
+        [](const auto&, const auto& y, const auto& z, auto& out) {
+            out[0] = -y[1] + y[0] * z[0];
+            out[1] = y[0] + y[1] * z[0];
+        },
+        [](const auto&, const auto& y, auto& out) { out[0] = y[0] * y[0] + y[1] * y[1] - 1.0; });
+    using Eigen::Vector3d;
+    sc::solution<Vector3d> turn;
+    BOOST_TEST(sc::integrate(sc::radau_iia<3>(), circle, Vector3d(1.1, 0.2, 5), 0, 1,
+                             {.consistent_start = true}, turn)
+                   .ok());
+    const Vector3d first = turn(0), right = sc::consistent_initial_values(circle, 0, Vector3d(1.1, 0.2, 5)).y;
+    BOOST_TEST((first - right).norm() == 0);
+    BOOST_TEST(std::abs(first.head(2).norm() - 1) < 1e-12);
+    BOOST_TEST(std::abs(first[2]) < 1e-12);
+    // Where there are no such values, and where nothing asks for them.
+    const dae none{[](double, const V& y, V& f) { f << y[1] - y[0], y[1] * y[1] + 1 + y[0]; }, first_only};
+    const auto refused =
+        sc::integrate(sc::radau_iia<3>(), none, V{{0, 0.5}}, 0, 1, {.consistent_start = true});
+    BOOST_TEST(name(refused.status) == "inconsistent_start");
+    BOOST_TEST((refused.y == V{{0, 0.5}}));
+    const auto regular = [](double, const V& y, V& f) { f = -y; };
+    BOOST_TEST(sc::integrate(sc::radau_iia<3>(), regular, V{{1, 2}}, 0, 1, {.consistent_start = true}).y ==
+               sc::integrate(sc::radau_iia<3>(), regular, V{{1, 2}}, 0, 1).y);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <stagecraft/dae/constraint_newton.hpp>
+#include <stagecraft/problem/higher_index.hpp>
 
 namespace stagecraft {
 
@@ -151,6 +152,12 @@ auto consistent_initial_values(Problem&& problem, std::type_identity_t<typename 
     }
     result.check = check_consistent(problem, t, x, options.time_scale);
     return result;
+}
+
+/// What options.consistent_start calls for components of index 2 and 3: consistent_initial_values near y.
+template <class Problem, class Vector>
+Vector consistent_values(higher_index, Problem& problem, const typename Vector::Scalar& t, const Vector& y) {
+    return consistent_initial_values(problem, t, y).y;
 }
 
 }  // namespace stagecraft

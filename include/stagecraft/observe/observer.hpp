@@ -274,6 +274,7 @@ bool change([[maybe_unused]] Observer& observer, [[maybe_unused]] Run& run, [[ma
             throw std::invalid_argument(
                 "integrate: a change by at() or event() must not leave problem.domain()");
         run.restart(t, y);
+        run.make_consistent();
         tell_change(observer, t, run.y());
         return true;
     } else {

@@ -108,8 +108,6 @@ class system
           engine_(size_at_compile_time == Eigen::Dynamic ? 0 : n_),
           J_(detail::make_jacobian<Problem, Vector>(problem, n_)) {
         report_.found = detail::found_in<Problem, Vector>();
-        if (n_ == 0 && sums_type::complete)
-            throw std::invalid_argument("integrate: y0 must have one component at least");
         static_assert(has_entries<mass_type> || has_linear_solver<Problem>,
                       "problem.mass() with add_times needs a linear_solver of the problem's own");
         detail::demand_mass_fits<Problem>(mass_, J_, n_);
@@ -123,6 +121,7 @@ class system
         }
     }
 
+    Problem& problem() { return problem_; }
     int size() const { return n_; }
     /// What the norms of states take.
     sums_type sums() const { return sums_over<scalar>(problem_); }

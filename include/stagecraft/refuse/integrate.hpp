@@ -52,7 +52,7 @@ struct call_of_integrate {
             "t0: t0 and t1 are numbers; options have no such name, or "
             "one with a value of another type: {.rtol, .atol, .atol_components, .fixed_step, .initial_step, "
             ".min_step, .max_step, .control, .continuous, .jumps, .max_steps, .newton_iterations, "
-            ".newton_factor}");
+            ".newton_factor, .break_points, .consistent_start}");
         return true;
     }
 };

@@ -13,22 +13,28 @@
 
 namespace stagecraft {
 
+/// The start holds, was moved to where it does, or no such point was found.
+enum class start_found { holds, moved, none };
+
 /// Newton's iteration, damped, for the algebraic components of a start (t, y) of index 1 that does not satisfy the equations
 /// without a derivative; y is moved by what M takes to zero only. Each iteration takes a new Jacobian and solves with
 /// M/(h a) - J, h being so small that the other components stay. An increment is taken by a part for which the next one,
 /// with the same matrix, is smaller (Hairer-Wanner II.VI.1 for the equations, Deuflhard 2004, section 3.3 for the test).
 ///
-/// True if y has been moved to where they hold; false where they held to a tenth of a tolerance, or where the iteration
-/// does not find such a point: y is as it was then. Where the entries of M or J are not here nothing is tried. Takes
-/// storage; at most 50 factorisations.
+/// They hold where they are off by at most `most` tolerances. Without such a bound the iteration goes on as long as its
+/// increments become smaller, behind a thousandth of a tolerance, where it is content otherwise. Where no such point is found y
+/// is as it was. Where the entries of M or J are not here nothing is tried. Takes storage; at most 50 factorisations.
 template <class Method, class System, class Vector, class Norm>
-bool find_consistent_start(Method& method, System& system, linearisation<System, Vector>& linear,
-                           const typename Vector::Scalar& t, Vector& y, const typename Vector::Scalar& h,
-                           const Norm& norm, const options<typename Vector::Scalar>& o,
-                           report<typename Vector::Scalar>& counts) {
+start_found find_consistent_start(Method& method, System& system, linearisation<System, Vector>& linear,
+                                  const typename Vector::Scalar& t, Vector& y,
+                                  const typename Vector::Scalar& h, const Norm& norm,
+                                  const options<typename Vector::Scalar>& o,
+                                  report<typename Vector::Scalar>& counts,
+                                  const typename Vector::Scalar& most) {
+    start_found found = start_found::none;
     if constexpr (shows_constraints<System>) {
         using scalar = typename Vector::Scalar;
-        if (system.largest_index() > 1 || !method.implicit()) return false;
+        if (system.largest_index() > 1 || !method.implicit()) return found;
         const int n = system.size();
         const auto constraints = constraints_of(system.mass(), n);
         mass_kernel<scalar> algebraic(system.mass(), n), without_derivative(system.mass().transposed(), n);
@@ -45,8 +51,10 @@ bool find_consistent_start(Method& method, System& system, linearisation<System,
             return norm(d);
         };
         system.evaluate_inside(t, x, f);
-        if (!(worst_constraint(system, constraints, f, norm.of_state()).tolerances > scalar(1) / 10))
-            return false;
+        const auto holds = [&] {
+            return !(worst_constraint(system, constraints, f, norm.of_state()).tolerances > most);
+        };
+        if (constraints.empty() || (most > scalar(0) && holds())) return start_found::holds;
         for (int k = 0; k < 50; ++k) {
             linear.evaluate(system, t, x, f, h, none, false, o, trial);
             ++counts.factorisations;
@@ -62,15 +70,14 @@ bool find_consistent_start(Method& method, System& system, linearisation<System,
             }
             if (part < least) break;
             x = trial;
-            if (left <= least) {
-                y = x;
-                linear.moved();
-                return true;
-            }
+            if (left > least) continue;
+            y = x;
+            found = start_found::moved;
+            if (most > scalar(0) || 2 * left >= size) break;
         }
         linear.moved();
     }
-    return false;
+    return found;
 }
 
 /// The same for a method that forgets y0, in a run whose norm is of the state and which knows f at its start.
@@ -79,8 +86,9 @@ bool move_start(Method& method, System& system, linearisation<System, Vector>& l
                 const typename Vector::Scalar& t, Vector& y, const typename Vector::Scalar& h, Norm& norm,
                 end_slope<Vector>& f, const options<typename Vector::Scalar>& o,
                 report<typename Vector::Scalar>& counts) {
+    const typename Vector::Scalar most = typename Vector::Scalar(1) / 10;
     if (!method.stiffly_accurate() ||
-        !find_consistent_start(method, system, linear, t, y, h, norm, o, counts))
+        find_consistent_start(method, system, linear, t, y, h, norm, o, counts, most) != start_found::moved)
         return false;
     norm.at(y);
     f.forget();

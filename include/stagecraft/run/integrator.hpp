@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stagecraft/run/make_consistent.hpp>
 #include <stagecraft/run/step_loop.hpp>
 
 namespace stagecraft {
@@ -75,6 +76,13 @@ class integrator : public step_loop<Method, Problem, Vector> {
         plan_.go_on_afresh();
     }
 
+    /// Where options.consistent_start asks for it, y() moves to where the equations without a derivative hold, before the
+    /// next step is made. A run in which they cannot be made to hold is status::inconsistent_start.
+    void make_consistent() {
+        if constexpr (!system_type::mass_type::identity)
+            if (options_.consistent_start && !this->finished()) move_to_constraints();
+    }
+
     bool inside(const scalar& t, const Vector& y) const { return system_.inside(t, y); }
 
     /// All that the next step depends on, into or out of a checkpoint of t() and y() (checkpoint.hpp).
@@ -91,6 +99,22 @@ class integrator : public step_loop<Method, Problem, Vector> {
             });
     }
 
+  private:
+    [[gnu::noinline, gnu::cold]] void move_to_constraints() {
+        if (plan_.afresh(t_)) this->begin_afresh();
+        if (!this->start()) return;
+        const bool found = this->visit_current([&](auto& m) {
+            return stagecraft::make_consistent(m, system_, linear_, t_, y_, h_, norm_, options_, report_);
+        });
+        if (!found) this->give_up(status::newton_failed);
+        if (!system_.inside(t_, y_))
+            throw std::invalid_argument("integrate: consistent_start leads out of problem.domain()");
+        norm_.at(y_);
+        f_.forget();
+        started_ = false;
+    }
+
+  public:
     /// The number of the method that has made the last accepted step.
     int last_method() const { return linear_.factored_method(); }
     /// f(method) with the method of the last accepted step, whose matrices are factored for that step.

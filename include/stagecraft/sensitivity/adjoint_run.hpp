@@ -58,6 +58,10 @@ class adjoint_run {
           functionals_(functionals) {
         // Arguments are checked before anything else is made.
         run_type(method_, problem_, y0_, t0, t1, options_);
+        if (options_.consistent_start)
+            throw std::invalid_argument(
+                "adjoint_gradient: options.consistent_start would move y0 and not what depends on it: give "
+                "consistent_initial_values(problem, t0, y0).y as y0");
         options_.break_points.validate("adjoint_gradient: break_points", t0, t1, true);
         if (estimate) finer_.emplace(method, problem, y0, o);
     }

@@ -152,6 +152,10 @@ class forward_run {
     template <class Observer>
     result_type operator()(const scalar& t0, const Vector& y0, Observer& observer) {
         check_sensitivity_options(more_, y0.size(), p_.size(), t0, t1_);
+        if (options_.consistent_start)
+            throw std::invalid_argument(
+                "sensitivities: options.consistent_start would move y0 and not what depends on it: give "
+                "consistent_initial_values(problem, t0, y0).y as y0");
         options_.break_points.validate("sensitivities: break_points", t0, t1_, true);
         result_type r{{t0, y0, status::success, {}, nullptr},
                       more_.S0 ? *more_.S0 : matrix(matrix::Zero(y0.size(), p_.size()))};
