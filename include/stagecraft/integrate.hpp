@@ -13,6 +13,7 @@
 #include <stagecraft/jacobian/dual_functions.hpp>
 
 #include <stagecraft/observe/observer.hpp>
+#include <stagecraft/problem/state_mass.hpp>
 #include <stagecraft/refuse/given_arguments.hpp>
 #include <stagecraft/refuse/problem/checked_call.hpp>
 #include <stagecraft/result.hpp>
@@ -132,10 +133,15 @@ result<typename Given::vector> run_from(const Method& method, Problem& problem,
 /// and is kept in result.exception. t1 == t0 returns y0 with success and takes no step. No step allocates
 /// memory where the state has a fixed size or the matrices are dense.
 template <class Method, class Problem, class Derived, class Observer = no_observer>
-requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
-    const Method& method, Problem&& problem, const Eigen::MatrixBase<Derived>& y0,
-    std::type_identity_t<typename Derived::Scalar> t0, std::type_identity_t<typename Derived::Scalar> t1,
-    const options<typename Derived::Scalar>& o = {}, Observer&& observer = {})
+requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex &&
+         !has_state_mass<
+             std::remove_reference_t<Problem>,
+             typename Derived::PlainObject>) auto integrate(const Method& method, Problem&& problem,
+                                                            const Eigen::MatrixBase<Derived>& y0,
+                                                            std::type_identity_t<typename Derived::Scalar> t0,
+                                                            std::type_identity_t<typename Derived::Scalar> t1,
+                                                            const options<typename Derived::Scalar>& o = {},
+                                                            Observer&& observer = {})
     -> result<typename Derived::PlainObject> {
     using given = detail::given_arguments<Method, std::remove_reference_t<Problem>,
                                           typename Derived::PlainObject, std::remove_reference_t<Observer>>;
@@ -230,6 +236,24 @@ requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex) auto integrate(
         "integrate: the observer must be callable as observer(t, y), (t, y, h) or (t, y, h, "
         "output), y by value or const reference and of the type of y0, and const if it is given as const");
     return detail::run_from<given>(method, problem, y0, t0, t1, o, observer);
+}
+
+/// The same of M(t, y) y' = f(t, y), where the problem has a member mass(t, y) (problem/state_mass.hpp).
+template <class Method, class Problem, class Derived, class Observer = no_observer>
+requires(!Eigen::NumTraits<typename Derived::Scalar>::IsComplex &&
+         has_state_mass<
+             std::remove_reference_t<Problem>,
+             typename Derived::PlainObject>) auto integrate(const Method& method, Problem&& problem,
+                                                            const Eigen::MatrixBase<Derived>& y0,
+                                                            std::type_identity_t<typename Derived::Scalar> t0,
+                                                            std::type_identity_t<typename Derived::Scalar> t1,
+                                                            const options<typename Derived::Scalar>& o = {},
+                                                            Observer&& observer = {})
+    -> result<typename Derived::PlainObject> {
+    using vector = typename Derived::PlainObject;
+    validate_interval(y0, t0, t1);
+    const detail::explicit_form<std::remove_reference_t<Problem>, vector> solved(problem, t0, y0);
+    return integrate(method, solved, y0, t0, t1, o, observer);
 }
 
 /// Goes on with a run from a checkpoint of it (checkpoint.hpp) with these options: with the same method, problem, t1 and

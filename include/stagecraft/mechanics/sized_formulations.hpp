@@ -14,6 +14,7 @@
 #include <stagecraft/mechanics/formulations.hpp>
 #include <stagecraft/mechanics/sized_model.hpp>
 #include <stagecraft/mechanics/spring_joints.hpp>
+#include <stagecraft/problem/found_sparsity.hpp>
 
 namespace stagecraft {
 
@@ -25,25 +26,6 @@ struct kept_pattern {
     Eigen::SparseMatrix<double> pattern;
     const Eigen::SparseMatrix<double>& sparsity() const { return pattern; }
 };
-
-/// The pattern of df/dy at y: every component is made NaN in turn, and the components of f that become NaN depend
-/// on it. n + 1 evaluations of f.
-template <class Problem>
-Eigen::SparseMatrix<double> dependencies(const Problem& f, Eigen::VectorXd y) {
-    const int n = static_cast<int>(y.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd out(n);
-    for (int j = 0; j < n; ++j) {
-        const double kept = std::exchange(y[j], std::numeric_limits<double>::quiet_NaN());
-        f(0.0, y, out);
-        y[j] = kept;
-        for (int i = 0; i < n; ++i)
-            if (!(out[i] == out[i])) entries.emplace_back(i, j, 1);
-    }
-    Eigen::SparseMatrix<double> pattern(n, n);
-    pattern.setFromTriplets(entries.begin(), entries.end());
-    return pattern;
-}
 
 /// The smallest x with G x = r.
 template <class Matrix>
@@ -157,7 +139,7 @@ class equations_of_motion<Derived, Model, Scalar, Multipliers>
         if constexpr (sized::sparse<Model>) {
             vector y = vector::Ones(size());
             y.head(n_) = q;
-            this->pattern = sized::dependencies(static_cast<const Derived&>(*this), y);
+            this->pattern = find_sparsity(static_cast<const Derived&>(*this), y, 0, pattern_search::by_nan);
         }
     }
     /// Moves q, by the smallest change, until springs carry the multiplier, and v until dampers rest.

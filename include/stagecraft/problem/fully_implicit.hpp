@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/problem/parts.hpp>
 #include <stagecraft/refuse/problem/written_argument.hpp>
 
@@ -26,6 +27,12 @@ concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix
     f.jacobian(t, y, v, block, block);
 };
 
+/// F.domain(t, y)
+template <class F, int N>
+concept domain_of_values = requires(const F& f, const double& t, const Eigen::Matrix<double, N, 1>& y) {
+    f.domain(t, y);
+};
+
 }  // namespace detail
 
 /// The fully implicit system F(t, y, y') = 0 of n equations as the system of first order
@@ -36,8 +43,10 @@ concept implicit_jacobian = requires(const F& f, const S& t, const Eigen::Matrix
 /// shift F_v + F_y, because y' = v eliminates y. Made by `fully_implicit`. N is n, or -1 if n is known only
 /// at run time.
 template <int N, class F>
-class fully_implicit_problem : public detail::optional_jacobian<fully_implicit_problem<N, F>,
-                                                                detail::implicit_jacobian<F, double, N>> {
+class fully_implicit_problem
+    : public detail::optional_jacobian<fully_implicit_problem<N, F>, detail::implicit_jacobian<F, double, N>>,
+      public detail::optional_domain<fully_implicit_problem<N, F>, detail::domain_of_values<F, N>>,
+      public detail::optional_break_points<fully_implicit_problem<N, F>, has_break_points<const F>> {
     static constexpr bool fits = detail::implicit_equations<F, double, double, N>;
     static_assert(fits, "fully_implicit: F must be callable as F(t, y, v, out) with v for y'");
     using values = Eigen::Matrix<double, N, 1>;
@@ -103,6 +112,13 @@ class fully_implicit_problem : public detail::optional_jacobian<fully_implicit_p
         return M;
     }
     const std::vector<int>& index() const { return index_; }
+
+    /// The break_points() of F, and F.domain(t, y), where there are some.
+    auto jumps() const { return f_.break_points(); }
+    template <class T, class S>
+    bool within(const T& t, const state_vector<S>& x) const {
+        return f_.domain(t, value<S>(x));
+    }
 
     /// The state (y; y'), and its parts.
     template <class S>

@@ -88,6 +88,23 @@ struct optional_jacobian<Problem, true> {
     }
 };
 
+/// The same of domain(t, x), which is within(t, x), and of break_points(), which are jumps().
+template <class Problem, bool Exists>
+struct optional_domain {};
+template <class Problem>
+struct optional_domain<Problem, true> {
+    template <class T, class State>
+    bool domain(const T& t, const State& x) const {
+        return static_cast<const Problem&>(*this).within(t, x);
+    }
+};
+template <class Problem, bool Exists>
+struct optional_break_points {};
+template <class Problem>
+struct optional_break_points<Problem, true> {
+    auto break_points() const { return static_cast<const Problem&>(*this).jumps(); }
+};
+
 template <class Dual, class S>
 Dual constant_dual(const S& x) {
     Dual result;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <stagecraft/break_points.hpp>
 #include <stagecraft/problem/parts.hpp>
 #include <stagecraft/refuse/detect/refused_call.hpp>
 #include <stagecraft/refuse/problem/written_argument.hpp>
@@ -71,6 +72,13 @@ template <class G, class S, class Sizes>
 concept constraint_jacobian =
     constraint_jacobian_without_z<G, S, Sizes> || constraint_jacobian_with_z<G, S, Sizes>;
 
+/// f.domain(t, y, z)
+template <class F, class Sizes>
+concept domain_of_parts = requires(const F& f, const double& t, const column<double, Sizes::first>& y,
+                                   const column<double, Sizes::second>& z) {
+    f.domain(t, y, z);
+};
+
 }  // namespace detail
 
 /// The semi-explicit (Hessenberg) system
@@ -85,7 +93,10 @@ template <class Sizes, class F, class G>
 class semi_explicit_problem
     : public detail::optional_jacobian<semi_explicit_problem<Sizes, F, G>,
                                        detail::differential_jacobian<F, double, Sizes> ||
-                                           detail::constraint_jacobian<G, double, Sizes>> {
+                                           detail::constraint_jacobian<G, double, Sizes>>,
+      public detail::optional_domain<semi_explicit_problem<Sizes, F, G>, detail::domain_of_parts<F, Sizes>>,
+      public detail::optional_break_points<semi_explicit_problem<Sizes, F, G>,
+                                           has_break_points<const F> || has_break_points<const G>> {
     static constexpr bool sees_z = detail::constraint_with_z<G, double, double, Sizes>;
     static constexpr bool f_fits = detail::differential_equations<F, double, double, Sizes>,
                           g_fits = detail::constraint_equations<G, double, double, Sizes>;
@@ -210,6 +221,18 @@ class semi_explicit_problem
         std::vector<int> flags(parts_.size(), 1);
         for (int i = parts_.first(); i < parts_.size(); ++i) flags[i] = index_of_z;
         return flags;
+    }
+
+    /// The break_points() of f and of g, and f.domain(t, y, z), where there are some.
+    break_times<double> jumps() const {
+        break_times<double> all;
+        if constexpr (has_break_points<const F>) all.add(break_times<double>(f_.break_points()));
+        if constexpr (has_break_points<const G>) all.add(break_times<double>(g_.break_points()));
+        return all;
+    }
+    template <class T, class S>
+    bool within(const T& t, const state_vector<S>& x) const {
+        return f_.domain(t, differential<S>(x), algebraic<S>(x));
     }
 
     /// The state (y; z), and its parts.

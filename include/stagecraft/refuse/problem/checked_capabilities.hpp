@@ -124,8 +124,9 @@ struct checked_capabilities {
 
     static_assert(
         absent<detail::mass_member> || has_mass<Problem>,
-        "problem.mass must be a member function `auto mass() const` that returns the n x n matrix M (for "
-        "M(t) or M(y): problem/fully_implicit.hpp); give a member that means something else another name");
+        "problem.mass must be a member function `auto mass() const` that returns the n x n matrix M (an "
+        "M(t, y) that depends on t or y, `auto mass(double t, const Vector& y) const`, of which integrate() "
+        "knows); give a member that means something else another name");
     static_assert(
         absent<detail::index_member> || has_owned_index<Problem>,
         "problem.index must be a member function `auto index() const` that returns the index of every "
