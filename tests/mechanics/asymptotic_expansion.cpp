@@ -167,6 +167,51 @@ BOOST_AUTO_TEST_CASE(theorem_6_on_van_der_pol) {
     has_orders_1_and_2(remainders(van_der_pol{}, repeat<1>(2), repeat<1>(-0.2), 4e-3, 0.3, 20));
 }
 
+BOOST_AUTO_TEST_CASE(theorem_6_for_n_2_what_n_1_leaves_is_eps_squared_times_terms_without_eps) {
+    // (exact - expansion of N = 1)/eps^2 = y_2(t) + eta_1(t/eps) + O(eps): at a fixed t, and at a fixed xi = t/eps, where
+    // it goes to y_2(0) + eta_1(xi), and eta_1 decays.
+    const asymptotic_expansion<van_der_pol> expansion({}, repeat<1>(2), repeat<1>(-0.2), 20);
+    const auto rest = [&](double eps, double t) -> Eigen::Vector2d {
+        const Eigen::VectorXd exact = full(van_der_pol{}, Eigen::Vector2d(2, -0.2), eps, t);
+        const auto [y, z] = expansion(1, eps, t);
+        return Eigen::Vector2d(exact[0] - y[0], exact[1] - z[0]) / (eps * eps);
+    };
+    const auto limit_and_order = [&](auto at) {
+        const Eigen::Vector2d a = rest(4e-3, at(4e-3)), b = rest(2e-3, at(2e-3)), c = rest(1e-3, at(1e-3));
+        for (int i = 0; i < 2; ++i)
+            BOOST_TEST(std::abs(std::log2(std::abs(a[i] - b[i]) / std::abs(b[i] - c[i])) - 1) < 0.25);
+        return Eigen::Vector2d(2 * c - b);
+    };
+    const Eigen::Vector2d far = limit_and_order([](double) { return 0.3; });
+    BOOST_TEST(far.norm() > 1e-3);  // the term is there
+    // g_z = 1 - y^2 = -3 in the layer
+    const Eigen::Vector2d end = limit_and_order([](double eps) { return 10 * eps; });
+    const Eigen::Vector2d one = limit_and_order([](double eps) { return eps; });
+    const Eigen::Vector2d four = limit_and_order([](double eps) { return 4 * eps; });
+    for (int i = 0; i < 2; ++i) {
+        BOOST_TEST(std::abs(one[i] - end[i]) > 3e-3);
+        BOOST_TEST(std::abs(four[i] - end[i]) < std::exp(-3.0) * std::abs(one[i] - end[i]));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(theorem_6_layer_terms_decay_exponentially) {
+    // |c(xi)| <= C e^{-kappa xi} for eta_0, zeta_0, zeta_1, with kappa a little below |mu(g_z)| for the powers of xi.
+    const auto decays = [](const auto& expansion, double kappa) {
+        double early[3] = {}, late[3] = {};
+        for (double xi = 0; xi < 6; xi += 0.5) {
+            const auto l = expansion.layer(xi);
+            const double size[3] = {l.eta0.norm(), l.zeta0.norm(), l.zeta1.norm()};
+            for (int i = 0; i < 3; ++i) {
+                double& most = xi < 3 ? early[i] : late[i];
+                most = std::max(most, size[i] * std::exp(kappa * xi));
+            }
+        }
+        for (int i = 0; i < 3; ++i) BOOST_TEST((early[i] > 0 && late[i] <= early[i] * (1 + 1e-3)));
+    };
+    decays(asymptotic_expansion<overdamped_oscillator>({}, repeat<1>(1), repeat<1>(1)), 0.6);
+    decays(asymptotic_expansion<van_der_pol>({}, repeat<1>(2), repeat<1>(-0.2), 20), 2);
+}
+
 BOOST_AUTO_TEST_CASE(theorem_6_on_the_strongly_damped_disc) {
     const rolling_disc::disc<> body;
     const strongly_damped<rolling_disc::disc<>> problem{body, 2, 2};

@@ -5,9 +5,10 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <stagecraft/linear/logarithmic_norm.hpp>
 
 #include <problems/thesis/solve.hpp>
+
+#include "radau_stages.hpp"
 
 using namespace thesis;
 
@@ -19,57 +20,96 @@ struct by_h {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(lemma_1_perturbed_stages_move_by_h_delta_plus_theta_and_lambda_by_that_over_h) {
-    const setup exact = restarted(disc_dae(), 0.25);
-    // Slopes in h of what fixed perturbations delta of f and theta of g do to the last stage of Radau IIA-3.
-    const auto effect = [&](double delta, double theta) {
-        setup disturbed = exact;
-        disturbed.problem.f = [&](double t, const vector& y, vector& f) {
-            exact.problem(t, y, f);
-            f.segment(5, 5).array() += delta;
-            f.tail(2).array() += theta;
-        };
-        std::vector<double> h, y, lambda;
-        for (double step = 1e-3; step > 1e-4; step /= 2) {
-            const request one{.tolerance = 1e-13, .steps = 1, .end = step};
-            const vector d = solve(disturbed, one).path.back().y - solve(exact, one).path.back().y;
-            h.push_back(step);
-            y.push_back(d.head(10).norm());
-            lambda.push_back(d.tail(2).norm());
+namespace {
+
+// Slopes in h, stage by stage, of what `disturb(h)` makes of the stages of one step of Radau IIA-3.
+template <class Disturb>
+std::array<by_h, 3> effect(const setup& exact, Disturb disturb) {
+    std::vector<double> h, y[3], lambda[3];
+    for (double step = 1e-3; step > 1e-4; step /= 2) {
+        const auto calm = stages(exact, step), moved = stages(disturb(step), step);
+        h.push_back(step);
+        for (int i = 0; i < 3; ++i) {
+            y[i].push_back((moved[i] - calm[i]).head(10).norm());
+            lambda[i].push_back((moved[i] - calm[i]).tail(2).norm());
         }
-        return by_h{slope(h, y), slope(h, lambda)};
+    }
+    std::array<by_h, 3> out;
+    for (int i = 0; i < 3; ++i) out[i] = {slope(h, y[i]), slope(h, lambda[i])};
+    return out;
+}
+
+void all_stages(const std::array<by_h, 3>& seen, double y, double lambda) {
+    for (const by_h& stage : seen) {
+        BOOST_TEST(std::abs(stage.y - y) < 0.1);
+        BOOST_TEST(std::abs(stage.lambda - lambda) < 0.1);
+    }
+}
+
+// The disc with delta_i in f and theta_i in g, different at each stage of the step.
+setup perturbed_stages(const setup& exact, double h, double delta, double theta) {
+    setup disturbed = exact;
+    disturbed.problem.f = [=, &exact](double t, const vector& y, vector& f) {
+        exact.problem(t, y, f);
+        f.segment(5, 5).array() += delta * (1 + t / h);
+        f.tail(2).array() += theta * (2 - t / h);
     };
-    const by_h of_delta = effect(1e-3, 0), of_theta = effect(0, 1e-6);
-    BOOST_TEST(std::abs(of_delta.y - 1) < 0.1);       // (2.17): h |delta|
-    BOOST_TEST(std::abs(of_delta.lambda) < 0.1);      // (2.18): |delta|
-    BOOST_TEST(std::abs(of_theta.y) < 0.1);           // (2.17): |theta|
-    BOOST_TEST(std::abs(of_theta.lambda + 1) < 0.1);  // (2.18): |theta|/h: no bound without the h below
+    return disturbed;
+}
+
+// y' = sin(lambda) + delta, 0 = y + theta, from y(0) = start: implicit Euler has sin(Lambda) = -(start + h delta + theta)/h.
+double multiplier_of_sine(double h, double start, double delta, double theta) {
+    setup s;
+    s.problem.M = Eigen::Vector2d(1, 0).asDiagonal();
+    s.problem.flags = {1, 2};
+    s.problem.f = [=](double, const vector& y, vector& f) {
+        f[0] = std::sin(y[1]) + delta;
+        f[1] = y[0] + theta;
+    };
+    s.problem.df = [](double, const vector& y, Eigen::MatrixXd& J) { J << 0, std::cos(y[1]), 1, 0; };
+    s.y0 = Eigen::Vector2d(start, 0);
+    return solve(s, {.stages = 1, .tolerance = 1e-12, .steps = 1, .end = h}).path.back().y[1];
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(lemma_1_every_stage_moves_by_h_delta_plus_theta_and_lambda_by_that_over_h) {
+    const setup exact = restarted(disc_dae(), 0.25);
+    // Fixed delta and theta first: (2.17) h |delta| and |theta|, (2.18) |delta| and |theta|/h, which are sharp.
+    all_stages(effect(exact, [&](double h) { return perturbed_stages(exact, h, 1e-3, 0); }), 1, 0);
+    all_stages(effect(exact, [&](double h) { return perturbed_stages(exact, h, 0, 1e-6); }), 0, -1);
+    // delta = O(h), theta = O(h^2), as the lemma wants them
+    all_stages(effect(exact, [&](double h) { return perturbed_stages(exact, h, h, 0); }), 2, 1);
+    all_stages(effect(exact, [&](double h) { return perturbed_stages(exact, h, 0, h * h); }), 2, 1);
 }
 
 BOOST_AUTO_TEST_CASE(lemma_1_perturbed_starts_move_lambda_by_their_normal_part_over_h) {
     const setup exact = restarted(disc_dae(), 0.25);
-    // Slopes in h of what a fixed change of the velocities at the start does to the last stage.
-    const auto effect = [&](const Eigen::Matrix<double, 5, 1>& direction) {
-        setup moved = exact;
-        moved.y0.segment(5, 5) += 1e-6 * direction;
-        std::vector<double> h, y, lambda;
-        for (double step = 1e-3; step > 1e-4; step /= 2) {
-            const request one{.tolerance = 1e-13, .steps = 1, .end = step};
-            const vector d = solve(moved, one).path.back().y - solve(exact, one).path.back().y;
-            h.push_back(step);
-            y.push_back(d.head(10).norm());
-            lambda.push_back(d.tail(2).norm());
-        }
-        return by_h{slope(h, y), slope(h, lambda)};
+    using velocities = Eigen::Matrix<double, 5, 1>;
+    const auto moved = [&](const velocities& by) {
+        setup s = exact;
+        s.y0.segment(5, 5) += by;
+        return s;
     };
-    Eigen::Matrix<double, 5, 1> along, across;
+    velocities along, across;
     along << 0.1, 0, 0, 0, 1;  // x' = R gamma' is kept: g_y (y^ - y) = 0
     across << 1, 0, 0, 0, 0;
-    const by_h tangential = effect(along), normal = effect(across);
-    BOOST_TEST(std::abs(tangential.y) < 0.1);       // (2.17): |y^ - y|
-    BOOST_TEST(std::abs(tangential.lambda) < 0.1);  // (2.18): h |y^ - y| / h
-    BOOST_TEST(std::abs(normal.y) < 0.1);
-    BOOST_TEST(std::abs(normal.lambda + 1) < 0.1);  // (2.18): |g_y (y^ - y)| / h
+    // (2.17) |y^ - y|; (2.18) h |y^ - y|/h along the constraint, |g_y (y^ - y)|/h across it
+    all_stages(effect(exact, [&](double) { return moved(1e-6 * along); }), 0, 0);
+    all_stages(effect(exact, [&](double) { return moved(1e-6 * across); }), 0, -1);
+    all_stages(effect(exact, [&](double h) { return moved(h * h * across); }), 2, 1);  // y^ - y = O(h^2)
+}
+
+BOOST_AUTO_TEST_CASE(lemma_1_without_one_of_its_three_hypotheses_the_stages_need_not_exist) {
+    for (const double h : {1e-2, 1e-4}) {
+        BOOST_TEST(std::abs(multiplier_of_sine(h, h * h, 0, 0) + std::asin(h)) < 1e-8);
+        BOOST_TEST(std::abs(multiplier_of_sine(h, 0, h, 0) + std::asin(h)) < 1e-8);
+        BOOST_TEST(std::abs(multiplier_of_sine(h, 0, 0, h * h) + std::asin(h)) < 1e-8);
+        // y^ - y = 2 h, delta = 2, theta = 2 h: sin(Lambda) = -2
+        BOOST_CHECK_THROW(multiplier_of_sine(h, 2 * h, 0, 0), std::runtime_error);
+        BOOST_CHECK_THROW(multiplier_of_sine(h, 0, 2, 0), std::runtime_error);
+        BOOST_CHECK_THROW(multiplier_of_sine(h, 0, 0, 2 * h), std::runtime_error);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(lemma_2_1_the_collocation_polynomials_approximate_derivatives_as_well) {
@@ -104,80 +144,4 @@ BOOST_AUTO_TEST_CASE(lemma_2_1_the_collocation_polynomials_approximate_derivativ
         BOOST_TEST(std::abs(slope(h, u[k]) - (s + 1 - k)) < 0.2);
         BOOST_TEST(std::abs(slope(h, v[k]) - (s - k)) < 0.2);
     }
-}
-
-namespace {
-
-const Eigen::Matrix2d shear = (Eigen::Matrix2d() << -1, 4, 0, -2).finished();
-
-// exp(shear t): eigenvalues -1 and -2.
-Eigen::Matrix2d flow(double t) {
-    const double a = std::exp(-t), b = std::exp(-2 * t);
-    return (Eigen::Matrix2d() << a, 4 * (a - b), 0, b).finished();
-}
-
-double norm(const Eigen::Vector2d& x, int p) {
-    return p == 1 ? x.lpNorm<1>() : p == 2 ? x.norm() : x.lpNorm<Eigen::Infinity>();
-}
-
-double mu(int p) {
-    const auto all = stagecraft::logarithmic_norm(shear);
-    return p == 1 ? all.one : p == 2 ? all.euclidean : all.infinity;
-}
-
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(lemma_3_4_the_logarithmic_norm_bounds_the_distance_to_a_perturbed_solution) {
-    // y' = A y and v' = A v + d with |d| = delta: |y - v| <= e^{l t} C + delta (e^{l t} - 1)/l with l = mu(A)
-    // in each norm. With the larger eigenvalue -1 in place of mu it fails: A is not normal.
-    for (const int p : {1, 2, 0}) {
-        double closest = 1e300;
-        bool eigenvalue_suffices = true;
-        for (double angle = 0; angle < 6.3; angle += 0.1) {
-            const Eigen::Vector2d e(std::cos(angle), std::sin(angle)), gap = e / norm(e, p), d = 0.1 * gap;
-            for (double t = 0.05; t < 3; t += 0.05) {
-                const Eigen::Vector2d moved =
-                    flow(t) * gap + shear.partialPivLu().solve((flow(t) - Eigen::Matrix2d::Identity()) * d);
-                const auto bound = [&](double l) { return std::exp(l * t) + 0.1 * std::expm1(l * t) / l; };
-                closest = std::min(closest, bound(mu(p)) - norm(moved, p));
-                if (norm(moved, p) > bound(-1)) eigenvalue_suffices = false;
-            }
-        }
-        BOOST_TEST(closest >= -1e-14);
-        BOOST_TEST(!eigenvalue_suffices);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(definition_3_1_the_dini_derivative_of_a_norm_is_at_most_mu_times_it) {
-    // D_+ |x| <= mu(A) |x| along x' = A x, with equality for some x; |x| itself has corners in the 1-norm.
-    for (const int p : {1, 2, 0}) {
-        double largest = -1e300;
-        for (int k = 0; k < 2000; ++k) {
-            const double angle = k * 3.14159265358979 / 1000, h = 1e-7;
-            const Eigen::Vector2d x(std::cos(angle), std::sin(angle));
-            largest = std::max(largest, (norm(x + h * (shear * x), p) / norm(x, p) - 1) / h);
-        }
-        BOOST_TEST(largest <= mu(p) + 1e-5);
-        BOOST_TEST(largest > mu(p) - 1e-2);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(lemma_3_3_comparison_needs_a_quasi_monotone_system) {
-    // m' <= g(m) and u' > g(u) from the same start give m <= u if g_i grows with the other components. Here
-    // m' = B m and u' = B u + (1, 0.1) from (1, 1).
-    const auto stays_below = [](double coupling) {
-        Eigen::Matrix2d B;
-        B << -1, coupling, coupling, -1;
-        Eigen::Vector2d m(1, 1), u(1, 1);
-        bool below = true;
-        const double h = 1e-3;
-        for (int k = 0; k < 3000; ++k) {
-            m += h * (B * m);
-            u += h * (B * u + Eigen::Vector2d(1, 0.1));
-            below = below && m[0] <= u[0] && m[1] <= u[1];
-        }
-        return below;
-    };
-    BOOST_TEST(stays_below(0.5));
-    BOOST_TEST(!stays_below(-0.5));
 }
