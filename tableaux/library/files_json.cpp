@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // Reading and writing files.
+#include "stagecraft/tableaux/array_text-inl.hpp"
+#include "stagecraft/tableaux/array_value-inl.hpp"
 #include "stagecraft/tableaux/json_document-inl.hpp"
+#include "stagecraft/tableaux/number_brackets-inl.hpp"
+#include "stagecraft/tableaux/program_groups-inl.hpp"
+#include "stagecraft/tableaux/program_scan-inl.hpp"
 #include "stagecraft/tableaux/program_text-inl.hpp"
+#include "stagecraft/tableaux/program_tokens-inl.hpp"
+#include "stagecraft/tableaux/program_variables-inl.hpp"
 #include "stagecraft/tableaux/read-inl.hpp"
 #include "stagecraft/tableaux/read_partitioned-inl.hpp"
 #include "stagecraft/tableaux/stage_forms-inl.hpp"

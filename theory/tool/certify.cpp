@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/theory/judging/certificate_json.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
@@ -20,6 +22,7 @@ using namespace stagecraft;
 struct options {
     std::vector<std::string> methods;
     std::string decimals = "auto", ulps = "1/2", tolerance = "0", from = "json";
+    std::optional<bool> strict;
     tool::certify_options files;
     tool::coq_options coq;
 };
@@ -76,6 +79,13 @@ void certify_family_pair(const options& o, std::size_t plus) {
         std::cout << names << ", " << s << " stages\n  symplectic pair  " << verdict.text() << '\n';
 }
 
+/// Where nobody reads what is printed, as the common services tell.
+bool in_continuous_integration() {
+    const char* ci = std::getenv("CI");
+    const std::string value = ci ? ci : "";
+    return !value.empty() && value != "0" && value != "false";
+}
+
 void run(options o) {
     if (o.coq.split && o.coq.path.empty()) throw std::invalid_argument("coq-split: goes with --coq FILE.v");
     if (const auto plus = o.methods.front().find('+');
@@ -87,6 +97,7 @@ void run(options o) {
     if (o.from != "json" && o.from != "text")
         throw std::invalid_argument("from: '" + o.from + "', allowed: json, text");
     o.files.from_text = o.from == "text";
+    o.files.strict = o.strict.value_or(!o.files.junit.empty() || in_continuous_integration());
     o.files.how = {tableaux::decimals_from_name(o.decimals), number("ulps", o.ulps),
                    number("tolerance", o.tolerance)};
     if (!o.coq.path.empty()) {
@@ -109,7 +120,14 @@ const tool::command certify{[](CLI::App& app) {
                         tableaux::family_names())
         ->required();
     sub->add_flag("--json", o.files.json, "print JSON instead of text; of several files a line each");
-    sub->add_option("--from", o.from, "json (default), or text: arrays A, b, c as a program has them");
+    sub->add_option("--from", o.from,
+                    "json (default), or text: every tableau of a program, as arrays A, b, c and claims");
+    sub->add_flag_callback(
+        "--strict", [] { o.strict = true; },
+        "with --from text: exit code 2 where something looks like coefficients or a claim and is not used "
+        "(default with --junit, and where CI is set)");
+    sub->add_flag_callback(
+        "--no-strict", [] { o.strict = false; }, "with --from text: what is not used is told, no error");
     sub->add_option("--decimals", o.decimals,
                     "exact, rounded, or auto (default): rounded, but exact where much shorter than usual");
     sub->add_option("--ulps", o.ulps,
@@ -126,7 +144,14 @@ const tool::command certify{[](CLI::App& app) {
         "Exit code: 0 nothing claimed is refuted; 1 something is; 2 unusable input; 3 a claim is beyond "
         "what\n"
         "the digits given can test. Of several files the first of 1, 2, 3, 0 that occurs.");
-    sub->callback([] { run(o); });
+    sub->callback([] {
+        try {
+            run(o);
+        } catch (const std::invalid_argument& e) {
+            if (o.files.json) tool::print_unusable(e.what());
+            throw;
+        }
+    });
 }};
 
 }  // namespace

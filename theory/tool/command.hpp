@@ -24,6 +24,24 @@ struct command {
     explicit command(declare d) { declarations().push_back(d); }
 };
 
+/// Text with control characters as \x1b, so that a name in a file cannot act on a terminal; ends of lines stay.
+inline std::string printable(std::string_view text) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto ch = static_cast<unsigned char>(text[i]);
+        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+        const bool high = ch == 0xc2 && next >= 0x80 && next < 0xa0;  // U+0080 to U+009F in UTF-8
+        if (high) ++i;
+        const unsigned char code = high ? static_cast<unsigned char>(next) : ch;
+        if (!high && ((ch >= 0x20 && ch != 0x7f) || ch == '\n'))
+            out += text[i];
+        else
+            (out += "\\x") += {digits[code / 16], digits[code % 16]};
+    }
+    return out;
+}
+
 /// The whole number that `text` is, between `least` and `most`. Throws std::invalid_argument that names the
 /// argument and what is allowed.
 inline int whole_number(std::string_view argument, const std::string& text, int least, int most) {

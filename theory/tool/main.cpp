@@ -51,7 +51,7 @@ void allow_seconds(const std::string& text) {
 int complain(std::string what) {
     for (char& c : what)
         if (c == '\n') c = ' ';
-    std::cerr << "stagecraft: " << what << '\n';
+    std::cerr << "stagecraft: " << stagecraft::tool::printable(what) << '\n';
     return 2;
 }
 

@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "stagecraft/tableaux/array_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <tuple>
+#include <utility>
+
+#include "stagecraft/compiled.hpp"
+#include "stagecraft/tableaux/program_calls.hpp"
+
+namespace stagecraft::tableaux::program_text {
+
+STAGECRAFT_INLINE std::string_view last_part(std::string_view name) {
+    const auto at = name.find_last_of(".:>");
+    return at == name.npos ? name : name.substr(at + 1);
+}
+
+/// Reads a value by recursive descent.
+class value_parser {
+  public:
+    value_parser(const std::vector<token>& tokens, std::size_t begin, std::size_t end, const lookup& known)
+        : tokens_(tokens), at_(begin), end_(end), known_(known) {}
+
+    value run() {
+        value v = sum();
+        skip_lines();
+        if (at_ < end_) fail("'" + tokens_[at_].text + "' beside it");
+        return v;
+    }
+
+    /// What `parse` returns; where it does not understand something, the line is told.
+    template <class Parse>
+    value located(Parse parse) {
+        try {
+            return parse();
+        } catch (not_understood& e) {
+            if (e.line == 0) e.line = tokens_[std::min(at_, tokens_.size() - 1)].line;
+            throw;
+        }
+    }
+
+    value run_list() {
+        value v{true, false, true, false, {{}}};
+        for (skip_lines(); more(); skip_lines()) {
+            std::size_t times = 1;
+            if (at_ + 2 < end_ && here().is == token::kind::number && is_sign(tokens_[at_ + 1], "*")) {
+                times =
+                    here().text.size() < 4 && here().text.find('.') == nowhere ? std::stoul(here().text) : 0;
+                at_ += 2;
+            }
+            const value next = sum();
+            if (next.is_array || times == 0) fail("a list in a list");
+            v.rows[0].insert(v.rows[0].end(), times, next.rows[0][0]);
+            skip_lines();
+            if (more() && !accept(",")) fail("'" + here().text + "'");
+        }
+        return v;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& what) const {
+        const auto& t = tokens_[std::min(at_, tokens_.size() - 1)];
+        throw not_understood{what.substr(0, 60), t.line};
+    }
+
+    bool more() const { return at_ < end_; }
+    const token& here() const { return tokens_[at_]; }
+    bool sign(std::string_view text) const { return more() && is_sign(here(), text); }
+    bool accept(std::string_view text) {
+        if (!sign(text)) return false;
+        ++at_;
+        return true;
+    }
+    void skip_lines() {
+        while (more() && here().is == token::kind::line_end) ++at_;
+    }
+
+    static value number(std::string text, std::size_t line) {
+        return {false, false, false, false, {{{std::move(text), line}}}};
+    }
+
+    /// In rows of numbers that blanks separate "1 -2" are two numbers and "1 - 2" is one.
+    bool separates(const token& sign) const {
+        return context_.blanks_separate && sign.blank_before && at_ + 1 < end_ &&
+               !tokens_[at_ + 1].blank_before;
+    }
+
+    /// Outside square and curly brackets an expression may go on with an operator in the next line.
+    void skip_lines_before_operator() {
+        if (context_.in_brackets || !more() || here().is != token::kind::line_end) return;
+        auto next = at_;
+        while (next < end_ && tokens_[next].is == token::kind::line_end) ++next;
+        static constexpr std::string_view operators("+-*/.");
+        if (next < end_ && tokens_[next].is == token::kind::sign &&
+            operators.find(tokens_[next].text[0]) != operators.npos)
+            at_ = next;
+    }
+
+    value sum() {
+        if (++depth_ > 100) fail("more than 100 levels of brackets");
+        value v = product();
+        for (skip_lines_before_operator(); more() && (sign("+") || sign("-")) && !separates(here());
+             skip_lines_before_operator()) {
+            const std::string op = tokens_[at_++].text;
+            v = combined(std::move(v), op, product());
+        }
+        --depth_;
+        return v;
+    }
+
+    value product() {
+        value v = signed_power();
+        for (skip_lines_before_operator(); more(); skip_lines_before_operator()) {
+            const bool times = sign("*") || sign(".*"), divided = sign("/") || sign("./") || sign("//");
+            const bool adjacent = !here().blank_before && tokens_[at_ - 1].is == token::kind::number &&
+                                  (here().is == token::kind::word || sign("("));
+            if (!times && !divided && !adjacent) break;
+            if (!adjacent) ++at_;
+            v = combined(std::move(v), divided ? "/" : "*", signed_power());
+        }
+        return v;
+    }
+
+    value signed_power() {
+        if (more() && (sign("-") || sign("+"))) {
+            if (++depth_ > 100) fail("more than 100 signs");
+            const bool minus = tokens_[at_++].text == "-";
+            value v = signed_power();
+            --depth_;
+            if (!minus) return v;
+            for (auto& row : v.rows)
+                for (auto& c : row) c.text = bounded("-" + operand(c.text));
+            return v;
+        }
+        value v = postfix();
+        if (!accept("^") && !accept("**") && !accept(".^")) return v;
+        const value exponent = signed_power();
+        if (v.is_array || exponent.is_array) fail("a power of an array");
+        return combined(std::move(v), "^", exponent);
+    }
+
+    value postfix() {
+        value v = primary();
+        for (skip_lines_before_operator(); more(); skip_lines_before_operator()) {
+            if ((sign("'") || sign(".'")) && !here().blank_before) {
+                ++at_;
+                transpose(v);
+            } else if (sign(".") && at_ + 1 < end_ && tokens_[at_ + 1].is == token::kind::word) {
+                ++at_;
+                apply_method(v);
+            } else {
+                break;
+            }
+        }
+        return v;
+    }
+
+    void apply_method(value& v) {
+        const auto method = std::find_if(methods.begin(), methods.end(),
+                                         [&](const auto& m) { return m.first == here().text; });
+        if (method == methods.end()) fail("'." + here().text + "'");
+        ++at_;
+        bool by_columns = false;
+        if (sign("(")) {
+            const auto close = closing();
+            for (; at_ < close; ++at_)
+                by_columns = by_columns || (here().is == token::kind::text && here().text == "F");
+            ++at_;
+        }
+        if (method->second == call_does::transpose) transpose(v);
+        if (method->second == call_does::by_rows) reshape(v, by_columns);
+    }
+
+    std::size_t closing() const {
+        const auto close = here().partner;
+        if (close == nowhere || close >= end_) fail("the brackets are not closed");
+        return close;
+    }
+
+    value primary() {
+        skip_lines();
+        if (!more()) fail("it ends too early");
+        const token& t = here();
+        if (t.is == token::kind::number) return number(tokens_[at_++].text, t.line);
+        if (t.is == token::kind::text) return quoted();
+        if (accept("&")) return primary();
+        if (sign("@")) {  // Julia's @SVector [...]
+            at_ += 2;
+            return primary();
+        }
+        if (sign("[") || sign("{")) return brackets();
+        if (sign("(")) return parentheses();
+        if (t.is == token::kind::word) return word();
+        fail(t.is == token::kind::line_end ? "the line ends" : "'" + t.text + "'");
+    }
+
+    /// A number in quotes.
+    value quoted() {
+        const std::string text = here().text;
+        const auto line = here().line;
+        if (text.empty() || text.find_first_not_of("0123456789.eE+-/ ") != text.npos)
+            fail("\"" + text + "\"");
+        ++at_;
+        return number(operand(text), line);
+    }
+
+    /// Where blanks and lines separate numbers, and where the brackets at work end.
+    struct context {
+        bool blanks_separate = false, in_brackets = false;
+    };
+
+    /// Goes into the brackets that are here, up to `end`, and returns what to leave them with.
+    std::pair<std::size_t, context> enter(std::size_t end, context inside) {
+        ++at_;
+        return {std::exchange(end_, end), std::exchange(context_, inside)};
+    }
+    void leave(const std::pair<std::size_t, context>& outer, std::size_t close) {
+        std::tie(end_, context_) = outer;
+        at_ = close + 1;
+    }
+
+    /// A number in parentheses, or a tuple.
+    value parentheses() {
+        const auto close = closing();
+        std::vector<value> parts = arguments(close, close, false);
+        if (parts.size() != 1 || is_sign(tokens_[close - 1], ",")) return list(std::move(parts));
+        if (!parts.front().is_array) parts.front().rows[0][0].text = operand(parts.front().rows[0][0].text);
+        return std::move(parts.front());
+    }
+
+    /// The values in the parentheses that are here, up to `stop`. Left out are types and kinds, where a call may have
+    /// some and behind arrays: "convert(T, 1//2)", "real(0.5, dp)", "np.array([1, 2], float)".
+    std::vector<value> arguments(std::size_t stop, std::size_t close, bool with_types) {
+        const auto outer = enter(stop, {});
+        std::vector<value> parts;
+        for (skip_lines(); more(); skip_lines()) {
+            const bool type = here().is == token::kind::word &&
+                              (with_types || (!parts.empty() && parts.back().is_array)) && is_type(stop);
+            if (type)
+                while (more() && !sign(",")) ++at_;
+            else
+                parts.push_back(sum());
+            skip_lines();
+            if (more() && !accept(",")) fail("'" + here().text + "'");
+        }
+        leave(outer, close);
+        return parts;
+    }
+
+    /// A word that is not known, perhaps with points in it, up to a comma or the end.
+    bool is_type(std::size_t stop) const {
+        if (known_(here().text)) return false;
+        for (auto i = at_; i < stop && !is_sign(tokens_[i], ","); ++i)
+            if (tokens_[i].is != token::kind::word && !is_sign(tokens_[i], ".")) return false;
+        return true;
+    }
+
+    /// "[1, 2]", "[[1], [2]]", "[1 2; 3 4]", rows apart by lines.
+    value brackets() {
+        const auto close = closing();
+        bool commas = false;
+        for (auto i = at_ + 1; i < close && !commas; ++i) {
+            if (is_open(tokens_[i]) && tokens_[i].partner < close) i = tokens_[i].partner;
+            commas = is_sign(tokens_[i], ",");
+        }
+        const auto outer = enter(close, {!commas, true});
+        std::vector<std::vector<value>> rows(1);
+        bool new_row = false, comma = true;
+        while (more()) {
+            if (here().is == token::kind::line_end || sign(";")) {
+                new_row = !rows.back().empty() && (sign(";") || !comma);
+                if (sign(";") && at_ + 1 < end_ && is_sign(tokens_[at_ + 1], ";")) fail("';;'");
+                ++at_;
+                continue;
+            }
+            if (accept(",")) {
+                if (comma) fail("',,'");
+                comma = true;
+                new_row = false;
+                continue;
+            }
+            if (new_row) rows.emplace_back();
+            new_row = false;
+            if (!comma && !here().blank_before && !is_open(here())) fail("'" + here().text + "'");
+            rows.back().push_back(sum());
+            comma = false;
+        }
+        leave(outer, close);
+        return of_rows(std::move(rows));
+    }
+
+    value of_rows(std::vector<std::vector<value>> rows) const {
+        if (rows.size() == 1) return list(std::move(rows.front()));
+        if (std::all_of(rows.begin(), rows.end(),
+                        [](const auto& r) { return r.size() == 1 && r[0].is_array; })) {
+            std::vector<value> parts;  // rows in brackets, apart by lines
+            for (auto& r : rows) parts.push_back(std::move(r.front()));
+            return list(std::move(parts));
+        }
+        value v{true, true, false, false, {}};
+        for (auto& r : rows) {
+            value row = list(std::move(r));
+            if (row.nested) fail("rows of rows");
+            v.rows.push_back(std::move(row.rows.front()));
+        }
+        return v;
+    }
+
+    /// "np.array", "Rational{Int}", "std::sqrt": the name, with the type behind it left out.
+    std::string name() {
+        std::string text = tokens_[at_++].text;
+        while (at_ + 1 < end_ && (sign(".") || sign("::") || sign("->")) &&
+               tokens_[at_ + 1].is == token::kind::word && !here().blank_before &&
+               !is_transposition(at_ + 1)) {
+            text += here().text + tokens_[at_ + 1].text;
+            at_ += 2;
+        }
+        accept("!");                                                               // Rust's vec![...]
+        if (sign(".") && at_ + 1 < end_ && is_sign(tokens_[at_ + 1], "(")) ++at_;  // Julia's T.(...)
+        skip_template();
+        if (sign("{") && !here().blank_before) {
+            const auto close = closing();
+            if (close + 1 < end_ && is_open(tokens_[close + 1])) at_ = close + 1;
+        }
+        return text;
+    }
+
+    /// "<double, 2>" before a bracket.
+    void skip_template() {
+        if (!sign("<")) return;
+        int depth = 0;
+        for (auto i = at_; i < std::min(end_, at_ + 24); ++i) {
+            const auto& t = tokens_[i];
+            depth += is_sign(t, "<") ? 1 : is_sign(t, ">") ? -1 : is_sign(t, ">>") ? -2 : 0;
+            if (depth > 0) continue;
+            if (i + 1 < end_ && is_open(tokens_[i + 1])) at_ = i + 1;
+            return;
+        }
+    }
+
+    bool is_transposition(std::size_t k) const {
+        return std::any_of(methods.begin(), methods.end(),
+                           [&](const auto& m) { return m.first == tokens_[k].text; });
+    }
+
+    value word() {
+        const auto line = here().line;
+        const std::string full = name();
+        const std::string last(last_part(full));
+        if (more() && here().is == token::kind::text && is_wrapper(last)) return quoted();  // big"0.1"
+        const bool behind = more() && !here().blank_before;
+        if (behind)
+            if (const value* v = element_of(full)) return *v;
+        if (behind && sign("(")) return call(full, last, line);
+        if (behind && (sign("[") || sign("{"))) {
+            const bool type = is_wrapper(last) || std::isupper(static_cast<unsigned char>(last[0]));
+            if (!type || known_(full) || (last.size() == 1 && last != "T"))
+                fail("'" + full + "[...]', an element of it,");
+            return brackets();
+        }
+        if (sign("[") && is_wrapper(last)) return brackets();
+        if (const value* v = known_(full)) return *v;
+        if (last == "pi" || last == "π") return number("pi", line);
+        if (last == "one") return number("1", line);
+        throw not_understood{"'" + full + "' is unknown", line};
+    }
+
+    /// The value of "b[0]", "A[1][0]", "A(2, 1)", if it is known.
+    const value* element_of(const std::string& full) {
+        std::string element = full;
+        auto i = at_;
+        while (i < end_ && (is_sign(tokens_[i], "[") || is_sign(tokens_[i], "(")) &&
+               tokens_[i].partner < end_) {
+            for (const auto close = tokens_[i].partner; ++i < close;) {
+                if (tokens_[i].is == token::kind::number) element += "[" + tokens_[i].text + "]";
+                if (tokens_[i].is != token::kind::number && !is_sign(tokens_[i], ",")) return nullptr;
+            }
+            ++i;
+        }
+        const value* v = i == at_ ? nullptr : known_(element);
+        if (v) at_ = i;
+        return v;
+    }
+
+    static bool is_wrapper(std::string_view word) {
+        const bool no_small =
+            std::none_of(word.begin(), word.end(), [](unsigned char ch) { return std::islower(ch) != 0; });
+        return no_small || std::find(wrappers.begin(), wrappers.end(), word) != wrappers.end();
+    }
+
+    value call(const std::string& full, const std::string& last, std::size_t line) {
+        const auto close = closing();
+        auto does = std::find_if(calls.begin(), calls.end(), [&](const auto& c) { return c.name == full; });
+        if (does == calls.end())
+            does = std::find_if(calls.begin(), calls.end(), [&](const auto& c) { return c.name == last; });
+        const bool wrapped = does == calls.end();
+        if (known_(full) || (last.size() == 1 && std::string_view("ABCDE").find(last) != nowhere))
+            fail("'" + full + "(...)', an element of it,");
+        if (wrapped && !is_wrapper(last)) fail("'" + full + "(...)'");
+        if (!wrapped && does->does == call_does::zeros) {
+            at_ = close + 1;
+            return {true, false, false, false, {}};
+        }
+        const auto [stop, by_rows, by_columns] = named_arguments(close);
+        static constexpr std::array<std::string_view, 5> typed{"convert", "parse", "real", "map", "float"};
+        const bool types = std::find(typed.begin(), typed.end(), last) != typed.end();
+        std::vector<value> parts = arguments(stop, close, types);
+        if (parts.empty()) fail("'" + full + "()'");
+        value v = wrapped ? wrapped_value(full, std::move(parts))
+                          : applied(does->does, last, std::move(parts), line);
+        if (v.reshaped && by_rows) v.by_columns = false;
+        if (v.reshaped && by_columns) v.by_columns = true;
+        return v;
+    }
+
+    struct named {
+        std::size_t stop;  ///< where arguments with names begin
+        bool by_rows = false, by_columns = false;
+    };
+
+    /// "order='F'", "byrow=TRUE" and Fortran's "order=[2, 1]" say how an array is filled.
+    named named_arguments(std::size_t close) const {
+        named out{close};
+        std::size_t last_comma = at_;
+        for (std::size_t i = at_ + 1; i < close; ++i) {
+            if (is_open(tokens_[i]) && tokens_[i].partner != nowhere) i = tokens_[i].partner;
+            if (is_sign(tokens_[i], ",")) last_comma = i;
+            if (!is_sign(tokens_[i], "=")) continue;
+            out.stop = std::min(out.stop, last_comma == at_ ? at_ + 1 : last_comma);
+            const auto& key = tokens_[i - 1].text;
+            const auto& what = tokens_[std::min(i + 1, close)].text;
+            out.by_columns = out.by_columns || (key == "order" && what == "F");
+            out.by_rows =
+                out.by_rows || (key == "order" && what != "F") || (key == "byrow" && what.starts_with("T"));
+        }
+        return out;
+    }
+
+    value wrapped_value(const std::string& full, std::vector<value> parts) const {
+        const auto arrays =
+            std::count_if(parts.begin(), parts.end(), [](const value& v) { return v.is_array; });
+        if (parts.size() == 1) return std::move(parts.front());
+        if (arrays == 0 && parts.size() == 2) return combined(std::move(parts[0]), "/", parts[1]);
+        if (arrays == 1 && parts.back().is_array) {  // Matrix(2, 2, [...])
+            value v = std::move(parts.back());
+            if (!v.nested) reshape(v, false);
+            return v;
+        }
+        fail("the arguments of '" + full + "'");
+    }
+
+    value applied(call_does does, const std::string& last, std::vector<value> parts, std::size_t line) const {
+        value& first = parts.front();
+        const bool numbers =
+            std::none_of(parts.begin(), parts.end(), [](const value& v) { return v.is_array; });
+        if (does == call_does::list || does == call_does::list_by_columns) {
+            if (numbers && parts.size() == 1 && last == "c") fail("'c(...)', an element of it,");
+            value v = numbers || parts.size() > 1 ? list(std::move(parts)) : std::move(first);
+            if (does == call_does::list_by_columns && !v.nested) reshape(v, true);
+            return v;
+        }
+        if (does == call_does::root) {
+            if (!numbers || parts.size() != 1) fail("the arguments of '" + last + "'");
+            const std::string known = last == "PetscSqrtReal" || last == "SUNRsqrt" ? "sqrt" : last;
+            return number(bounded(known + "(" + first.rows[0][0].text + ")"), line);
+        }
+        if (does == call_does::power) {
+            if (!numbers || parts.size() != 2) fail("the arguments of '" + last + "'");
+            return combined(std::move(first), "^", parts[1]);
+        }
+        if (!first.is_array) fail("'" + last + "' of a number");
+        value v = std::move(first);
+        if (does == call_does::transpose)
+            transpose(v);
+        else if (does == call_does::by_columns && v.nested && last == "matrix")
+            return v;  // numpy.matrix
+        else
+            reshape(v, does == call_does::by_columns);
+        return v;
+    }
+
+    const std::vector<token>& tokens_;
+    std::size_t at_, end_;
+    const lookup& known_;
+    int depth_ = 0;
+    context context_;
+};
+
+STAGECRAFT_INLINE value value_of(const std::vector<token>& tokens, std::size_t begin, std::size_t end,
+                                 const lookup& known) {
+    value_parser parser(tokens, begin, end, known);
+    return parser.located([&] { return parser.run(); });
+}
+
+STAGECRAFT_INLINE value list_of(const std::vector<token>& tokens, std::size_t begin, std::size_t end,
+                                const lookup& known) {
+    value_parser parser(tokens, begin, end, known);
+    return parser.located([&] { return parser.run_list(); });
+}
+
+}  // namespace stagecraft::tableaux::program_text

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+/// The calls, wrappers and methods around the arrays and numbers of a program. What is not yet read is a line here.
+
+namespace stagecraft::tableaux::program_text {
+
+/// What a call does with its numbers.
+enum class call_does {
+    keep,             ///< np.array([...]), RCONST(0.5): its argument; F(1, 2): a fraction
+    list,             ///< SVector(1, 2), c(1, 2): its arguments are the numbers
+    list_by_columns,  ///< SMatrix{2, 2}(1, 2, 3, 4)
+    by_rows,          ///< np.reshape([...], (2, 2))
+    by_columns,       ///< reshape([...], [2, 2])
+    transpose,
+    zeros,  ///< np.zeros((2, 2)): to be filled
+    root,   ///< sqrt and what read_entry knows by the same name
+    power   ///< pow(x, 3)
+};
+
+struct call_entry {
+    std::string_view name;  ///< longer ones before their last parts
+    call_does does;
+};
+
+/// A library's word for an array or a number is a line here.
+inline constexpr std::array calls{
+    call_entry{"np.reshape", call_does::by_rows},
+    call_entry{"numpy.reshape", call_does::by_rows},
+    call_entry{"jnp.reshape", call_does::by_rows},
+    call_entry{"torch.reshape", call_does::by_rows},
+    call_entry{"reshape", call_does::by_columns},
+    call_entry{"transpose", call_does::transpose},
+    call_entry{"SVector", call_does::list},
+    call_entry{"MVector", call_does::list},
+    call_entry{"SMatrix", call_does::list_by_columns},
+    call_entry{"MMatrix", call_does::list_by_columns},
+    call_entry{"c", call_does::list},
+    call_entry{"matrix", call_does::by_columns},
+    call_entry{"zeros", call_does::zeros},
+    call_entry{"sqrt", call_does::root},
+    call_entry{"PetscSqrtReal", call_does::root},
+    call_entry{"SUNRsqrt", call_does::root},
+    call_entry{"cbrt", call_does::root},
+    call_entry{"cos", call_does::root},
+    call_entry{"sin", call_does::root},
+    call_entry{"pow", call_does::power},
+    call_entry{"power", call_does::power},
+};
+
+/// Words that wrap numbers or arrays and change nothing, or make a fraction of two numbers. So do words without small
+/// letters, as RCONST and Q.
+inline constexpr std::array<std::string_view, 50> wrappers{
+    "array",    "asarray",  "tensor",   "Tensor",   "as_tensor", "Matrix",   "ImmutableMatrix",
+    "SA",       "vec",      "list",     "tuple",    "Array",     "Vector",   "asanyarray",
+    "Rational", "Fraction", "Decimal",  "mpf",      "mpq",       "mpfr",     "big",
+    "BigFloat", "float",    "double",   "real",     "dble",      "f64",      "f32",
+    "Float64",  "Float32",  "sympify",  "convert",  "parse",     "map",      "longdouble",
+    "float64",  "Integer",  "Int",      "number",   "new",       "from",     "to_array",
+    "BigInt",   "rational", "fraction", "from_vec", "SVectorF",  "realtype", "sunrealtype",
+    "array2d"};
+
+/// Methods behind an array, and what they do.
+inline constexpr std::array<std::pair<std::string_view, call_does>, 13> methods{
+    {{"T", call_does::transpose},
+     {"transpose", call_does::transpose},
+     {"reshape", call_does::by_rows},
+     {"astype", call_does::keep},
+     {"copy", call_does::keep},
+     {"clone", call_does::keep},
+     {"tolist", call_does::keep},
+     {"to_vec", call_does::keep},
+     {"to", call_does::keep},
+     {"eval", call_does::keep},
+     {"flatten", call_does::keep},
+     {"into", call_does::keep},
+     {"double", call_does::keep}}};
+
+}  // namespace stagecraft::tableaux::program_text

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "stagecraft/tableaux/program_groups.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "stagecraft/compiled.hpp"
+#include "stagecraft/tableaux/claims.hpp"
+#include "stagecraft/tableaux/program_names.hpp"
+
+namespace stagecraft::tableaux::program_text {
+
+STAGECRAFT_INLINE std::vector<std::string_view> words_of(std::string_view list) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin < list.size();) {
+        const auto end = std::min(list.find(' ', begin), list.size());
+        words.push_back(list.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return words;
+}
+
+STAGECRAFT_INLINE std::string lower(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char ch) { return std::tolower(ch); });
+    return out;
+}
+
+/// No longer name is looked at for words within it.
+inline constexpr std::size_t longest_name = 100;
+
+/// The claim that a name makes, and what stands before and behind its word.
+struct claim_name {
+    std::string key, before, behind;
+};
+
+/// Of several words the longest.
+STAGECRAFT_INLINE std::optional<claim_name> claim_in(std::string_view name) {
+    const std::string last = lower(last_part(name));
+    std::optional<claim_name> best;
+    if (last.size() > longest_name) return best;
+    std::size_t longest = 0;
+    for (const auto& [word, key] : claim_words) {
+        if (word.starts_with("->")) {
+            if (name.ends_with(word)) return claim_name{std::string(key), {}, {}};
+            continue;
+        }
+        const auto at = last.find(lower(word));
+        if (at == last.npos || word.size() <= longest) continue;
+        const bool begins = at == 0 || last[at - 1] == '_';
+        const bool ends = at + word.size() == last.size() || last[at + word.size()] == '_';
+        if (!begins || !ends) continue;
+        longest = word.size();
+        best = claim_name{std::string(key), last.substr(0, at), last.substr(at + word.size())};
+    }
+    return best;
+}
+
+/// Puts variables together.
+class grouping {
+  public:
+    grouping(const program& p, variables& v) : p_(p), v_(v) {}
+
+    groups run() && {
+        std::map<std::size_t, std::vector<std::size_t>> scopes;
+        for (std::size_t k = 0; k < v_.all.size(); ++k) scopes[v_.all[k].scope].push_back(k);
+        for (const auto& [scope, all] : scopes)
+            for (const auto& run : runs_of(all)) group_run(run);
+        for (const auto& r : p_.registrations) take_registration(r);
+        join_scattered();
+        for (std::size_t g = 0; g < out_.all.size();
+             ++g) {  // each scope has its groups, or else those within it
+            auto scope = out_.all[g].scope;
+            within_scope_[scope].push_back(g);
+            for (int i = 0; i < deepest_scope && p_.scopes[scope].parent != nowhere; ++i)
+                inner_[scope = p_.scopes[scope].parent].push_back(g);
+        }
+        within_scope_.merge(inner_);
+        for (std::size_t k = 0; k < v_.all.size(); ++k) give_claim(k);
+        std::stable_sort(out_.all.begin(), out_.all.end(),
+                         [](const group& x, const group& y) { return x.line < y.line; });
+        tell_unused();
+        return std::move(out_);
+    }
+
+  private:
+    using part = std::vector<std::size_t>;  ///< variables
+
+    const variable& at(std::size_t k) const { return v_.all[k]; }
+    bool is_array(std::size_t k) const { return at(k).is == variable::kind::array; }
+
+    /// Parts in which no name comes twice. A claim right before the array that begins the next part belongs to it.
+    std::vector<part> runs_of(const part& all) const {
+        std::vector<part> runs(1);
+        std::set<std::string> names;
+        std::map<std::string, std::size_t> later;  // how often each array's name is still to come
+        for (const auto k : all)
+            if (is_array(k)) ++later[at(k).name];
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto& x = at(all[i]);
+            if (is_array(all[i])) --later[x.name];
+            bool next = names.contains(x.name);
+            if (!next && !is_array(all[i]) && claim_in(x.name) && i > 0 && i + 1 < all.size() &&
+                at(all[i + 1]).line - x.last_line < x.line - at(all[i - 1]).last_line) {
+                auto array = i + 1;
+                while (array + 1 < std::min(all.size(), i + 8) && !is_array(all[array])) ++array;
+                next = names.contains(at(all[array]).name);
+            }
+            if (next) {
+                runs.emplace_back();
+                names.clear();
+            }
+            names.insert(x.name);
+            runs.back().push_back(all[i]);
+        }
+        return runs;
+    }
+
+    /// The unused array of this name in a run.
+    std::optional<std::size_t> named(const part& r, const std::string& name) const {
+        for (const auto k : r)
+            if (is_array(k) && !taken_.contains(k) && at(k).name == name) return k;
+        return std::nullopt;
+    }
+
+    void group_run(const part& r) {
+        std::map<std::string, std::size_t> names;
+        for (const auto k : r)
+            if (is_array(k)) names.emplace(at(k).name, k);
+        std::vector<std::pair<std::size_t, const dialect*>> found;  // group and the dialect that it speaks
+        for (const auto& d : dialects)
+            for (const auto k : r)
+                if (is_array(k) && !taken_.contains(k))
+                    if (begin_group(k, d, names)) found.emplace_back(out_.all.size() - 1, &d);
+        for (const auto& [g, d] : found) take_more(out_.all[g], *d, names, found.size() == 1);
+        if (found.size() == 1)
+            for (const auto k : r) take_claim(out_.all[found.front().first], k, true);
+        for (const auto& [g, d] : found)
+            for (const auto k : r) take_claim(out_.all[g], k, false);
+    }
+
+    /// A group with the array k as A, if b stands beside it under a name of the same kind.
+    bool begin_group(std::size_t k, const dialect& d, const std::map<std::string, std::size_t>& names) {
+        const auto& x = at(k);
+        const std::string owner = x.owner(), last(x.last());
+        if (last.size() > longest_name) return false;
+        for (const auto a : words_of(d.A))
+            for (auto i = last.find(a); i != last.npos; i = last.find(a, i + 1)) {
+                const std::string before = last.substr(0, i), behind = last.substr(i + a.size());
+                for (const auto b : words_of(d.b)) {
+                    const auto y = names.find(owner + before + std::string(b) + behind);
+                    if (y == names.end() || y->second == k || taken_.contains(y->second)) continue;
+                    group g{
+                        {},     x.scope, std::min(x.line, at(y->second).line), {}, nlohmann::json::object(),
+                        before, behind};
+                    g.arrays = {{"A", k}, {"b", y->second}};
+                    g.name = name_of(g, owner);
+                    use(k);
+                    use(y->second);
+                    out_.all.push_back(std::move(g));
+                    return true;
+                }
+            }
+        return false;
+    }
+
+    void use(std::size_t k) {
+        v_.all[k].used = true;
+        taken_.insert(k);
+    }
+
+    std::string name_of(const group& g, std::string owner) const {
+        const bool arrow = owner.ends_with("->");
+        owner.erase(owner.find_last_not_of(".:->") + 1);
+        if (arrow || owner == "self" || owner == "this" || owner == "cls" || owner == "obj") owner.clear();
+        std::string name = g.before + (g.before.empty() ? "" : " ") + g.behind;
+        const auto blank = [](char ch) { return ch == '_' || ch == ' '; };
+        name.erase(name.begin(), std::find_if_not(name.begin(), name.end(), blank));
+        while (!name.empty() && blank(name.back())) name.pop_back();
+        if (owner.empty()) owner = p_.name_of(g.scope);
+        if (!name.empty() &&
+            std::all_of(name.begin(), name.end(), [](unsigned char ch) { return std::isdigit(ch); }))
+            name = at(g.arrays.at("A")).last();  // A1
+        return owner.empty() || name.empty() ? owner + name : owner + " " + name;
+    }
+
+    /// c and the embedded weights; by their bare words too where the run has one tableau.
+    void take_more(group& g, const dialect& d, const std::map<std::string, std::size_t>& names, bool only) {
+        const auto& a = at(g.arrays.at("A"));
+        const auto take = [&](const char* key, std::string_view words) {
+            for (const bool bare : {false, true})
+                for (const auto word : words_of(words)) {
+                    if (g.arrays.contains(key) || (bare && !only)) return;
+                    const auto name =
+                        a.owner() + (bare ? std::string(word) : g.before + std::string(word) + g.behind);
+                    const auto y = names.find(name);
+                    if (y == names.end() || taken_.contains(y->second) || !fits(g, y->second, word)) continue;
+                    g.arrays[key] = y->second;
+                    use(y->second);
+                }
+        };
+        take("c", d.c);
+        take("b_embedded", d.embedded);
+    }
+
+    /// E, e and d have other meanings too: they must be as long as b, or longer by one.
+    bool fits(const group& g, std::size_t k, std::string_view word) const {
+        const auto& b = at(g.arrays.at("b"));
+        if (!at(k).trouble.empty()) return false;
+        if (word.size() > 1 || word == "c" || word == "C" || !at(k).elements.empty() || !b.elements.empty())
+            return true;
+        const auto s = b.array.numbers(), n = at(k).array.numbers();
+        return n == s || n == s + 1;
+    }
+
+    /// The value of a claim, or nothing: a whole number, true or false, a text.
+    static std::optional<nlohmann::json> claimed(const std::string& key, const variable& x) {
+        const bool counted = std::any_of(counted_claims.begin(), counted_claims.end(),
+                                         [&](const auto& c) { return c.name == key; });
+        if (key == "name")
+            return x.is == variable::kind::text ? std::optional<nlohmann::json>(x.text) : std::nullopt;
+        if (!counted && x.is == variable::kind::flag) return x.text == "true";
+        if (x.is != variable::kind::number) return std::nullopt;
+        const std::string& number = x.array.rows[0][0].text;
+        if (number.empty() || number.size() > 3 || number.find_first_not_of("0123456789") != number.npos)
+            return std::nullopt;
+        if (counted) return std::stoi(number);
+        return number == "0" || number == "1" ? std::optional<nlohmann::json>(number == "1") : std::nullopt;
+    }
+
+    /// `bare`: the word alone, not with what stands beside A in its name.
+    bool take_claim(group& g, std::size_t k, bool bare) {
+        const auto name = claim_in(at(k).name);
+        if (!name || taken_.contains(k) || is_array(k)) return false;
+        const bool alike = bare ? name->before.empty() && name->behind.empty()
+                                : name->before == lower(g.before) && name->behind == lower(g.behind);
+        const auto value = claimed(name->key, at(k));
+        if (!alike || !value) return false;
+        auto& claims = g.claims;
+        if (claims.contains(name->key)) return false;
+        claims[name->key] = *value;
+        use(k);
+        return true;
+    }
+
+    /// A call that says name and order of the tableaux in its scope.
+    void take_registration(const registration& r) {
+        const auto* call = std::find_if(register_calls.begin(), register_calls.end(),
+                                        [&](const auto& c) { return c.function == r.name; });
+        std::vector<std::size_t> arguments{r.open + 1};
+        for (auto i = r.open + 1; i < p_.tokens[r.open].partner; ++i) {
+            if (is_open(p_.tokens[i]) && p_.tokens[i].partner != nowhere) i = p_.tokens[i].partner;
+            if (is_sign(p_.tokens[i], ",")) arguments.push_back(i + 1);
+        }
+        std::vector<group*> own;
+        for (auto& g : out_.all)
+            if (g.scope == r.scope) own.push_back(&g);
+        if (own.empty())
+            out_.unused.emplace(r.line,
+                                r.name + " (line " + std::to_string(r.line) + "): no tableau beside it");
+        for (auto* g : own) {
+            if (call->name < arguments.size()) {
+                const std::string kind = own.size() > 1 ? " " + at(g->arrays.at("A")).name : "";
+                g->claims["name"] = p_.tokens[arguments[call->name]].text + kind;
+            }
+            for (const auto& [key, index] :
+                 {std::pair{"order", call->order}, {"embedded_order", call->embedded_order}}) {
+                if (index >= arguments.size()) continue;
+                const token& t = p_.tokens[arguments[index]];
+                if (t.is == token::kind::number && t.text.size() < 4 && t.text.find('.') == nowhere)
+                    g->claims[key] = std::stoi(t.text);
+                else
+                    out_.unused.emplace(
+                        r.line, r.name + " (line " + std::to_string(r.line) + "): its order is no number");
+            }
+        }
+    }
+
+    /// A and b of the only tableau may stand in different functions or brackets.
+    void join_scattered() {
+        if (!out_.all.empty()) return;
+        std::map<std::string, std::size_t> count;
+        part r;
+        for (std::size_t k = 0; k < v_.all.size(); ++k)
+            if (is_array(k) && ++count[at(k).name] == 1) r.push_back(k);
+        for (const auto& [name, n] : count)
+            if (n > 1 && name.size() <= 2) return;
+        group_run(r);
+    }
+
+    /// What stands in no run of a tableau, to the one in the nearest scope around it or to the only one within its scope.
+    void give_claim(std::size_t k) {
+        const auto& x = at(k);
+        const auto name = claim_in(x.name);
+        if (taken_.contains(k) || is_array(k) || !name || !name->before.empty() || !name->behind.empty())
+            return;
+        auto scope = x.scope;
+        for (int i = 0; i < deepest_scope && scope != nowhere; ++i, scope = p_.scopes[scope].parent) {
+            const auto here = within_scope_.find(scope);
+            if (here == within_scope_.end()) continue;
+            if (here->second.size() == 1) take_claim(out_.all[here->second.front()], k, true);
+            return;
+        }
+    }
+
+    void tell_unused() {
+        std::string first_single;
+        std::size_t singles = 0, line = 0;
+        for (std::size_t k = 0; k < v_.all.size(); ++k) {
+            const auto& x = at(k);
+            if (x.used && !is_claim_left(k)) continue;
+            if (is_array(k) ? looks_like_coefficients(x) : is_claim_left(k)) {
+                std::string what =
+                    x.name + (x.elements.empty() ? "" : "[..]") + " (line " + std::to_string(x.line) + ")";
+                if (!x.trouble.empty()) what += ": " + x.trouble;
+                out_.unused.emplace(x.line, std::move(what));
+            } else if (x.is == variable::kind::number && is_single_coefficient(x.last()) && singles++ == 0) {
+                first_single = x.name;
+                line = x.line;
+            }
+        }
+        if (singles > 0)
+            out_.unused.emplace(
+                line,
+                first_single + " (line " + std::to_string(line) + ")" +
+                    (singles > 1 ? " and " + std::to_string(singles - 1) + " more single numbers" : ""));
+        for (const auto n : v_.unnamed)
+            out_.unused.emplace(n, "numbers without a name (line " + std::to_string(n) + ")");
+    }
+
+    /// Whether x says something of an order or a property and is in no tableau.
+    bool is_claim_left(std::size_t k) const {
+        const auto& x = at(k);
+        if (taken_.contains(k) || is_array(k)) return false;
+        const auto name = claim_in(x.name);
+        if (name && name->key != "name") return true;
+        const std::string text = lower(x.last());
+        if (x.is == variable::kind::text) return false;
+        for (const std::string_view word : {"order", "stable", "symplectic", "symmetric", "accurate"}) {
+            const auto i = text.find(word);
+            if (i == text.npos) continue;
+            const bool begins = i == 0 || std::isalpha(static_cast<unsigned char>(text[i - 1])) == 0 ||
+                                std::isupper(static_cast<unsigned char>(x.last()[i])) != 0;
+            if (begins) return true;
+        }
+        return false;
+    }
+
+    /// Elements only of what is called as coefficients are; no pair of whole numbers, such as (0, 1).
+    static bool looks_like_coefficients(const variable& x) {
+        bool coefficient = false;
+        for (const auto& d : dialects)
+            for (const auto list : {d.A, d.b, d.c, d.embedded})
+                for (const auto word : words_of(list)) coefficient = coefficient || x.last() == word;
+        if (coefficient) return true;
+        if (x.by_elements || x.array.numbers() == 0) return !x.by_elements && !x.trouble.empty();
+        const auto all = x.array.all();
+        const bool whole = std::all_of(all.begin(), all.end(), [](const cell& c) {
+            return c.text.find_first_not_of("0123456789.-+()") == c.text.npos;
+        });
+        return all.size() > 2 || (all.size() == 2 && !whole);
+    }
+
+    /// a21, a_2_1, b3, c2, bhat1.
+    static bool is_single_coefficient(std::string_view name) {
+        const auto digit = name.find_first_of("0123456789");
+        if (digit == name.npos || digit == 0 || name.find_first_not_of("0123456789_", digit) != name.npos)
+            return false;
+        auto word = name.substr(0, digit);
+        while (word.size() > 1 && word.back() == '_') word.remove_suffix(1);
+        if (word == "alpha" || word == "beta" || word == "gamma" || word == "a" || word == "A") return true;
+        for (const auto& d : dialects)
+            for (const auto list : {d.b, d.c, d.embedded})
+                for (const auto known : words_of(list))
+                    if (word == known) return true;
+        return false;
+    }
+
+    const program& p_;
+    variables& v_;
+    groups out_;
+    std::set<std::size_t> taken_;
+    std::map<std::size_t, std::vector<std::size_t>> within_scope_, inner_;  ///< groups by scopes
+};
+
+STAGECRAFT_INLINE groups groups_of(const program& p, variables& v) { return grouping(p, v).run(); }
+
+}  // namespace stagecraft::tableaux::program_text

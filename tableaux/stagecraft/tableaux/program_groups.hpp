@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+#include "stagecraft/tableaux/program_scan.hpp"
+#include "stagecraft/tableaux/program_variables.hpp"
+
+namespace stagecraft::tableaux::program_text {
+
+/// Variables that make one tableau.
+struct group {
+    std::string name;
+    std::size_t scope = 0;
+    std::size_t line = 0;
+    std::map<std::string, std::size_t> arrays;  ///< "A", "b", "c", "b_embedded": which variable
+    nlohmann::json claims = nlohmann::json::object();
+    std::string before, behind;  ///< what stands beside A in its name
+};
+
+/// Groups, and what looks like a coefficient or a claim and is in none of them, with its line.
+struct groups {
+    std::vector<group> all;
+    std::multimap<std::size_t, std::string> unused;
+};
+
+/// Marks what it uses of v.
+groups groups_of(const program& p, variables& v);
+
+}  // namespace stagecraft::tableaux::program_text
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/program_groups-inl.hpp"
+#endif

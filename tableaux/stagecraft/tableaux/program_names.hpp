@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+/// The words by which programs name a tableau's parts. A dialect that is not yet read is a line here.
+
+namespace stagecraft::tableaux::program_text {
+
+/// A library's names of the arrays of one tableau; blanks separate the names for the same array, the likelier first. Arrays
+/// belong to one tableau where what stands before and behind these words is the same: "heun_A" and "heun_b", "At" and "bt".
+struct dialect {
+    std::string_view A, b, c, embedded;
+};
+
+inline constexpr std::string_view embedded_words =
+    "b_embedded b_embed bembed b_emb b_hat bhat b_tilde btilde b_star bstar b_alt b_low b_error b_err berr "
+    "b_diff "
+    "b2 bh bt b\xCC\x82 b\xCC\x83 E e d";
+
+inline constexpr std::array<dialect, 8> dialects{{
+    {"A a", "b B", "c C", embedded_words},
+    {"A a", "\xCE\xB1", "c",
+     "\xCE\xB1"
+     "EEst \xCE\xB1_EEst"},                             // Julia: DiffEqDevTools
+    {"A a", "alpha", "c", "alphaEEst alpha_embedded"},  // the same in ASCII
+    {"beta", "c_sol", "alpha", "c_error"},              // torchdiffeq
+    {"a_lower", "b_sol", "c", "b_error"},               // diffrax
+    {"A a", "b_sol w weights", "c nodes", embedded_words},
+    {"matrix", "weights", "nodes abscissae", "embedded_weights weights_embedded"},
+    {"alpha", "b beta", "c gamma", "b_hat bhat"},
+}};
+
+/// A claim of a tableau file, and what programs call it.
+struct claim_word {
+    std::string_view word, key;
+};
+
+/// In capital letters or not. `q` and `p` are claims only where a point or an arrow stands before them.
+inline constexpr std::array<claim_word, 17> claim_words{{{"order", "order"},
+                                                         {"embedded_order", "embedded_order"},
+                                                         {"order_embedded", "embedded_order"},
+                                                         {"embeddedorder", "embedded_order"},
+                                                         {"adaptiveorder", "embedded_order"},
+                                                         {"error_estimator_order", "embedded_order"},
+                                                         {"stage_order", "stage_order"},
+                                                         {"->q", "order"},
+                                                         {"->p", "embedded_order"},
+                                                         {"A_stable", "A_stable"},
+                                                         {"L_stable", "L_stable"},
+                                                         {"algebraically_stable", "algebraically_stable"},
+                                                         {"symplectic", "symplectic"},
+                                                         {"symmetric", "symmetric"},
+                                                         {"stiffly_accurate", "stiffly_accurate"},
+                                                         {"name", "name"},
+                                                         {"label", "name"}}};
+
+inline constexpr std::size_t no_argument = static_cast<std::size_t>(-1);
+
+/// A function that is called with arrays in it and says more of their tableau: which argument, from 0, is what.
+struct register_call {
+    std::string_view function;
+    std::size_t name = no_argument, order = no_argument, embedded_order = no_argument;
+};
+
+inline constexpr std::array<register_call, 5> register_calls{{{"TSRKRegister", 0, 1},
+                                                              {"TSARKIMEXRegister", 0, 1},
+                                                              {"TSDIRKRegister", 0, 1},
+                                                              {"ExplicitRKTableau", no_argument, 3},
+                                                              {"ImplicitRKTableau", no_argument, 3}}};
+
+/// A word at the beginning of a line that opens a scope, and which word names it.
+struct section_word {
+    std::string_view word;
+    enum class named { by_next_word, by_text, by_next_word_or_text } by = named::by_next_word;
+};
+
+inline constexpr std::array<section_word, 12> section_words{
+    {{"class"},
+     {"def"},
+     {"function"},
+     {"subroutine"},
+     {"module"},
+     {"fn"},
+     {"case", section_word::named::by_next_word_or_text},
+     {"default"},
+     {"if", section_word::named::by_text},
+     {"elif", section_word::named::by_text},
+     {"elseif", section_word::named::by_text},
+     {"else", section_word::named::by_text}}};
+
+/// Words that may stand before them.
+inline constexpr std::array<std::string_view, 7> section_modifiers{"pub",       "static", "export",   "pure",
+                                                                   "recursive", "async",  "constexpr"};
+
+}  // namespace stagecraft::tableaux::program_text
