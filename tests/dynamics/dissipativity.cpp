@@ -113,6 +113,33 @@ BOOST_AUTO_TEST_CASE(satz_1_12_balls_are_invariant_and_absorb_after_t_star) {
     BOOST_TEST(dissipativity<1>(cubic, 1).absorption_time(0.5, 0.01) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(definition_1_9_positively_and_negatively_invariant_intervals) {
+    // Runs from the ends and from inside, forwards and (f -> -f) backwards, that stay or do not.
+    const auto stays = [](const field& f, double low, double high, int direction) {
+        const field g = [&](double t, const VectorXd& x, VectorXd& out) {
+            f(direction * t, x, out);
+            out *= direction;
+        };
+        for (const double part : {0.0, 0.3, 0.8, 1.0}) {
+            VectorXd x = VectorXd::Constant(1, low + part * (high - low));
+            for (int k = 0; k < 8; ++k) {
+                const auto r = integrate(radau_iia<3>(), g, x, 0.0, 0.5, {.rtol = 1e-10, .atol = 1e-12});
+                if (!r.ok() || !(low - 1e-8 <= r.y[0] && r.y[0] <= high + 1e-8)) return false;
+                x = r.y;
+            }
+        }
+        return true;
+    };
+    const field falls = decay, with_three = cubic,
+                grows = [](double, const VectorXd&x, VectorXd&f) { f = x; };
+    BOOST_TEST((stays(falls, -1, 1, 1) && !stays(falls, -1, 1, -1)));                   // positively only
+    BOOST_TEST((!stays(grows, -1, 1, 1) && stays(grows, -1, 1, -1)));                   // negatively only
+    BOOST_TEST((stays(with_three, -1, 1, 1) && stays(with_three, -1, 1, -1)));          // invariant
+    BOOST_TEST((stays(with_three, -2, 2, 1) && !stays(with_three, -2, 2, -1)));         // an absorbing set
+    BOOST_TEST((!stays(with_three, 0.1, 0.5, 1) && !stays(with_three, 0.1, 0.5, -1)));  // neither
+    BOOST_TEST((stays(falls, 0, 0, 1) && stays(falls, 0, 0, -1)));                      // an equilibrium
+}
+
 BOOST_AUTO_TEST_CASE(satz_1_12_for_minus_t_x_from_t0_on_beta_is_t0_and_none_serves_for_negative_t0) {
     const auto f = [](const auto& t, const auto& x, auto& out) { out[0] = -t * x[0]; };
     for (const rational& t0 : {rational(1, 2), rational(3)}) {

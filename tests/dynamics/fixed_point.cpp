@@ -2,6 +2,7 @@
 // Lecture, (2.3) and section 2.4.2: the stage equations by fixed point iteration, where it converges and where not.
 #define BOOST_TEST_MODULE fixed_point
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -65,6 +66,25 @@ BOOST_AUTO_TEST_CASE(h_L_norm_of_A_below_1_suffices_and_beyond_h_lambda_rho_of_A
     };
     ends(gauss<2>(), std::sqrt(12.0));
     ends(radau_iia<3>(), 1 / radau_iia<3>().A.eigenvalues().cwiseAbs().maxCoeff());
+}
+
+BOOST_AUTO_TEST_CASE(
+    section_2_4_2_norm_of_h_b_below_1_is_not_h_lambda_below_1_for_a_matrix_that_is_not_normal) {
+    // x' = B x, B = (-1, k; 0, -1), implicit Euler: |h lambda| = h, and |hB| as large as k makes it. The printed "|hB| < 1, that
+    // is |h lambda| < 1" holds from left to right only.
+    const auto shear = [](double k) -> field {
+        return [k](double, const Vector2d& y, Vector2d& f) { f << -y[0] + k * y[1], -y[1]; };
+    };
+    const auto method = fixed_point(radau_iia<1>());
+    for (const double k : {0.0, 3.0}) {
+        const Eigen::Matrix2d hB = (Eigen::Matrix2d() << -0.5, 0.5 * k, 0, -0.5).finished();
+        BOOST_TEST((hB.jacobiSvd().singularValues()[0] > 1) == (k > 1));
+        const auto r = one_step(method, shear(k), 0.5);
+        BOOST_REQUIRE(r.ok());  // both converge: |h lambda| = 1/2
+        const Vector2d exact = (Eigen::Matrix2d::Identity() - hB).inverse() * Vector2d(1, -0.5);
+        BOOST_TEST((r.y - exact).norm() < 1e-5);
+        BOOST_TEST(!one_step(method, shear(k), 1.1).ok());  // |h lambda| > 1: neither
+    }
 }
 
 BOOST_AUTO_TEST_CASE(what_the_iteration_cannot_serve_is_refused) {

@@ -72,5 +72,5 @@ BOOST_AUTO_TEST_CASE(a_map_that_names_what_is_not_there_is_found_out) {
     BOOST_TEST(look_up("`theory/stagecraft/theory/dynamics/nothing.hpp`").missing == 1);
     BOOST_TEST(look_up("`dynamics/nothing`").missing == 1);
     BOOST_TEST(look_up("`dynamics/ghosts`: `satz_9_9_never_stated`").missing == 1);
-    BOOST_TEST(look_up("`dynamics/ghosts`: `satz_1_24_equilibria_stay`").missing == 0);
+    BOOST_TEST(look_up("`dynamics/one_step`: `satz_1_24_equilibria_stay`").missing == 0);
 }

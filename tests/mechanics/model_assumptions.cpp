@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE model_assumptions
+#include <Eigen/LU>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <stagecraft/dae/hessenberg.hpp>
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/model_assumptions.hpp>
@@ -101,6 +103,49 @@ BOOST_AUTO_TEST_CASE(hessenberg_forms_report_their_index) {
     thesis::any_problem coupled = thesis::erased(index_2(swing));
     coupled.M(0, 1) = 1;
     BOOST_CHECK_THROW(index(coupled, horizontal), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(
+    remark_1_the_index_is_invariant_under_algebraic_transformations_and_not_under_differentiation) {
+    // y = T w, lambda = L mu, and equations combined: T^-1 (f + H g) and S g in place of f and g.
+    std::mt19937 random(1);
+    std::normal_distribution<double> number;
+    const auto matrix = [&](Eigen::Index rows, Eigen::Index columns) {
+        Eigen::MatrixXd a(rows, columns);
+        for (Eigen::Index k = 0; k < a.size(); ++k) a.data()[k] = number(random);
+        return a;
+    };
+    const thesis::pendulum swing;
+    const thesis::any_problem forms[] = {thesis::erased(index_2(swing)), thesis::erased(index_3(swing))};
+    const vector horizontal = vector::Unit(5, 0);
+    for (int k = 0; k < 20; ++k) {
+        const Eigen::MatrixXd T = matrix(4, 4) + 3 * Eigen::MatrixXd::Identity(4, 4), H = matrix(4, 1);
+        const double L = 1 + std::abs(number(random)), S = -1 - std::abs(number(random));
+        for (const thesis::any_problem& form : forms) {
+            thesis::any_problem moved = form;
+            Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(5, 5), outer = inner;
+            inner.topLeftCorner(4, 4) = T, inner(4, 4) = L;
+            outer.topLeftCorner(4, 4) = T.inverse(), outer.topRightCorner(4, 1) = T.inverse() * H,
+                                   outer(4, 4) = S;
+            moved.f = [=](double t, const vector& w, vector& out) {
+                vector value(5);
+                form(t, inner * w, value);
+                out = outer * value;
+            };
+            moved.df = [=](double t, const vector& w, Eigen::MatrixXd& J) {
+                Eigen::MatrixXd value(5, 5);
+                form.jacobian(t, inner * w, value);
+                J = outer * value * inner;
+            };
+            const auto before = hessenberg_index(form, 0.0, horizontal),
+                       after = hessenberg_index(moved, 0.0, vector(inner.partialPivLu().solve(horizontal)));
+            BOOST_TEST(before.differentiation_index == after.differentiation_index);
+            BOOST_TEST(before.perturbation_index == after.perturbation_index);
+        }
+    }
+    // The constraint differentiated once is equivalent for consistent values, and its index is one less.
+    BOOST_TEST(hessenberg_index(forms[1], 0.0, horizontal).differentiation_index == 3);
+    BOOST_TEST(hessenberg_index(forms[0], 0.0, horizontal).differentiation_index == 2);
 }
 
 BOOST_AUTO_TEST_CASE(perturbations_of_the_constraint_are_differentiated_index_minus_one_times) {

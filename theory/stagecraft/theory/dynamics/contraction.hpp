@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "stagecraft/tableaux/small_solve.hpp"
 #include "stagecraft/theory/dynamics/tableau_numbers.hpp"
+#include "stagecraft/theory/stability/algebraic_stability.hpp"
 #include "stagecraft/theory/statements/verdict.hpp"
 
 namespace stagecraft::theory {
@@ -103,6 +106,39 @@ contraction_bound<K> contraction(const tableau<K>& t, const rational& l) {
         D[i] = tableaux::simplest_between(exactly(sought[i]), exactly(sought[i] * (1 + 1e-9)));
     attempt(D, {});
     return best;
+}
+
+/// The factor of lecture, Bemerkung 1.19 (Stuart-Humphries 1996, p. 387), rounded up: |x_1 - y_1| <= factor |x_0 - y_0|,
+///     factor^2 = (1 + h K L)^2/((1 + h K L)^2 - 2 gamma h),
+/// for an algebraically stable method with b > 0 and a right-hand side with the Lipschitz constant L and the one-sided one
+/// gamma <= 0. K = max_j sum_i b_i |b_j - a_ij|/b_j is that of the method: x_1 - y_1 = X_i - Y_i + h sum_j (b_j - a_ij)
+/// (f(X_j) - f(Y_j)), averaged with the weights b_i, bounds sum_i b_i |X_i - Y_i|^2 from below. Below 1 for gamma < 0, of
+/// Gauss methods too, whose factor without L is 1. Throws std::invalid_argument for gamma > 0, L < -gamma, h <= 0 and for
+/// other methods.
+template <class K>
+double lipschitz_contraction(const tableau<K>& t, const rational& gamma, const rational& L,
+                             const rational& h) {
+    require_shape(t);
+    if (gamma > 0) throw std::invalid_argument("gamma: must not be positive, is " + gamma.str());
+    if (L < -gamma) throw std::invalid_argument("L: must be at least -gamma, is " + L.str());
+    if (!(h > 0)) throw std::invalid_argument("h: must be positive, is " + h.str());
+    K sum(0);
+    for (Eigen::Index j = 0; j < t.b.size(); ++j) {
+        if (!(K(0) < t.b[j])) throw std::invalid_argument("method: needs b > 0, has " + t.b[j].str());
+        sum = sum + t.b[j];
+    }
+    if (!(sum == K(1))) throw std::invalid_argument("method: not consistent, sum b = " + sum.str());
+    if (const auto v = algebraically_stable(t); !v.is_proved())
+        throw std::invalid_argument("method: not algebraically stable: " + v.reason());
+    double most = 0;
+    for (Eigen::Index j = 0; j < t.b.size(); ++j) {
+        interval column = 0;
+        for (Eigen::Index i = 0; i < t.b.size(); ++i)
+            column += enclosed_number(t.b[i]) * abs(enclosed_number(K(t.b[j] - t.A(i, j))));
+        most = std::max(most, (column / enclosed_number(t.b[j])).high());
+    }
+    const interval square_of = square(1 + interval(h) * interval(L) * interval(most));
+    return sqrt(square_of / (square_of - 2 * interval(gamma) * interval(h))).high();
 }
 
 }  // namespace stagecraft::theory

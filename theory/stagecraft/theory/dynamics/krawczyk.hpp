@@ -147,6 +147,19 @@ zeros_in_box all_zeros(const F& f, const J& jacobian, const interval_vector& sta
     return found;
 }
 
+/// Whether f(c, t) = 0 for all t (lecture, Definition 1.13), f polynomial in x and t: exact.
+template <int N, class F>
+bool is_equilibrium(F&& f, const state<rational, N>& c) {
+    static_assert(evaluates_in<F, multinomial, N>,
+                  "is_equilibrium needs f in polynomial arithmetic: take t, x and out as auto");
+    state<multinomial, N> x, out;
+    for (int i = 0; i < N; ++i) x[i] = multinomial(c[i]);
+    f(multinomial::unknown(0), x, out);
+    for (int i = 0; i < N; ++i)
+        if (!out[i].is_zero()) return false;
+    return true;
+}
+
 /// The equilibria f(c) = 0 of an autonomous f in a box.
 template <int N, class F>
 zeros_in_box equilibria(F&& f, const box<N>& where, const krawczyk_limits& limits = {}) {

@@ -4,7 +4,10 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "stagecraft/theory/dynamics/evaluate.hpp"
 #include "stagecraft/theory/dynamics/tableau_numbers.hpp"
@@ -56,13 +59,15 @@ class stage_slopes {
         return {};
     }
 
-  private:
+    /// Y_i for given h k_j.
     state<double, N> stage(const Eigen::VectorXd& slopes, Eigen::Index i) const {
         state<double, N> xi = x_;
         for (Eigen::Index j = 0; j < s_; ++j)
             if (m_.A(i, j) != 0) xi += m_.A(i, j) * slopes.segment<N>(j * N);
         return xi;
     }
+
+  private:
     state<double, N> slope(const Eigen::VectorXd& slopes, Eigen::Index i) {
         state<double, N> fi;
         f_(t_ + m_.c[i] * h_, stage(slopes, i), fi);
@@ -95,19 +100,43 @@ class stage_slopes {
 
 }  // namespace detail
 
+/// One step with what it is made of: x_1 = x_0 + h phi(x_0, t, h), phi the increment function (lecture, Definition 2.2), and
+/// the stages X_i.
+template <int N>
+struct step_parts {
+    state<double, N> end, increment;
+    std::vector<state<double, N>> stages;
+};
+
 /// The map x_0 -> x_1 of a Runge-Kutta method at one step size, solved to rounding: a measuring instrument
 /// for large steps, no integrator. Implicit stages by Newton's method with full Jacobians and halved
-/// increments where the residual would grow. Nothing where that does not converge or a number is not finite.
+/// increments where the residual would grow. Nothing where that does not converge or a number is not finite. Throws
+/// std::invalid_argument for h = 0, which has no increment.
 template <int N, class F>
-std::optional<state<double, N>> rk_step(const tableau<double>& m, F&& f, const state<double, N>& x, double h,
-                                        double t = 0) {
+std::optional<step_parts<N>> rk_parts(const tableau<double>& m, F&& f, const state<double, N>& x, double h,
+                                      double t = 0) {
+    if (h == 0) throw std::invalid_argument("h: must not be 0");
     detail::stage_slopes<N, std::remove_reference_t<F>> slopes(m, f, x, h, t);
     const auto k = is_explicit(m) ? std::optional(slopes.in_turn()) : slopes.at_once();
     if (!k) return {};
-    state<double, N> y = x;
-    for (Eigen::Index j = 0; j < m.b.size(); ++j) y += m.b[j] * k->template segment<N>(j * N);
-    if (!y.allFinite()) return {};
-    return y;
+    step_parts<N> parts{x, state<double, N>::Zero(), {}};
+    for (Eigen::Index j = 0; j < m.b.size(); ++j) {
+        parts.end += m.b[j] * k->template segment<N>(j * N);
+        parts.increment += m.b[j] / h * k->template segment<N>(j * N);
+        parts.stages.push_back(slopes.stage(*k, j));
+    }
+    if (!parts.end.allFinite()) return {};
+    return parts;
+}
+
+/// Its end alone; h = 0 gives x.
+template <int N, class F>
+std::optional<state<double, N>> rk_step(const tableau<double>& m, F&& f, const state<double, N>& x, double h,
+                                        double t = 0) {
+    if (h == 0) return x;
+    auto parts = rk_parts<N>(m, f, x, h, t);
+    if (!parts) return {};
+    return std::move(parts->end);
 }
 
 }  // namespace stagecraft::theory
