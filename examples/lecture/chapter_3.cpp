@@ -91,9 +91,13 @@ chapter chapter_3() {
              without_B ? "holds without B" : "fails without B", with_B ? "proved" : "fails", "holds",
              with_B && !without_B);
     // Satz 3.7 prints kappa without gamma: positive then, and no solution would be bounded by e^(kappa t) decaying
-    const double least = -a.rate;
-    out.find("Satz 3.7: rate kappa near (0, 0), negative", "epsilon eta_2/eta_1 > 0", number(least, "%.3f"),
-             "gamma + epsilon eta_2/eta_1 < 0", least < 0);
+    const double kappa = theory::perron_rate(gamma, H, rational(1, 10)),
+                 condition =
+                     (theory::largest_eigenvalue(one, H).high * theory::largest_eigenvalue(H, one).high)
+                         .to<double>();
+    out.find("Satz 3.7: rate kappa for |h| <= |x|/10 (misprint)", "epsilon eta_2/eta_1 > 0",
+             number(kappa, "%.3f"), "gamma + epsilon eta_2/eta_1 < 0",
+             kappa < 0 && std::abs(kappa + 0.5 - 0.1 * std::sqrt(condition)) < 1e-6);
 
     theory::state<theory::multinomial, 2> x, f;
     for (int i = 0; i < 2; ++i) x[i] = theory::multinomial::unknown(i);
