@@ -10,7 +10,6 @@
 #include <stagecraft/mechanics/holonomic.hpp>
 #include <stagecraft/mechanics/lagrangian.hpp>
 #include <stagecraft/spark.hpp>
-
 namespace sc = stagecraft;
 const double end = 7416.3;  // a thousand periods of the pendulum that falls from the height of its pivot
 
