@@ -6,7 +6,9 @@
 #include <functional>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/integrate.hpp>
+#include <stagecraft/method/step_doubling.hpp>
 #include <stagecraft/observe/global_error.hpp>
+#include <stagecraft/theory/dynamics/rk_map.hpp>
 
 using namespace stagecraft;
 using Eigen::Vector2d;
@@ -121,14 +123,37 @@ BOOST_AUTO_TEST_CASE(
 
 BOOST_AUTO_TEST_CASE(
     section_2_4_1_the_formula_with_h_meets_the_error_per_unit_step_and_the_printed_one_does_not) {
-    // y' = y from 1 by implicit midpoint (p = 2): tau = |e^h - R(h)|/h with R = (1 + h/2)/(1 - h/2)
-    const auto per_unit_step = [](double h) { return std::abs(std::exp(h) - (1 + h / 2) / (1 - h / 2)) / h; };
-    for (const double tol : {1e-3, 1e-5, 1e-7}) {
-        const double h = 0.02, difference = h * per_unit_step(h);
-        const double right = h * std::sqrt(h * tol / difference), printed = h * std::sqrt(tol / difference);
-        BOOST_TEST(std::abs(per_unit_step(right) / tol - 1) < 0.3);
-        BOOST_TEST(std::abs(per_unit_step(printed) / tol - 1) > 3.0);
-    }
+    // x' = sin x, x(t) = 2 atan(e^t tan(x0/2)): x^ by two steps of h/2, x~ by one, both from the library's step_doubling()
+    // and its tableau; the new h is asked for its true |tau|.
+    using point = theory::state<double, 1>;
+    const auto f = [](const auto&, const auto& x, auto& out) {
+        using std::sin;
+        out[0] = sin(x[0]);
+    };
+    const auto check = [&](const tableau<double>& m, int p) {
+        const point x0(0.6);
+        const auto tau = [&](double h) {
+            const double exact = 2 * std::atan(std::exp(h) * std::tan(x0[0] / 2));
+            return std::abs((*theory::rk_step<1>(m, f, x0, h))[0] - exact) / h;
+        };
+        const double h = 0.1;
+        const double twice = (*theory::rk_step<1>(step_doubling(m), f, x0, h))[0],
+                     once = (*theory::rk_step<1>(m, f, x0, h))[0], difference = std::abs(twice - once);
+        BOOST_TEST(difference / h == (1 - std::pow(2, -p)) * tau(h), boost::test_tools::tolerance(0.1));
+        for (const double tol : {tau(h) / 4, tau(h) / 50}) {
+            const double right = h * std::pow(h * tol / difference, 1.0 / p),
+                         printed = h * std::pow(tol / difference, 1.0 / p);
+            BOOST_TEST(std::abs(tau(right) / tol - 1) < 0.6);
+            BOOST_TEST(std::abs(tau(printed) / tol - 1) > 5);
+        }
+    };
+    tableau<double> heun, classical;
+    heun.A = Eigen::Matrix2d{{0, 0}, {1, 0}};
+    heun.b = Eigen::Vector2d(0.5, 0.5), heun.c = Eigen::Vector2d(0, 1);
+    classical.A = Eigen::Matrix4d{{0, 0, 0, 0}, {0.5, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, 1, 0}};
+    classical.b = Eigen::Vector4d(1, 2, 2, 1) / 6, classical.c = Eigen::Vector4d(0, 0.5, 0.5, 1);
+    check(heun, 2);
+    check(classical, 4);
 }
 
 BOOST_AUTO_TEST_CASE(constants_that_are_none_are_named) {
