@@ -13,7 +13,8 @@ namespace stagecraft::theory {
 using tableaux::rational;
 
 /// Random choices that are the same on every machine for the same seed: the engine's output is fixed by the standard,
-/// those of the standard's distributions are not.
+/// those of the standard's distributions are not. Two choices are two statements: compilers differ in which argument
+/// of a call comes first.
 class dice {
   public:
     explicit dice(std::uint64_t seed) : engine_(seed) {}
@@ -26,7 +27,10 @@ class dice {
         return from[static_cast<std::size_t>(between(0, static_cast<int>(from.size()) - 1))];
     }
     /// A number from -most to most, not 0.
-    int not_zero(int most) { return between(1, most) * (coin() ? 1 : -1); }
+    int not_zero(int most) {
+        const int size = between(1, most);
+        return coin() ? size : -size;
+    }
     /// A node in (0, 1] as textbooks like them.
     rational node();
 

@@ -33,7 +33,9 @@ STAGECRAFT_INLINE certified_statement fixed_points_are(const periodic_points& fo
 }
 
 STAGECRAFT_INLINE exercise find_ghosts(dice& d) {
-    const rational c = d.node(), h(d.between(1, 8), d.between(1, 3));
+    const rational c = d.node();
+    const int parts = d.between(1, 3);
+    const rational h(d.between(1, 8), parts);
     const int p = d.between(-3, 2), q = p + d.between(1, 4);
     const int top = d.between(1, 4);
     int bottom = d.between(1, 2);
@@ -308,7 +310,8 @@ STAGECRAFT_INLINE exercise check_root_condition(dice& d) {
     std::vector<rational> roots{1};
     bool holds = true;
     for (int j = 1; j < k; ++j) {
-        roots.emplace_back(d.between(-3, 3), d.between(1, 3));
+        const int whole = d.between(1, 3);
+        roots.emplace_back(d.between(-3, 3), whole);
         holds = holds && abs(roots.back()) <= 1;
     }
     for (std::size_t i = 0; i < roots.size(); ++i)

@@ -81,8 +81,10 @@ STAGECRAFT_INLINE std::optional<method> explicit_4(const rational& u, const rati
 }
 
 STAGECRAFT_INLINE method explicit_4(dice& d) {
-    for (;;)
-        if (const auto t = explicit_4(d.node(), d.node())) return *t;
+    for (;;) {
+        const rational v = d.node(), u = d.node();
+        if (const auto t = explicit_4(u, v)) return *t;
+    }
 }
 
 STAGECRAFT_INLINE method sdirk_2(const rational& g) {

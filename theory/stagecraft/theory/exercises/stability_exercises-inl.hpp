@@ -20,8 +20,10 @@ namespace detail {
 STAGECRAFT_INLINE tableau<rational> some_method(dice& d) {
     using namespace exercise_methods;
     switch (d.between(0, 4)) {
-        case 0:
-            return sdirk_2(rational(d.between(1, 9), d.between(4, 9)));
+        case 0: {
+            const int whole = d.between(4, 9);
+            return sdirk_2(rational(d.between(1, 9), whole));
+        }
         case 1: {
             auto nodes = collocation_nodes(d);
             nodes.resize(2);
