@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -241,9 +243,18 @@ inline interval log(const interval& a) {
 }
 
 /// The shortest decimal that is read as x again: what is proved of x is not rounded away.
-inline std::string shortest(double x) {
+template <std::floating_point Number>
+std::string shortest(Number x) {
     char text[32];
-    return {text, std::to_chars(text, text + sizeof text, x).ptr};
+    if constexpr (requires { std::to_chars(text, text, x).ptr; }) {
+        return {text, std::to_chars(text, text + sizeof text, x).ptr};
+    } else {  // libc++ before 14
+        int digits = 1;
+        do {
+            std::snprintf(text, sizeof text, "%.*g", digits, x);
+        } while (std::strtod(text, nullptr) != x && ++digits <= 17);
+        return text;
+    }
 }
 /// "[low, high]".
 inline std::string to_string(const interval& a) {

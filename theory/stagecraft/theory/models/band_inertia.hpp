@@ -7,6 +7,7 @@
 
 #include "stagecraft/tableaux/small_solve.hpp"
 #include "stagecraft/theory/models/band_matrix.hpp"
+#include "stagecraft/theory/models/fixed_buffer.hpp"
 
 namespace stagecraft::theory {
 
@@ -22,22 +23,23 @@ constexpr int rank(const inertia& n) { return n.positive + n.negative; }
 template <class K>
 constexpr inertia inertia_of(const band_matrix<K>& m) {
     inertia found;
-    std::vector<int> rows;  // the rows still to be eliminated
+    fixed_buffer<int> rows(m.size());  // the rows still to be eliminated, `left` of them
+    int left = 0;
     for (int i = 0; i < m.size(); ++i) {
         int others = 0;
         for (int j = m.first_column(i); j < m.end_column(i); ++j)
             if (j != i && !(m.row(i)[j] == K(0))) ++others;
         if (others > 0) {
-            rows.push_back(i);
+            rows.data()[left++] = i;
         } else {
             const K& d = m.row(i)[i];
             ++(d == K(0) ? found.zero : K(0) < d ? found.positive : found.negative);
         }
     }
     std::vector<std::vector<K>> a;
-    for (const int i : rows) {
+    for (int i = 0; i < left; ++i) {
         a.emplace_back();
-        for (const int j : rows) a.back().push_back(m(i, j));
+        for (int j = 0; j < left; ++j) a.back().push_back(m(rows.data()[i], rows.data()[j]));
     }
     while (!a.empty()) {
         const std::size_t n = a.size();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stagecraft/method/tree_table.hpp>
+#include <stagecraft/theory/models/fixed_buffer.hpp>
 #include <stagecraft/theory/models/stage_algebra.hpp>
 
 #include <algorithm>
@@ -30,19 +31,16 @@ struct slot {
 // A hash table from pairs of indices to an index, for one order of trees; open addressing.
 class pair_memo {
   public:
-    explicit constexpr pair_memo(std::size_t entries) {
-        std::size_t size = 4;
-        while (size < 2 * entries) size *= 2;
-        table_.resize(size);
-    }
+    explicit constexpr pair_memo(std::uint32_t entries) : table_(size_for(entries)) {}
     // The value stored for (a, b), `slot::none` when there is none yet; to be assigned by the caller.
     constexpr std::uint32_t& find(std::uint32_t a, std::uint32_t b) {
-        const std::size_t mask = table_.size() - 1;
+        const auto mask = static_cast<std::size_t>(table_.size()) - 1;
         std::size_t i = (std::size_t{a} * 0x9e3779b1U + std::size_t{b} * 0x85ebca6bU) >> 3 & mask;
-        while (table_[i].value != slot::none && (table_[i].a != a || table_[i].b != b)) i = (i + 1) & mask;
-        table_[i].a = a;
-        table_[i].b = b;
-        return table_[i].value;
+        entry* const table = table_.data();
+        while (table[i].value != slot::none && (table[i].a != a || table[i].b != b)) i = (i + 1) & mask;
+        table[i].a = a;
+        table[i].b = b;
+        return table[i].value;
     }
 
   private:
@@ -50,7 +48,12 @@ class pair_memo {
         std::uint32_t a, b, value;
         constexpr entry() : a(0), b(0), value(slot::none) {}
     };
-    std::vector<entry> table_;
+    static constexpr int size_for(std::uint32_t entries) {
+        std::uint32_t size = 4;
+        while (size < 2 * entries) size *= 2;
+        return static_cast<int>(size);
+    }
+    fixed_buffer<entry> table_;
 };
 
 }  // namespace detail
@@ -163,8 +166,10 @@ class tree_weights {
         const std::uint32_t first = first_row();
         const bool keep = order_ < max_order_;
         detail::pair_memo memo(count);
-        std::vector<scalar> results;       // weights of what this order has made so far, each once
-        std::vector<detail::slot> sorted;  // its vectors, by value
+        std::vector<scalar> results;  // weights of what this order has made so far, each once
+        fixed_buffer<detail::slot> sorted(keep ? static_cast<int>(count) : 0);  // its vectors, by value
+        detail::slot* const first_sorted = sorted.data();
+        detail::slot* end_sorted = first_sorted;
         const auto made = static_cast<std::uint32_t>(elements_.size());
         for (std::uint32_t t = first; t < first + count; ++t) {
             const tree_row& row = trees_.rows[t];
@@ -174,14 +179,16 @@ class tree_weights {
             if (known == detail::slot::none) {
                 if (keep) {
                     element v = vector_of(row);
-                    const auto at = std::lower_bound(
-                        sorted.begin(), sorted.end(), v,
+                    detail::slot* const at = std::lower_bound(
+                        first_sorted, end_sorted, v,
                         [this](const detail::slot& s, const element& x) { return elements_[s.value] < x; });
-                    if (at != sorted.end() && elements_[at->value] == v) {
+                    if (at != end_sorted && elements_[at->value] == v) {
                         known = at->value - made;
                     } else {
                         known = static_cast<std::uint32_t>(elements_.size()) - made;
-                        sorted.insert(at, detail::slot(known + made));
+                        std::copy_backward(at, end_sorted, end_sorted + 1);
+                        ++end_sorted;
+                        *at = detail::slot(known + made);
                         results.push_back(model_->dot_b(v));
                         elements_.push_back(std::move(v));
                     }
