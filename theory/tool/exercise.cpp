@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <stagecraft/theory/exercises/kinds.hpp>
 #include <stdexcept>
 #include <string>
 
 #include "command.hpp"
+#include "exercise_json.hpp"
 
 namespace {
 
@@ -16,21 +15,6 @@ struct exercise_request {
     std::string kind, seed = "1";
     bool latex = false, json = false;
 };
-
-nlohmann::ordered_json to_json(const theory::exercise& e) {
-    nlohmann::ordered_json out{{"kind", e.kind},
-                               {"seed", e.seed},
-                               {"question", to_text(e.question)},
-                               {"solution", to_text(e.solution)},
-                               {"question_latex", to_latex(e.question)},
-                               {"solution_latex", to_latex(e.solution)},
-                               {"certificate", nlohmann::ordered_json::array()}};
-    for (const auto& c : e.certificate)
-        out["certificate"].push_back({{"statement", c.statement},
-                                      {"verdict", std::string(theory::name(c.verdict.standing()))},
-                                      {"reason", c.verdict.reason()}});
-    return out;
-}
 
 void run(const exercise_request& request) {
     if (request.kind.empty()) {
@@ -43,7 +27,7 @@ void run(const exercise_request& request) {
     const auto seed = tool::whole_number("--seed", request.seed, 0, 2'147'483'647);
     const auto e = theory::make_exercise(request.kind, static_cast<std::uint64_t>(seed));
     if (request.json)
-        std::cout << to_json(e).dump(2) << "\n";
+        std::cout << tool::to_json(e).dump(2) << "\n";
     else
         std::cout << (request.latex ? to_latex(e) : to_text(e));
 }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "command.hpp"
+#include "whole_number.hpp"
 
 /// METHOD [S] as every subcommand reads it: the name of a family and its number of stages, or a tableau file.
 namespace stagecraft::tool {

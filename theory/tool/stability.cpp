@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
-#include <stagecraft/tableaux/tableau_json.hpp>
-#include <stagecraft/theory/judging/enclosed_report.hpp>
 #include <stagecraft/theory/judging/family_report.hpp>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
 #include "method_argument.hpp"
+#include "stability_json.hpp"
 
 namespace {
 
@@ -23,22 +21,10 @@ struct stability_request {
 
 void print(const std::string& name, const std::vector<theory::report_section>& report, bool json,
            const nlohmann::ordered_json& tableau) {
-    if (!json) {
+    if (json)
+        std::cout << tool::to_json(name, report, tableau).dump(2) << "\n";
+    else
         std::cout << name << "\n" << theory::text(report);
-        return;
-    }
-    nlohmann::ordered_json out;
-    out["name"] = name;
-    for (const auto& section : report) {
-        auto& list = out[section.title] = nlohmann::ordered_json::array();
-        for (const auto& c : section.claims) {
-            list.push_back({{"statement", c.statement},
-                            {"verdict", std::string(theory::name(c.verdict.standing()))},
-                            {"reason", c.verdict.reason()}});
-        }
-    }
-    if (!tableau.is_null()) out["tableau"] = tableau;
-    std::cout << out.dump(2) << "\n";
 }
 
 void run(const stability_request& r) {
@@ -49,12 +35,7 @@ void run(const stability_request& r) {
     }
     tool::require_no_stages(r.stages);
     const auto file = tableaux::read_tableau_file(r.method);
-    const auto report =
-        file.kind() <= tableaux::number_kind::quadratic
-            ? theory::stability_report(tableaux::to_quadratic(file))
-            : theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
-                  file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
-    print(file.name, report, r.json, tableaux::to_json(file));
+    print(file.name, tool::stability_report(file), r.json, tableaux::to_json(file));
 }
 
 const tool::command stability{[](CLI::App& app) {

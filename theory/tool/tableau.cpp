@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 
 #include "command.hpp"
 #include "method_argument.hpp"
+#include "tableau_json.hpp"
 #include "tableau_text.hpp"
 
 namespace {
@@ -88,14 +88,7 @@ void run(const tableau_request& request) {
             const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
             return latex(j < 0 ? t.c[row] : i == s ? t.b[column] : t.A[row][column]);
         });
-    nlohmann::ordered_json out;
-    out["family"] = request.family;
-    out["stages"] = s;
-    out["digits"] = digits;
-    out["c"] = t.c;
-    out["A"] = t.A;
-    out["b"] = t.b;
-    std::cout << out.dump(2) << "\n";
+    std::cout << stagecraft::tool::to_json(request.family, t, digits).dump(2) << "\n";
 }
 
 const stagecraft::tool::command tableau{[](CLI::App& app) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/tableau_json.hpp>
+#include <stagecraft/theory/judging/enclosed_report.hpp>
+#include <stagecraft/theory/judging/family_report.hpp>
+#include <string>
+#include <vector>
+
+namespace stagecraft::tool {
+
+/// What `stability` says of a tableau file: decisions on exact data, enclosures of others.
+inline std::vector<theory::report_section> stability_report(const tableaux::tableau_file& file) {
+    if (file.kind() <= tableaux::number_kind::quadratic)
+        return theory::stability_report(tableaux::to_quadratic(file));
+    return theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
+        file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
+}
+
+/// What `stability --json` prints; the tableau of a file, or null.
+inline nlohmann::ordered_json to_json(const std::string& name,
+                                      const std::vector<theory::report_section>& report,
+                                      const nlohmann::ordered_json& tableau) {
+    nlohmann::ordered_json out;
+    out["name"] = name;
+    for (const auto& section : report) {
+        auto& list = out[section.title] = nlohmann::ordered_json::array();
+        for (const auto& c : section.claims) {
+            list.push_back({{"statement", c.statement},
+                            {"verdict", std::string(theory::name(c.verdict.standing()))},
+                            {"reason", c.verdict.reason()}});
+        }
+    }
+    if (!tableau.is_null()) out["tableau"] = tableau;
+    return out;
+}
+
+}  // namespace stagecraft::tool
