@@ -41,6 +41,17 @@ def mend_furo(static):
     (static / "styles/furo.css").write_text(style)
 
 
+def playground(static):
+    """A link to the page that examples/playground/run built, where it did; what says how otherwise."""
+    built = pages.REPOSITORY / "build/playground/index.html"
+    if not built.exists():
+        return "A page that judges tableaux in any browser is made by `examples/playground/run`."
+    static.mkdir(parents=True, exist_ok=True)
+    shutil.copy(built, static / "playground.html")
+    return ('<p>Without installing anything: <strong><a href="_static/playground.html">the playground</a></strong> judges a '
+            "tableau, draws and asks, in this browser.</p>")
+
+
 def add_tables_of_contents(out):
     """A page index.md leads to the pages that it links to, in its order; all others belong to no table of contents."""
     listed = set()
@@ -88,8 +99,9 @@ def main():
     site.page_of |= gallery.pages(site)
     for page, text in made.items():
         site.write(page, text)
+    tables["playground"] = playground(out / "_static")
     site.write_all()
-    shutil.copytree(pages.SITE / "static", out / "_static")
+    shutil.copytree(pages.SITE / "static", out / "_static", dirs_exist_ok=True)
     shutil.copytree(pages.SITE / "templates", out / "_templates")
     copy_katex(out / "_static")
     mend_furo(out / "_static")

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSL-1.0
+// What the command `stagecraft` says, as functions that JavaScript calls: each takes text and returns JSON, for input that
+// cannot be used {"error": one line, "exit_code": what the command would return}. The verdicts come from the functions
+// that the command calls.
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/decimals.hpp>
+#include <stagecraft/tableaux/exact_tableau.hpp>
+#include <stagecraft/tableaux/precision.hpp>
+#include <stagecraft/tableaux/program_text.hpp>
+#include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/theory/exercises/kinds.hpp>
+#include <stagecraft/theory/judging/certify.hpp>
+#include <stagecraft/theory/judging/certify_partitioned.hpp>
+#include <stagecraft/theory/stability/stability_function.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "exercise_json.hpp"
+#include "given_nodes.hpp"
+#include "method_argument.hpp"
+#include "stability_json.hpp"
+#include "tableau_json.hpp"
+
+namespace {
+
+using namespace stagecraft;
+using json = nlohmann::ordered_json;
+
+json refusal(int exit_code, std::string what) {
+    for (char& c : what)
+        if (c == '\n') c = ' ';
+    return {{"error", std::move(what)}, {"exit_code", exit_code}};
+}
+
+/// The JSON that `work` makes, or its exception as one line with the exit code that it has in the command. The text
+/// stays where it is until the next call.
+template <class Work>
+const char* answered(Work work) {
+    static std::string kept;
+    json answer;
+    try {
+        answer = work();
+    } catch (const std::invalid_argument& e) {
+        answer = refusal(2, e.what());
+    } catch (const tableaux::undecided& e) {
+        answer = refusal(3, std::string("not decided: ") + e.what());
+    } catch (const std::bad_alloc&) {
+        answer = refusal(3, "not decided: the memory of this page is used up");
+    } catch (const std::exception& e) {
+        answer = refusal(1, e.what());
+    }
+    kept = answer.dump(-1, ' ', false, json::error_handler_t::replace);
+    return kept.c_str();
+}
+
+/// How a text is read: `from` is "json", "text" or, by its first character, "auto".
+bool is_program_text(std::string_view text, std::string_view from) {
+    if (from == "text" || from == "json") return from == "text";
+    if (from != "auto")
+        throw std::invalid_argument("from: '" + std::string(from) + "', allowed: auto, json, text");
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return first != text.npos && text[first] != '{';
+}
+
+/// What is said of the tableaux of a program: the certificate of the only one, or of several {"methods": [...]}, with those
+/// that cannot be used; and in both cases what was not used.
+json certify_program(const tableaux::program_tableaux& program) {
+    json methods = json::array();
+    for (const auto& t : program.tableaux) methods.push_back(theory::to_json(theory::certify(t)));
+    for (const auto& u : program.unusable) {
+        if (program.tableaux.empty() && program.unusable.size() == 1) throw tableaux::unusable_input(u.what);
+        methods.push_back({{"name", u.name}});
+        methods.back().update(refusal(2, u.what));
+    }
+    json answer = methods.size() == 1 ? methods.front() : json{{"methods", methods}};
+    if (!program.unused.empty()) answer["not_used"] = program.unused;
+    return answer;
+}
+
+json certify(std::string_view text, std::string_view from, std::string_view decimals) {
+    const tableaux::reading how{tableaux::decimals_from_name(decimals)};
+    if (is_program_text(text, from)) return certify_program(tableaux::read_program_text(text, how));
+    return theory::to_json(theory::certify(tableaux::read_method_text(text, how)));
+}
+
+/// The one tableau that a text holds.
+tableaux::tableau_file single(std::string_view text, std::string_view from, std::string_view decimals) {
+    const tableaux::reading how{tableaux::decimals_from_name(decimals)};
+    if (is_program_text(text, from)) {
+        auto program = tableaux::read_program_text(text, how);
+        if (program.tableaux.size() == 1) return std::move(program.tableaux.front());
+    } else {
+        const auto file = tableaux::read_method_text(text, how);
+        if (const auto* one = std::get_if<tableaux::tableau_file>(&file)) return *one;
+    }
+    throw std::invalid_argument("text: several tableaux; the stability of one is decided");
+}
+
+/// Numerator and denominator of R, constant terms first, in doubles: what a picture needs.
+template <class K>
+json coefficients(const theory::stability_function<K>& r) {
+    const auto list = [](const auto& p) {
+        json a = json::array();
+        for (const auto& x : p.coefficients()) a.push_back(x.template to<double>());
+        return a;
+    };
+    return {{"numerator", list(r.numerator)}, {"denominator", list(r.denominator)}};
+}
+
+/// A family's member as a tableau file: in surds where its nodes lie in a quadratic field, else to 40 digits.
+json tableau_of(tableaux::family f, int s, const theory::certificate& certificate) {
+    const auto exact = tableaux::exact_tableau(f, s);
+    const auto t =
+        exact ? tableaux::rounding::texts(*exact, [](const tableaux::quadratic& x) { return x.str(); })
+              : tableaux::decimals(f, s, 40);
+    return {{"name", certificate.method + ", s = " + std::to_string(s)},
+            {"c", t.c},
+            {"A", t.A},
+            {"b", t.b},
+            {"claims", {{"order", std::min(certificate.order, 14)}}}};
+}
+
+}  // namespace
+
+extern "C" {
+
+/// `certify --json` of a file with this text.
+const char* stagecraft_certify(const char* text, const char* from, const char* decimals) {
+    return answered([&] { return certify(text, from, decimals); });
+}
+
+/// `tableau --format json`.
+const char* stagecraft_tableau(const char* family, const char* stages, const char* digits) {
+    return answered([&] {
+        const auto [f, s] = tool::member_of_family(family, stages, 500);
+        const int n = tool::whole_number("digits", digits, 1, 1000);
+        return tool::to_json(family, tableaux::decimals(f, s, n), n);
+    });
+}
+
+/// `stability --json` of a file with this text.
+const char* stagecraft_stability(const char* text, const char* from, const char* decimals) {
+    return answered([&] {
+        const auto file = single(text, from, decimals);
+        return tool::to_json(file.name, tool::stability_report(file), tableaux::to_json(file));
+    });
+}
+
+/// `exercise KIND --seed N --json`.
+const char* stagecraft_exercise(const char* kind, const char* seed) {
+    return answered([&] {
+        const auto n = static_cast<std::uint64_t>(tool::whole_number("seed", seed, 0, 2'147'483'647));
+        return tool::to_json(theory::make_exercise(kind, n));
+    });
+}
+
+/// `collocate --nodes ... --json`, and what a picture of its stability function needs.
+const char* stagecraft_collocate(const char* nodes) {
+    return answered([&] {
+        const auto w = tool::nodes_from_list(nodes);
+        return tool::to_json(w, tool::written(w), theory::certify(w, tableaux::construction::collocation));
+    });
+}
+
+/// What `certify FAMILY S --json` decides, and the tableau.
+const char* stagecraft_family(const char* family, const char* stages) {
+    return answered([&] {
+        const auto [f, s] = tool::member_of_family(family, stages, 30);
+        const auto certificate = theory::certify(f, s);
+        return json{{"tableau", tableau_of(f, s, certificate)},
+                    {"certificate", theory::to_json(certificate)}};
+    });
+}
+
+/// R of a file with this text; of rounded entries, of the numbers as written.
+const char* stagecraft_function(const char* text, const char* from, const char* decimals) {
+    return answered([&] {
+        const auto file = single(text, from, decimals);
+        const auto middle = [](const tableaux::entry& e) { return e.enclosure.middle(); };
+        if (file.kind() == tableaux::number_kind::quadratic)
+            return coefficients(theory::stability_function_of(tableaux::to_quadratic(file)));
+        return coefficients(
+            theory::stability_function_of(tableaux::to_tableau<tableaux::rational>(file, middle)));
+    });
+}
+
+/// What there is to choose from: families with their least number of stages, and kinds of exercises.
+const char* stagecraft_choices() {
+    return answered([] {
+        json families = json::array(), exercises = json::array();
+        for (const auto f : tableaux::all_families)
+            families.push_back({{"name", name(f)}, {"least", tableaux::least_stages(f)}});
+        for (const auto& k : theory::exercise_kinds())
+            exercises.push_back({{"name", k.name}, {"asks", k.asks}});
+        return json{{"families", families}, {"exercises", exercises}};
+    });
+}
+}
