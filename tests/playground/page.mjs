@@ -115,6 +115,8 @@ try {
   await browser.go(address + fragment({view: "exercise", kind: "a-stability", seed: "3"}));
   assert.match(await until("document.getElementById('question').textContent"), /Is this method A-stable/);
   assert.match(await evaluate("document.getElementById('solution').textContent"), /not A-stable/);
+  await until("document.getElementById('asks').textContent === 'decide A- and L-stability, with the reason'");
+  assert.equal(await evaluate("document.getElementById('kind').value"), "a-stability");
   await click("#next");
   await until("location.hash.includes('seed=4')");
 

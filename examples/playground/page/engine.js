@@ -14,7 +14,7 @@ const engine = (() => {
       }
       postMessage({id, answer});
     };`;
-  const patience = 500;  // ms after which a decision that nobody waits for any more is given up
+  const patience = 1500;  // ms after which a decision that nobody waits for any more is given up
   let worker = null, running = null, waiting = [], last = 0;
   const watchers = [];
 

@@ -3,6 +3,12 @@
 const exercises_view = (() => {
   const $ = (id) => document.getElementById(id);
 
+  /// The kind in words. Called again when the engine has said what kinds there are.
+  function name_kind() {
+    $("kind").value = state.kind;
+    $("asks").textContent = $("kind").selectedOptions[0]?.title ?? "";
+  }
+
   async function make() {
     write_state();
     const answer = await engine.ask("exercise", "exercise", state.kind, state.seed);
@@ -11,7 +17,7 @@ const exercises_view = (() => {
     $("exercise-error").hidden = !answer.error;
     $("seed").setAttribute("aria-invalid", String(Boolean(answer.error?.startsWith("seed"))));
     if (answer.error) return;
-    $("asks").textContent = $("kind").selectedOptions[0]?.title ?? "";
+    name_kind();
     $("question").textContent = answer.question;
     $("solution").textContent = answer.solution;
     $("question-latex").textContent = answer.question_latex;
@@ -34,10 +40,10 @@ const exercises_view = (() => {
       $("next").addEventListener("click", () => choose(`${(Number(state.seed) + 1) % 2147483648}`));
     },
     show() {
-      $("kind").value = state.kind;
       $("seed").value = state.seed;
       make();
     },
+    name_kind,
     redraw() {},
   };
 })();

@@ -67,12 +67,12 @@ function start() {
   addEventListener("resize", redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   addEventListener("hashchange", arrive);
+  arrive();
   engine.ask("choices", "choices").then((choices) => {
     if (choices.error) return notice(choices.error);
     fill_choices(choices);
-    if (state.view === "exercise") views.exercise.show();
+    exercises_view.name_kind();
   });
-  arrive();
 }
 
 function notice(line) {
