@@ -79,10 +79,6 @@ class value_parser {
         while (more() && here().is == token::kind::line_end) ++at_;
     }
 
-    static value number(std::string text, std::size_t line) {
-        return {false, false, false, false, {{{std::move(text), line}}}};
-    }
-
     /// In rows of numbers that blanks separate "1 -2" are two numbers and "1 - 2" is one.
     bool separates(const token& sign) const {
         return context_.blanks_separate && sign.blank_before && at_ + 1 < end_ &&
@@ -90,14 +86,15 @@ class value_parser {
     }
 
     /// Outside square and curly brackets an expression may go on with an operator in the next line.
+    /// In them, where commas separate the numbers, only with one that stands alone, as Python allows: "-1" is a new row.
     void skip_lines_before_operator() {
-        if (context_.in_brackets || !more() || here().is != token::kind::line_end) return;
+        if (!more() || here().is != token::kind::line_end || context_.blanks_separate) return;
         auto next = at_;
         while (next < end_ && tokens_[next].is == token::kind::line_end) ++next;
         static constexpr std::string_view operators("+-*/.");
-        if (next < end_ && tokens_[next].is == token::kind::sign &&
-            operators.find(tokens_[next].text[0]) != operators.npos)
-            at_ = next;
+        const bool is_operator = next + 1 < end_ && tokens_[next].is == token::kind::sign &&
+                                 operators.find(tokens_[next].text[0]) != operators.npos;
+        if (is_operator && (!context_.in_brackets || tokens_[next + 1].blank_before)) at_ = next;
     }
 
     value sum() {
@@ -185,9 +182,14 @@ class value_parser {
         skip_lines();
         if (!more()) fail("it ends too early");
         const token& t = here();
-        if (t.is == token::kind::number) return number(tokens_[at_++].text, t.line);
+        if (t.is == token::kind::number) return number_value(tokens_[at_++].text, t.line);
         if (t.is == token::kind::text) return quoted();
         if (accept("&")) return primary();
+        if (accept("\xE2\x88\x9A")) {
+            const value x = primary();
+            if (x.is_array) fail("a root of an array");
+            return number_value(bounded("sqrt(" + x.rows[0][0].text + ")"), t.line);
+        }
         if (sign("@")) {  // Julia's @SVector [...]
             at_ += 2;
             return primary();
@@ -205,7 +207,7 @@ class value_parser {
         if (text.empty() || text.find_first_not_of("0123456789.eE+-/ ") != text.npos)
             fail("\"" + text + "\"");
         ++at_;
-        return number(operand(text), line);
+        return number_value(operand(text), line);
     }
 
     /// Where blanks and lines separate numbers, and where the brackets at work end.
@@ -293,29 +295,12 @@ class value_parser {
         return of_rows(std::move(rows));
     }
 
-    value of_rows(std::vector<std::vector<value>> rows) const {
-        if (rows.size() == 1) return list(std::move(rows.front()));
-        if (std::all_of(rows.begin(), rows.end(),
-                        [](const auto& r) { return r.size() == 1 && r[0].is_array; })) {
-            std::vector<value> parts;  // rows in brackets, apart by lines
-            for (auto& r : rows) parts.push_back(std::move(r.front()));
-            return list(std::move(parts));
-        }
-        value v{true, true, false, false, {}};
-        for (auto& r : rows) {
-            value row = list(std::move(r));
-            if (row.nested) fail("rows of rows");
-            v.rows.push_back(std::move(row.rows.front()));
-        }
-        return v;
-    }
-
     /// "np.array", "Rational{Int}", "std::sqrt": the name, with the type behind it left out.
     std::string name() {
         std::string text = tokens_[at_++].text;
         while (at_ + 1 < end_ && (sign(".") || sign("::") || sign("->")) &&
                tokens_[at_ + 1].is == token::kind::word && !here().blank_before &&
-               !is_transposition(at_ + 1)) {
+               !(is_method(at_ + 1) && known_(text))) {
             text += here().text + tokens_[at_ + 1].text;
             at_ += 2;
         }
@@ -342,7 +327,7 @@ class value_parser {
         }
     }
 
-    bool is_transposition(std::size_t k) const {
+    bool is_method(std::size_t k) const {
         return std::any_of(methods.begin(), methods.end(),
                            [&](const auto& m) { return m.first == tokens_[k].text; });
     }
@@ -364,8 +349,8 @@ class value_parser {
         }
         if (sign("[") && is_wrapper(last)) return brackets();
         if (const value* v = known_(full)) return *v;
-        if (last == "pi" || last == "π") return number("pi", line);
-        if (last == "one") return number("1", line);
+        if (last == "pi" || last == "π") return number_value("pi", line);
+        if (last == "one") return number_value("1", line);
         throw not_understood{"'" + full + "' is unknown", line};
     }
 
@@ -386,12 +371,6 @@ class value_parser {
         return v;
     }
 
-    static bool is_wrapper(std::string_view word) {
-        const bool no_small =
-            std::none_of(word.begin(), word.end(), [](unsigned char ch) { return std::islower(ch) != 0; });
-        return no_small || std::find(wrappers.begin(), wrappers.end(), word) != wrappers.end();
-    }
-
     value call(const std::string& full, const std::string& last, std::size_t line) {
         const auto close = closing();
         auto does = std::find_if(calls.begin(), calls.end(), [&](const auto& c) { return c.name == full; });
@@ -405,81 +384,15 @@ class value_parser {
             at_ = close + 1;
             return {true, false, false, false, {}};
         }
-        const auto [stop, by_rows, by_columns] = named_arguments(close);
+        const auto [stop, by_rows, by_columns] = named_arguments_of(tokens_, at_);
         static constexpr std::array<std::string_view, 5> typed{"convert", "parse", "real", "map", "float"};
         const bool types = std::find(typed.begin(), typed.end(), last) != typed.end();
         std::vector<value> parts = arguments(stop, close, types);
         if (parts.empty()) fail("'" + full + "()'");
         value v = wrapped ? wrapped_value(full, std::move(parts))
-                          : applied(does->does, last, std::move(parts), line);
+                          : value_of_call(does->does, last, std::move(parts), line);
         if (v.reshaped && by_rows) v.by_columns = false;
         if (v.reshaped && by_columns) v.by_columns = true;
-        return v;
-    }
-
-    struct named {
-        std::size_t stop;  ///< where arguments with names begin
-        bool by_rows = false, by_columns = false;
-    };
-
-    /// "order='F'", "byrow=TRUE" and Fortran's "order=[2, 1]" say how an array is filled.
-    named named_arguments(std::size_t close) const {
-        named out{close};
-        std::size_t last_comma = at_;
-        for (std::size_t i = at_ + 1; i < close; ++i) {
-            if (is_open(tokens_[i]) && tokens_[i].partner != nowhere) i = tokens_[i].partner;
-            if (is_sign(tokens_[i], ",")) last_comma = i;
-            if (!is_sign(tokens_[i], "=")) continue;
-            out.stop = std::min(out.stop, last_comma == at_ ? at_ + 1 : last_comma);
-            const auto& key = tokens_[i - 1].text;
-            const auto& what = tokens_[std::min(i + 1, close)].text;
-            out.by_columns = out.by_columns || (key == "order" && what == "F");
-            out.by_rows =
-                out.by_rows || (key == "order" && what != "F") || (key == "byrow" && what.starts_with("T"));
-        }
-        return out;
-    }
-
-    value wrapped_value(const std::string& full, std::vector<value> parts) const {
-        const auto arrays =
-            std::count_if(parts.begin(), parts.end(), [](const value& v) { return v.is_array; });
-        if (parts.size() == 1) return std::move(parts.front());
-        if (arrays == 0 && parts.size() == 2) return combined(std::move(parts[0]), "/", parts[1]);
-        if (arrays == 1 && parts.back().is_array) {  // Matrix(2, 2, [...])
-            value v = std::move(parts.back());
-            if (!v.nested) reshape(v, false);
-            return v;
-        }
-        fail("the arguments of '" + full + "'");
-    }
-
-    value applied(call_does does, const std::string& last, std::vector<value> parts, std::size_t line) const {
-        value& first = parts.front();
-        const bool numbers =
-            std::none_of(parts.begin(), parts.end(), [](const value& v) { return v.is_array; });
-        if (does == call_does::list || does == call_does::list_by_columns) {
-            if (numbers && parts.size() == 1 && last == "c") fail("'c(...)', an element of it,");
-            value v = numbers || parts.size() > 1 ? list(std::move(parts)) : std::move(first);
-            if (does == call_does::list_by_columns && !v.nested) reshape(v, true);
-            return v;
-        }
-        if (does == call_does::root) {
-            if (!numbers || parts.size() != 1) fail("the arguments of '" + last + "'");
-            const std::string known = last == "PetscSqrtReal" || last == "SUNRsqrt" ? "sqrt" : last;
-            return number(bounded(known + "(" + first.rows[0][0].text + ")"), line);
-        }
-        if (does == call_does::power) {
-            if (!numbers || parts.size() != 2) fail("the arguments of '" + last + "'");
-            return combined(std::move(first), "^", parts[1]);
-        }
-        if (!first.is_array) fail("'" + last + "' of a number");
-        value v = std::move(first);
-        if (does == call_does::transpose)
-            transpose(v);
-        else if (does == call_does::by_columns && v.nested && last == "matrix")
-            return v;  // numpy.matrix
-        else
-            reshape(v, does == call_does::by_columns);
         return v;
     }
 

@@ -23,6 +23,10 @@ STAGECRAFT_INLINE std::vector<cell> value::all() const {
     return cells;
 }
 
+STAGECRAFT_INLINE value number_value(std::string text, std::size_t line) {
+    return {false, false, false, false, {{{std::move(text), line}}}};
+}
+
 /// Entries of a file have at most 4096 characters.
 STAGECRAFT_INLINE const std::string& bounded(const std::string& text) {
     if (text.size() > 4000) throw not_understood{"an expression of more than 4000 characters"};
@@ -98,6 +102,22 @@ STAGECRAFT_INLINE value list(std::vector<value> parts) {
         if (v.nested && parts.size() == 1 && p.nested) return std::move(p);  // {{ {..}, {..} }}
         if (v.nested && p.nested) throw not_understood{"an array of more than two dimensions"};
         if (v.nested) v.rows.push_back(p.all());
+    }
+    return v;
+}
+
+STAGECRAFT_INLINE value of_rows(std::vector<std::vector<value>> rows) {
+    if (rows.size() == 1) return list(std::move(rows.front()));
+    if (std::all_of(rows.begin(), rows.end(), [](const auto& r) { return r.size() == 1 && r[0].is_array; })) {
+        std::vector<value> parts;  // rows in brackets, apart by lines
+        for (auto& r : rows) parts.push_back(std::move(r.front()));
+        return list(std::move(parts));
+    }
+    value v{true, true, false, false, {}};
+    for (auto& r : rows) {
+        value row = list(std::move(r));
+        if (row.nested) throw not_understood{"rows of rows"};
+        v.rows.push_back(std::move(row.rows.front()));
     }
     return v;
 }

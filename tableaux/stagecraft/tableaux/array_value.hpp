@@ -32,6 +32,9 @@ struct not_understood {
     std::size_t line = 0;  ///< 0 where only who asked knows
 };
 
+/// A number.
+value number_value(std::string text, std::size_t line);
+
 /// The text, which must not be too long for an entry. Throws not_understood.
 const std::string& bounded(const std::string& text);
 
@@ -43,6 +46,9 @@ value combined(value x, const std::string& sign, const value& y);
 
 /// An array of numbers, or of rows. Throws not_understood for both and for more than two dimensions.
 value list(std::vector<value> parts);
+
+/// An array from what stands in its rows: numbers, or one array each. Throws not_understood for anything else.
+value of_rows(std::vector<std::vector<value>> rows);
 
 /// The same numbers in one row, to be given the shape that a tableau needs.
 void reshape(value& v, bool by_columns);

@@ -13,6 +13,7 @@
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/elementary.hpp"
+#include "stagecraft/tableaux/real_root.hpp"
 
 namespace stagecraft::tableaux {
 
@@ -40,6 +41,7 @@ inline const auto variable = x3::lexeme[x3::lit('x') >> !x3::alnum];
 inline const auto primary = literal[emit_literal] | variable[emit<'x'>] | ('(' > sum > ')') |
                             x3::lexeme["pi" >> !x3::alnum][emit<'p'>] |
                             (x3::lexeme["sqrt" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'r'>]) |
+                            (x3::lexeme["cbrt" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'k'>]) |
                             (x3::lexeme["cos" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'c'>]) |
                             (x3::lexeme["sin" >> !x3::alnum] > '(' > sum > x3::lit(')')[emit<'s'>]);
 inline const auto signed_power_def =
@@ -84,7 +86,7 @@ STAGECRAFT_INLINE std::string describe_failure(std::string_view text, std::size_
     const char ch = text[skip];
     if (end > skip) {
         const std::string word(text.substr(skip, end - skip));
-        const bool known = word == "sqrt" || word == "cos" || word == "sin" || word == "pi";
+        const bool known = word == "sqrt" || word == "cbrt" || word == "cos" || word == "sin" || word == "pi";
         return known && after_number ? "a * is missing before '" + word + "'"
                                      : "unknown symbol '" + word + "'";
     }
@@ -204,10 +206,40 @@ STAGECRAFT_INLINE entry square_root(const entry& x) {
     return from_parts(x, x, std::nullopt, sqrt(x.enclosure));
 }
 
+/// The n-th root of a number that is not negative, exact where it is rational.
+STAGECRAFT_INLINE entry nth_root(const entry& x, int n) {
+    if (n == 2) return square_root(x);
+    if (x.enclosure.upper < 0) throw std::invalid_argument("root of a negative number");
+    if (x.exact && x.exact->is_rational()) {
+        const auto whole = [n](const integer& m) -> std::optional<integer> {
+            const integer r = integer_root(m, n);
+            return pow(r, static_cast<unsigned>(n)) == m ? std::optional(r) : std::nullopt;
+        };
+        const rational q = x.exact->rational_part();
+        const auto above = whole(q.numerator()), below = whole(q.denominator());
+        if (above && below) return from_exact(rational(*above, *below));
+    }
+    return from_parts(x, x, std::nullopt, root(x.enclosure, n));
+}
+
+STAGECRAFT_INLINE entry cube_root(const entry& x) {
+    if (x.enclosure.lower >= 0) return nth_root(x, 3);
+    if (x.enclosure.upper > 0) throw std::invalid_argument("cube root of a number of unknown sign");
+    entry y = x;
+    y.enclosure = -x.enclosure;
+    if (x.exact) y.exact = -*x.exact;
+    y = nth_root(y, 3);
+    return from_parts(x, x, y.exact ? std::optional(-*y.exact) : std::nullopt, -y.enclosure);
+}
+
+/// Roots beyond this one occur in no published method.
+inline constexpr int highest_root = 12;
+
 STAGECRAFT_INLINE entry power(entry x, const entry& n) {
-    if (!n.exact || !n.exact->is_rational() || n.exact->rational_part().denominator() > 2)
-        throw std::invalid_argument("an exponent must be an integer");
-    if (n.exact->rational_part().denominator() == 2) x = square_root(x);
+    if (!n.exact || !n.exact->is_rational() || n.exact->rational_part().denominator() > highest_root)
+        throw std::invalid_argument(
+            "an exponent must be an integer or a fraction with a denominator up to 12");
+    if (const integer q = n.exact->rational_part().denominator(); q > 1) x = nth_root(x, static_cast<int>(q));
     const integer times = n.exact->rational_part().numerator();
     const entry one = from_exact(1);
     const int size = std::max({bit_size(x.enclosure.lower), bit_size(x.enclosure.upper), 2});
@@ -255,6 +287,10 @@ STAGECRAFT_INLINE entry run(const std::vector<instruction>& program, const exact
         }
         if (code == 'r') {
             stack.push_back(square_root(y));
+            continue;
+        }
+        if (code == 'k') {
+            stack.push_back(cube_root(y));
             continue;
         }
         if (code == 'c' || code == 's') {

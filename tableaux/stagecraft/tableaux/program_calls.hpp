@@ -2,8 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
+#include "stagecraft/tableaux/array_value.hpp"
+#include "stagecraft/tableaux/program_tokens.hpp"
 
 /// The calls, wrappers and methods around the arrays and numbers of a program. What is not yet read is a line here.
 
@@ -80,4 +85,22 @@ inline constexpr std::array<std::pair<std::string_view, call_does>, 13> methods{
      {"into", call_does::keep},
      {"double", call_does::keep}}};
 
+/// Whether a word only wraps numbers and arrays.
+bool is_wrapper(std::string_view word);
+
+/// What arguments with names say of the shape: "order='F'", "byrow=TRUE" and Fortran's "order=[2, 1]".
+struct named_arguments {
+    std::size_t stop;  ///< where they begin
+    bool by_rows = false, by_columns = false;
+};
+named_arguments named_arguments_of(const std::vector<token>& tokens, std::size_t open);
+
+/// The value of a call of a wrapper, or of one that `calls` lists. Throws not_understood for other arguments.
+value wrapped_value(const std::string& name, std::vector<value> arguments);
+value value_of_call(call_does does, const std::string& name, std::vector<value> arguments, std::size_t line);
+
 }  // namespace stagecraft::tableaux::program_text
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/program_calls-inl.hpp"
+#endif

@@ -16,52 +16,6 @@
 
 namespace stagecraft::tableaux::program_text {
 
-STAGECRAFT_INLINE std::vector<std::string_view> words_of(std::string_view list) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0; begin < list.size();) {
-        const auto end = std::min(list.find(' ', begin), list.size());
-        words.push_back(list.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return words;
-}
-
-STAGECRAFT_INLINE std::string lower(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char ch) { return std::tolower(ch); });
-    return out;
-}
-
-/// No longer name is looked at for words within it.
-inline constexpr std::size_t longest_name = 100;
-
-/// The claim that a name makes, and what stands before and behind its word.
-struct claim_name {
-    std::string key, before, behind;
-};
-
-/// Of several words the longest.
-STAGECRAFT_INLINE std::optional<claim_name> claim_in(std::string_view name) {
-    const std::string last = lower(last_part(name));
-    std::optional<claim_name> best;
-    if (last.size() > longest_name) return best;
-    std::size_t longest = 0;
-    for (const auto& [word, key] : claim_words) {
-        if (word.starts_with("->")) {
-            if (name.ends_with(word)) return claim_name{std::string(key), {}, {}};
-            continue;
-        }
-        const auto at = last.find(lower(word));
-        if (at == last.npos || word.size() <= longest) continue;
-        const bool begins = at == 0 || last[at - 1] == '_';
-        const bool ends = at + word.size() == last.size() || last[at + word.size()] == '_';
-        if (!begins || !ends) continue;
-        longest = word.size();
-        best = claim_name{std::string(key), last.substr(0, at), last.substr(at + word.size())};
-    }
-    return best;
-}
-
 /// Puts variables together.
 class grouping {
   public:
@@ -70,17 +24,21 @@ class grouping {
     groups run() && {
         std::map<std::size_t, std::vector<std::size_t>> scopes;
         for (std::size_t k = 0; k < v_.all.size(); ++k) scopes[v_.all[k].scope].push_back(k);
+        for (std::size_t k = 0; k < v_.all.size(); ++k)
+            if (is_array(k)) by_name_[at(k).name].push_back(k);
+        for (const auto& r : p_.registrations) take_registration(r);
+        for (std::size_t g = 0; g < out_.all.size(); ++g) take_rest(out_.all[g], scopes[out_.all[g].scope]);
         for (const auto& [scope, all] : scopes)
             for (const auto& run : runs_of(all)) group_run(run);
-        for (const auto& r : p_.registrations) take_registration(r);
         join_scattered();
         for (std::size_t g = 0; g < out_.all.size();
              ++g) {  // each scope has its groups, or else those within it
             auto scope = out_.all[g].scope;
-            within_scope_[scope].push_back(g);
+            in_scope_[scope].push_back(g);
             for (int i = 0; i < deepest_scope && p_.scopes[scope].parent != nowhere; ++i)
                 inner_[scope = p_.scopes[scope].parent].push_back(g);
         }
+        within_scope_ = in_scope_;
         within_scope_.merge(inner_);
         for (std::size_t k = 0; k < v_.all.size(); ++k) give_claim(k);
         std::stable_sort(out_.all.begin(), out_.all.end(),
@@ -90,6 +48,14 @@ class grouping {
     }
 
   private:
+    /// What a call does not name: keyword arguments as Julia's αEEst.
+    void take_rest(group& g, const std::vector<std::size_t>& all) {
+        std::map<std::string, std::size_t> names;
+        for (const auto k : all)
+            if (is_array(k)) names.emplace(at(k).name, k);
+        for (const auto& d : dialects) take_more(g, d, names, false);
+    }
+
     using part = std::vector<std::size_t>;  ///< variables
 
     const variable& at(std::size_t k) const { return v_.all[k]; }
@@ -139,10 +105,10 @@ class grouping {
                 if (is_array(k) && !taken_.contains(k))
                     if (begin_group(k, d, names)) found.emplace_back(out_.all.size() - 1, &d);
         for (const auto& [g, d] : found) take_more(out_.all[g], *d, names, found.size() == 1);
-        if (found.size() == 1)
-            for (const auto k : r) take_claim(out_.all[found.front().first], k, true);
         for (const auto& [g, d] : found)
             for (const auto k : r) take_claim(out_.all[g], k, false);
+        if (found.size() == 1)
+            for (const auto k : r) take_claim(out_.all[found.front().first], k, true);
     }
 
     /// A group with the array k as A, if b stands beside it under a name of the same kind.
@@ -211,6 +177,7 @@ class grouping {
 
     /// E, e and d have other meanings too: they must be as long as b, or longer by one.
     bool fits(const group& g, std::size_t k, std::string_view word) const {
+        if (!g.arrays.contains("b")) return at(k).trouble.empty() && word.size() > 1;
         const auto& b = at(g.arrays.at("b"));
         if (!at(k).trouble.empty()) return false;
         if (word.size() > 1 || word == "c" || word == "C" || !at(k).elements.empty() || !b.elements.empty())
@@ -249,37 +216,64 @@ class grouping {
         return true;
     }
 
-    /// A call that says name and order of the tableaux in its scope.
+    /// A call that says which arrays are a tableau, and its name and order.
     void take_registration(const registration& r) {
-        const auto* call = std::find_if(register_calls.begin(), register_calls.end(),
-                                        [&](const auto& c) { return c.function == r.name; });
         std::vector<std::size_t> arguments{r.open + 1};
+        bool declaration = false;
         for (auto i = r.open + 1; i < p_.tokens[r.open].partner; ++i) {
-            if (is_open(p_.tokens[i]) && p_.tokens[i].partner != nowhere) i = p_.tokens[i].partner;
-            if (is_sign(p_.tokens[i], ",")) arguments.push_back(i + 1);
+            const token& t = p_.tokens[i];
+            if (is_open(t) && t.partner != nowhere) i = t.partner;
+            if (is_sign(t, ",")) arguments.push_back(i + 1);
+            declaration =
+                declaration || (t.is == token::kind::word && p_.tokens[i + 1].is == token::kind::word);
         }
-        std::vector<group*> own;
-        for (auto& g : out_.all)
-            if (g.scope == r.scope) own.push_back(&g);
-        if (own.empty())
+        for (auto& i : arguments)
+            while (i + 1 < p_.tokens.size() && p_.tokens[i].is == token::kind::line_end) ++i;
+        bool found = false;
+        for (const auto& call : register_calls)
+            if (!declaration && call.function == r.name) found = take_call(r, call, arguments) || found;
+        if (!found && !declaration)
             out_.unused.emplace(r.line,
-                                r.name + " (line " + std::to_string(r.line) + "): no tableau beside it");
-        for (auto* g : own) {
-            if (call->name < arguments.size()) {
-                const std::string kind = own.size() > 1 ? " " + at(g->arrays.at("A")).name : "";
-                g->claims["name"] = p_.tokens[arguments[call->name]].text + kind;
-            }
-            for (const auto& [key, index] :
-                 {std::pair{"order", call->order}, {"embedded_order", call->embedded_order}}) {
-                if (index >= arguments.size()) continue;
-                const token& t = p_.tokens[arguments[index]];
-                if (t.is == token::kind::number && t.text.size() < 4 && t.text.find('.') == nowhere)
-                    g->claims[key] = std::stoi(t.text);
-                else
-                    out_.unused.emplace(
-                        r.line, r.name + " (line " + std::to_string(r.line) + "): its order is no number");
-            }
-        }
+                                r.name + " (line " + std::to_string(r.line) + "): its arrays are not found");
+    }
+
+    bool take_call(const registration& r, const register_call& call,
+                   const std::vector<std::size_t>& arguments) {
+        const auto word = [&](std::size_t index) {
+            if (index >= arguments.size()) return std::string();
+            const auto at = arguments[index];
+            return p_.tokens[is_sign(p_.tokens[at], "&") ? at + 1 : at].text;
+        };
+        const auto A = array_before(r, word(call.A)), b = array_before(r, word(call.b));
+        const auto row = array_before(r, word(call.last_row_of));
+        if (!A || (!b && !row)) return false;
+        group g{{}, at(*A).scope, at(*A).line, {{"A", *A}}, nlohmann::json::object(), {}, {}};
+        if (b) g.arrays["b"] = *b;
+        if (!b) g.last_row_of = *row;
+        if (const auto c = array_before(r, word(call.c))) g.arrays["c"] = *c;
+        if (const auto e = array_before(r, word(call.embedded))) g.arrays["b_embedded"] = *e;
+        for (const auto& [key, k] : g.arrays) use(k);
+        g.name = name_of(g, at(*A).owner());
+        if (const auto name = word(call.name); !name.empty())
+            g.claims["name"] = name + std::string(call.part);
+        const auto order = word(call.order);
+        if (!order.empty() && order.size() < 3 && order.find_first_not_of("0123456789") == order.npos)
+            g.claims["order"] = std::stoi(order);
+        else
+            out_.unused.emplace(r.line,
+                                r.name + " (line " + std::to_string(r.line) + "): its order is no number");
+        out_.all.push_back(std::move(g));
+        return true;
+    }
+
+    /// The last array of this name before a call, in its scope or one around it.
+    std::optional<std::size_t> array_before(const registration& r, const std::string& name) const {
+        const auto named = by_name_.find(name);
+        if (named == by_name_.end()) return std::nullopt;
+        for (auto k = named->second.rbegin(); k != named->second.rend(); ++k)
+            if (at(*k).line <= r.line)
+                return p_.related(at(*k).scope, r.scope) ? std::optional(*k) : std::nullopt;
+        return std::nullopt;
     }
 
     /// A and b of the only tableau may stand in different functions or brackets.
@@ -302,8 +296,9 @@ class grouping {
             return;
         auto scope = x.scope;
         for (int i = 0; i < deepest_scope && scope != nowhere; ++i, scope = p_.scopes[scope].parent) {
-            const auto here = within_scope_.find(scope);
-            if (here == within_scope_.end()) continue;
+            const auto& groups_here = i == 0 ? within_scope_ : in_scope_;
+            const auto here = groups_here.find(scope);
+            if (here == groups_here.end()) continue;
             if (here->second.size() == 1) take_claim(out_.all[here->second.front()], k, true);
             return;
         }
@@ -315,7 +310,7 @@ class grouping {
         for (std::size_t k = 0; k < v_.all.size(); ++k) {
             const auto& x = at(k);
             if (x.used && !is_claim_left(k)) continue;
-            if (is_array(k) ? looks_like_coefficients(x) : is_claim_left(k)) {
+            if ((is_array(k) && looks_like_coefficients(x)) || is_claim_left(k)) {
                 std::string what =
                     x.name + (x.elements.empty() ? "" : "[..]") + " (line " + std::to_string(x.line) + ")";
                 if (!x.trouble.empty()) what += ": " + x.trouble;
@@ -337,8 +332,10 @@ class grouping {
     /// Whether x says something of an order or a property and is in no tableau.
     bool is_claim_left(std::size_t k) const {
         const auto& x = at(k);
-        if (taken_.contains(k) || is_array(k)) return false;
+        if (taken_.contains(k) || x.by_elements) return false;
         const auto name = claim_in(x.name);
+        if (name && x.name.find("->") != x.name.npos)
+            return x.is == variable::kind::number && has_elements(x);
         if (name && name->key != "name") return true;
         const std::string text = lower(x.last());
         if (x.is == variable::kind::text) return false;
@@ -352,13 +349,16 @@ class grouping {
         return false;
     }
 
+    /// Whether elements are assigned in the same scope under the same owner, as B->b[0] beside B->q.
+    bool has_elements(const variable& x) const {
+        const auto named = by_name_.find(x.owner() + "b");
+        return named != by_name_.end() && std::any_of(named->second.begin(), named->second.end(),
+                                                      [&](std::size_t k) { return at(k).scope == x.scope; });
+    }
+
     /// Elements only of what is called as coefficients are; no pair of whole numbers, such as (0, 1).
     static bool looks_like_coefficients(const variable& x) {
-        bool coefficient = false;
-        for (const auto& d : dialects)
-            for (const auto list : {d.A, d.b, d.c, d.embedded})
-                for (const auto word : words_of(list)) coefficient = coefficient || x.last() == word;
-        if (coefficient) return true;
+        if (is_coefficient(x.last())) return true;
         if (x.by_elements || x.array.numbers() == 0) return !x.by_elements && !x.trouble.empty();
         const auto all = x.array.all();
         const bool whole = std::all_of(all.begin(), all.end(), [](const cell& c) {
@@ -367,26 +367,12 @@ class grouping {
         return all.size() > 2 || (all.size() == 2 && !whole);
     }
 
-    /// a21, a_2_1, b3, c2, bhat1.
-    static bool is_single_coefficient(std::string_view name) {
-        const auto digit = name.find_first_of("0123456789");
-        if (digit == name.npos || digit == 0 || name.find_first_not_of("0123456789_", digit) != name.npos)
-            return false;
-        auto word = name.substr(0, digit);
-        while (word.size() > 1 && word.back() == '_') word.remove_suffix(1);
-        if (word == "alpha" || word == "beta" || word == "gamma" || word == "a" || word == "A") return true;
-        for (const auto& d : dialects)
-            for (const auto list : {d.b, d.c, d.embedded})
-                for (const auto known : words_of(list))
-                    if (word == known) return true;
-        return false;
-    }
-
     const program& p_;
     variables& v_;
     groups out_;
     std::set<std::size_t> taken_;
-    std::map<std::size_t, std::vector<std::size_t>> within_scope_, inner_;  ///< groups by scopes
+    std::map<std::string, std::vector<std::size_t>> by_name_;
+    std::map<std::size_t, std::vector<std::size_t>> in_scope_, inner_, within_scope_;  ///< groups by scopes
 };
 
 STAGECRAFT_INLINE groups groups_of(const program& p, variables& v) { return grouping(p, v).run(); }

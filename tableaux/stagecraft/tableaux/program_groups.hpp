@@ -18,7 +18,8 @@ struct group {
     std::size_t line = 0;
     std::map<std::string, std::size_t> arrays;  ///< "A", "b", "c", "b_embedded": which variable
     nlohmann::json claims = nlohmann::json::object();
-    std::string before, behind;  ///< what stands beside A in its name
+    std::string before, behind;         ///< what stands beside A in its name
+    std::size_t last_row_of = nowhere;  ///< the variable whose last row is b, where there is no b
 };
 
 /// Groups, and what looks like a coefficient or a claim and is in none of them, with its line.

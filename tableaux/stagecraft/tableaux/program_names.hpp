@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 /// The words by which programs name a tableau's parts. A dialect that is not yet read is a line here.
 
@@ -59,17 +62,21 @@ inline constexpr std::array<claim_word, 17> claim_words{{{"order", "order"},
 
 inline constexpr std::size_t no_argument = static_cast<std::size_t>(-1);
 
-/// A function that is called with arrays in it and says more of their tableau: which argument, from 0, is what.
+/// A function that is called with the arrays of a tableau: which argument, from 0, is what. In place of b there may be NULL:
+/// the last row of the array that the argument `last_row_of` names.
 struct register_call {
     std::string_view function;
-    std::size_t name = no_argument, order = no_argument, embedded_order = no_argument;
+    std::size_t name, order;
+    std::size_t A, b, c, embedded, last_row_of;
+    std::string_view part{};  ///< of an additive method
 };
 
-inline constexpr std::array<register_call, 5> register_calls{{{"TSRKRegister", 0, 1},
-                                                              {"TSARKIMEXRegister", 0, 1},
-                                                              {"TSDIRKRegister", 0, 1},
-                                                              {"ExplicitRKTableau", no_argument, 3},
-                                                              {"ImplicitRKTableau", no_argument, 3}}};
+inline constexpr std::array<register_call, 5> register_calls{
+    {{"TSRKRegister", 0, 1, 3, 4, 5, 6, 3},
+     {"TSDIRKRegister", 0, 1, 3, 4, 5, 6, 3},
+     {"TSARKIMEXRegister", 0, 1, 6, 7, 8, 10, 3, " explicit"},
+     {"TSARKIMEXRegister", 0, 1, 3, 4, 5, 9, 3, " implicit"},
+     {"ExplicitRKTableau", no_argument, 3, 0, 2, 1, no_argument, no_argument}}};
 
 /// A word at the beginning of a line that opens a scope, and which word names it.
 struct section_word {
@@ -95,4 +102,29 @@ inline constexpr std::array<section_word, 12> section_words{
 inline constexpr std::array<std::string_view, 7> section_modifiers{"pub",       "static", "export",   "pure",
                                                                    "recursive", "async",  "constexpr"};
 
+/// No longer name is looked at for words within it.
+inline constexpr std::size_t longest_name = 100;
+
+/// The words of a list that blanks separate.
+std::vector<std::string_view> words_of(std::string_view list);
+/// Without capital letters.
+std::string lower(std::string_view text);
+
+/// The claim that a name makes, and what stands before and behind its word.
+struct claim_name {
+    std::string key, before, behind;
+};
+
+/// Of several words in it the longest.
+std::optional<claim_name> claim_in(std::string_view name);
+
+/// Whether an array of a tableau may have this name.
+bool is_coefficient(std::string_view name);
+/// a21, a_2_1, b3, c2, bhat1.
+bool is_single_coefficient(std::string_view name);
+
 }  // namespace stagecraft::tableaux::program_text
+
+#ifndef STAGECRAFT_COMPILED
+#include "stagecraft/tableaux/program_names-inl.hpp"
+#endif

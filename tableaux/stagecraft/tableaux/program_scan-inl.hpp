@@ -24,7 +24,8 @@ STAGECRAFT_INLINE bool program::related(std::size_t x, std::size_t y) const {
 
 STAGECRAFT_INLINE std::string program::name_of(std::size_t at) const {
     for (int i = 0; i < deepest_scope && at != nowhere; ++i, at = scopes[at].parent)
-        if (!scopes[at].name.empty()) return scopes[at].name;
+        if (const auto& name = scopes[at].name; !name.empty() && name != "__init__" && name != "new")
+            return name;
     return {};
 }
 
@@ -47,6 +48,7 @@ class scanner {
             if (is_open(at(i)) && at(i).partner != nowhere) {
                 if (is_sign(at(i), "{") && i > 0 && !at(i).blank_before) take_braces(i);
                 if (is_sign(at(i), "(")) take_call(i);
+                take_initializer(i);
                 open(i);
             } else if (is_close(at(i)) && at(i).partner != nowhere) {
                 close(i);
@@ -114,9 +116,9 @@ class scanner {
         take_data(i, last);
         const auto [word, name] = section_at(i, last);
         if (!word || is_sign(at(last - 1), "{")) return;
-        const bool by_indentation =
-            is_sign(at(last - 1), ":") && word->word != "case" && word->word != "default";
-        while (!by_indentation && is_section() && indent <= frames_.back().indent) frames_.pop_back();
+        const bool colon = is_sign(at(last - 1), ":") && word->word != "case" && word->word != "default";
+        const bool by_indentation = colon || word->word == "def";
+        while (is_section() && indent <= frames_.back().indent) frames_.pop_back();
         frames_.push_back({add_scope(name), nowhere, by_indentation, indent});
     }
 
@@ -223,8 +225,11 @@ class scanner {
                                                [](const token& x) { return x.is == token::kind::line_end; });
                 const token& next = at(i + 1);
                 static constexpr std::string_view operators("+-*/.");
-                const bool goes_on = next.is == token::kind::sign &&
-                                     operators.find(next.text[0]) != operators.npos && !is_sign(next, "...");
+                const auto is_operator = [&](const token& x) {
+                    return x.is == token::kind::sign && operators.find(x.text[0]) != operators.npos &&
+                           !is_sign(x, "...");
+                };
+                const bool goes_on = is_operator(next) || (i > begin && is_operator(at(i - 1)));
                 if (!empty && !goes_on && !(list && is_sign(at(i - 1), ","))) break;
             }
             if (is_open(t)) {
@@ -246,13 +251,19 @@ class scanner {
         if (found.name.empty()) return;
         assignment a{std::move(found.name), frames_.back().scope, at(sign > 0 ? sign - 1 : 0).line, begin};
         a.line = at(found.begin).line;
+        a.sign = sign;
         a.list = is_sign(at(sign), "<<");
         a.end = end_of_value(begin, a.list, a.closed);
+        for (int chained = 0; chained < 4 && is_sign(at(a.end), "=") && is_sign(at(sign), "="); ++chained) {
+            a.begin = a.end + 1;  // "x = y = 1"
+            a.end = end_of_value(a.begin, false, a.closed);
+        }
         a.changes = changes(sign);
         const auto before = found.begin == 0 ? nowhere : found.begin - 1;
         const bool statement = before == nowhere || at(before).is == token::kind::line_end ||
                                is_sign(at(before), ";") || is_sign(at(before), "{") ||
-                               is_sign(at(before), "}") || is_sign(at(before), ":");
+                               is_sign(at(before), "}") || is_sign(at(before), ":") ||
+                               is_sign(at(before), "=");
         a.element = statement && !found.index.empty();
         a.index = std::move(found.index);
         out_.assignments.push_back(std::move(a));
@@ -281,8 +292,21 @@ class scanner {
             close == i + 1)
             return;
         auto found = name_before(i);
-        out_.assignments.push_back(
-            {std::move(found.name), frames_.back().scope, at(found.begin).line, i, close + 1});
+        if (claim_in(found.name)) return;  // take_initializer's
+        assignment a{std::move(found.name), frames_.back().scope, at(found.begin).line, i, close + 1};
+        a.sign = i;
+        out_.assignments.push_back(std::move(a));
+    }
+
+    /// "order(4)" and "order{4}" of C++.
+    void take_initializer(std::size_t i) {
+        if (i == 0 || !is_word(i - 1) || at(i + 1).is != token::kind::number || at(i).partner != i + 2)
+            return;
+        auto found = name_before(i);
+        if (!claim_in(found.name)) return;
+        assignment a{std::move(found.name), frames_.back().scope, at(i).line, i + 1, i + 2};
+        a.sign = i;
+        out_.assignments.push_back(std::move(a));
     }
 
     void take_call(std::size_t i) {
@@ -306,6 +330,7 @@ class scanner {
         const auto& here = out_.scopes[frames_.back().scope];
         if (here.name.empty() || here.parent == nowhere) return;
         assignment a{here.name, here.parent, at(i).line, i + 1};
+        a.sign = i;
         a.end = end_of_value(i + 1, false, a.closed);
         out_.assignments.push_back(std::move(a));
     }
@@ -322,6 +347,7 @@ class scanner {
             std::size_t end = k + 2;
             while (end < last && !is_sign(at(end), "/")) ++end;
             assignment a{at(k).text, frames_.back().scope, at(k).line, k + 2, end};
+            a.sign = k;
             a.list = a.by_columns = true;
             out_.assignments.push_back(std::move(a));
             k = end + 1 + (is_sign(at(end + 1), ",") ? 1 : 0);

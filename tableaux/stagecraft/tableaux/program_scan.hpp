@@ -24,6 +24,7 @@ struct assignment {
     std::size_t line = 0;
     std::size_t begin = 0, end = 0;    ///< tokens of the value
     std::vector<std::size_t> index{};  ///< tokens where the index brackets behind the name begin
+    std::size_t sign = 0;              ///< token of "=" or what stands for it
     bool element = false;              ///< a statement that begins "NAME[..] =", not a declaration
     bool changes = false;              ///< "+=" and the like
     bool closed = true;                ///< its brackets are

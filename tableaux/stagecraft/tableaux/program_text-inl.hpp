@@ -91,6 +91,8 @@ STAGECRAFT_INLINE parts parts_of(const group& g, const variables& v) {
         return at == g.arrays.end() ? cells{} : list_of(v.all[at->second], s);
     };
     t.b = list("b");
+    if (g.last_row_of != nowhere && !v.all[g.last_row_of].array.rows.empty())
+        t.b = v.all[g.last_row_of].array.rows.back();
     t.c = list("c");
     t.embedded = list("b_embedded");
     t.A = matrix_of(v.all[g.arrays.at("A")], t.b.size());
@@ -126,7 +128,8 @@ STAGECRAFT_INLINE nlohmann::json texts(const cells& all) {
 /// Throws unusable_input with the line.
 STAGECRAFT_INLINE tableau_file file_of(const group& g, const variables& v, const reading& how) {
     for (const char* key : {"A", "b"})
-        if (const auto& x = v.all[g.arrays.at(key)]; !x.trouble.empty())
+        if (const auto& x = v.all[g.arrays.contains(key) ? g.arrays.at(key) : g.last_row_of];
+            !x.trouble.empty())
             throw unusable_input("line " + std::to_string(x.line) + ", " + x.name + ": " + x.trouble);
     parts t;
     try {

@@ -124,6 +124,8 @@ class lexer {
         if (!rest && !comment && next != nowhere && source_[next] != '\n') return false;
         skip_to(std::min(source_.find('\n', at_), source_.size()));
         skip_to(at_ + 1);
+        const auto begin = source_.find_first_not_of(" \t", at_);
+        if (begin != nowhere && source_[begin] == '&' && !rest) at_ = begin + 1;  // where the line goes on
         return true;
     }
 
@@ -195,8 +197,12 @@ class lexer {
         if (!left || (left->is == token::kind::sign && !is_sign(*left, ")")) || left->is == token::kind::text)
             return false;
         if (!is_blank(before())) return is_word(next) || next == '(' || next == '-';
-        const auto begin = source_.find_first_not_of(" \t", at_ + 2);
-        return left->is == token::kind::number && begin != nowhere && is_digit(source_[begin]);
+        const auto begin = source_.find_first_not_of(" \t\r", at_ + 2);
+        if (begin == nowhere || source_[begin] == '\n') return begin != nowhere;
+        auto end = begin;
+        while (end < source_.size() && is_word(source_[end])) ++end;
+        const bool call = end > begin && end < source_.size() && source_[end] == '(';
+        return (left->is == token::kind::number && is_digit(source_[begin])) || (is_sign(*left, ")") && call);
     }
 
     /// Three quotes are a docstring where a statement begins, else a text.
@@ -263,6 +269,11 @@ class lexer {
     }
 
     void take_word() {
+        if (here("\xE2\x88\x9A")) {  // Julia's root
+            push(token::kind::sign, "\xE2\x88\x9A");
+            at_ += 3;
+            return;
+        }
         const auto minus = [&](std::size_t k) { return source_.substr(k, 3) == "\xE2\x88\x92"; };
         if (minus(at_)) {  // the typographic one
             push(token::kind::sign, "-");

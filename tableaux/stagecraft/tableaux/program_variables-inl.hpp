@@ -12,6 +12,7 @@
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/number_brackets.hpp"
+#include "stagecraft/tableaux/program_names.hpp"
 
 namespace stagecraft::tableaux::program_text {
 
@@ -32,7 +33,7 @@ class variable_reader {
 
     variables run() && {
         for (const auto& a : p_.assignments) {
-            if (a.begin < covered_) continue;  // part of a value that is read
+            if (a.sign >= covered_from_ && a.sign < covered_) continue;  // part of a value that is read
             if (!a.closed && !p_.tokens.empty()) require_closed(a);
             if (a.changes)
                 change(a);
@@ -95,7 +96,7 @@ class variable_reader {
             cover(a);
             return v;
         } catch (const not_understood& e) {
-            trouble = e.what + " is not understood";
+            trouble = e.what.ends_with("unknown") ? e.what : e.what + " is not understood";
             if (e.line != a.line) trouble += " (line " + std::to_string(e.line) + ")";
             return std::nullopt;
         }
@@ -103,7 +104,8 @@ class variable_reader {
 
     /// What stands in the value is read, or told by its name.
     void cover(const assignment& a) {
-        covered_ = std::max(covered_, a.end);
+        covered_from_ = a.begin;
+        covered_ = a.end;
         ranges_.emplace_back(a.begin, a.end);
     }
 
@@ -129,14 +131,36 @@ class variable_reader {
         }
         known_.erase(a.name);
         known_.erase(std::string(last_part(a.name)));
-        if (!holds_numbers(a)) return;
-        add(a, variable::kind::array).trouble = std::move(trouble);
+        if (!holds_numbers(a) && !is_list_of_coefficients(a) && !is_claim(a)) return;
+        const bool array = holds_numbers(a) || is_list_of_coefficients(a);
+        add(a, array ? variable::kind::array : variable::kind::other).trouble = std::move(trouble);
         cover(a);
     }
 
     /// "A = A" hands a name on to a call.
     bool is_copy(const assignment& a) const {
         return a.end == a.begin + 1 && p_.tokens[a.begin].text == a.name && known_.contains(a.name);
+    }
+
+    /// "c = [0, x]" with an x that is not known: a bracket that is no index, and a number, behind a coefficient's name.
+    bool is_list_of_coefficients(const assignment& a) const {
+        if (!is_coefficient(last_part(a.name)) || statements_[a.end] != statements_[a.begin]) return false;
+        bool list = false, number = false;
+        for (auto i = a.begin; i < std::min(a.end, a.begin + 64); ++i) {
+            const token& t = p_.tokens[i];
+            const bool index = i > a.begin && !t.blank_before &&
+                               (p_.tokens[i - 1].is == token::kind::word || is_close(p_.tokens[i - 1]));
+            list = list || ((is_sign(t, "[") || is_sign(t, "{")) && !index);
+            number = number || (list && t.is == token::kind::number);
+        }
+        return list && number;
+    }
+
+    /// "order = p" with a p that is not known, but no "order = order" of an argument.
+    bool is_claim(const assignment& a) const {
+        const auto claim = claim_in(a.name);
+        return claim && claim->key != "name" && a.name.find("->") == a.name.npos && a.end > a.begin &&
+               a.end < a.begin + 8 && p_.tokens[a.begin].text != last_part(a.name);
     }
 
     /// Whether brackets with numbers stand in a value that is not understood, and nothing is assigned in it.
@@ -274,7 +298,7 @@ class variable_reader {
     std::map<std::pair<std::size_t, std::string>, value> element_values_;
     std::vector<write> writes_;
     std::vector<std::pair<std::size_t, std::size_t>> ranges_;
-    std::size_t covered_ = 0, from_ = 1, scope_ = 0;
+    std::size_t covered_from_ = 0, covered_ = 0, from_ = 1, scope_ = 0;
 };
 
 STAGECRAFT_INLINE variables variables_of(const program& p) { return variable_reader(p).run(); }
