@@ -55,8 +55,9 @@ struct options {
                                 ///< one; 0: 7 + (5 s - 15)/2 as the stages grow, 50 with fixed steps
     Scalar newton_factor{0};    ///< Newton error allowed, as a fraction of the tolerance; 0: 1/50
     break_times<Scalar> break_points{};  ///< where f is known to jump (break_points.hpp)
-    bool consistent_start = false;  ///< true: y moves to where the equations without a derivative hold, before the
-        ///< first step and behind each change (run/make_consistent.hpp); nothing where M is regular
+    bool consistent_start =
+        false;  ///< true: y moves to where the equations without a derivative hold, before the
+                ///< first step and behind each change (run/make_consistent.hpp); nothing where M is regular
 };
 
 namespace detail {
@@ -139,10 +140,10 @@ std::uint32_t fingerprint(const options<Scalar>& o, const Scalar& t0, const Scal
         mixed = (mixed ^ std::bit_cast<std::uint64_t>(static_cast<double>(x))) * 1099511628211U;
     };
     for (const Scalar& x : o.break_points.numbers()) mix(x);
-    for (const Scalar& x :
-         {t0, t1, o.rtol, o.atol, o.fixed_step, o.initial_step, o.min_step, o.max_step, o.newton_factor,
-          Scalar(static_cast<int>(o.control)), Scalar(o.continuous ? 1 : 0), Scalar(o.jumps ? 1 : 0),
-          Scalar(o.max_steps), Scalar(o.newton_iterations), Scalar(o.consistent_start ? 1 : 0), Scalar(stages)})
+    for (const Scalar& x : {t0, t1, o.rtol, o.atol, o.fixed_step, o.initial_step, o.min_step, o.max_step,
+                            o.newton_factor, Scalar(static_cast<int>(o.control)),
+                            Scalar(o.continuous ? 1 : 0), Scalar(o.jumps ? 1 : 0), Scalar(o.max_steps),
+                            Scalar(o.newton_iterations), Scalar(o.consistent_start ? 1 : 0), Scalar(stages)})
         mix(x);
     return static_cast<std::uint32_t>(mixed >> 32);
 }

@@ -69,9 +69,9 @@ BOOST_AUTO_TEST_CASE(steps_have_order_two_s_minus_two) {
     BOOST_TEST(std::abs(slope(spark(lobatto_iiia<4>(), lobatto_iiib<4>()), 0.1) - 6) < 0.3);
 }
 
-BOOST_AUTO_TEST_CASE(constraints_and_energy_are_kept_over_a_thousand_periods) {
+BOOST_AUTO_TEST_CASE(constraints_and_energy_are_kept_over_two_hundred_periods) {
     for (const double h : {0.05, 0.02}) {
-        worst seen{.end = 5000};
+        worst seen{.end = 1000};
         const auto r = integrate(spark(lobatto_iiia<2>(), lobatto_iiib<2>()), index_reduced(bead), start(), 0,
                                  seen.end, {.fixed_step = h}, seen);
         BOOST_TEST(name(r.status) == "success");

@@ -10,9 +10,8 @@
 #include <stagecraft/method/nystrom_trees.hpp>
 #include <stagecraft/method/remembered.hpp>
 #include <stagecraft/problem/second_order.hpp>
-#include <stagecraft/step/hermite_output.hpp>
 #include <stagecraft/step/method_set.hpp>
-#include <stagecraft/step/one_step_method.hpp>
+#include <stagecraft/step/step_between_slopes.hpp>
 
 namespace stagecraft {
 
@@ -22,7 +21,9 @@ namespace stagecraft {
 ///
 /// Method: nystrom_method or velocity_nystrom_method.
 template <class Method, class Space>
-class nystrom_step : public step_defaults<Space> {
+class nystrom_step : public step_between_slopes<Space, hermite_output<Space>::quintic_columns> {
+    using base = step_between_slopes<Space, hermite_output<Space>::quintic_columns>;
+    using base::left_, base::right_, base::output_, base::output_wanted_;  // slopes (v, a)
     using Scalar = typename Space::scalar;
     static constexpr int Stages = Method::stages_at_compile_time;
     static constexpr bool may_use_velocity = requires(const Method& m) { m.A; };
@@ -33,19 +34,9 @@ class nystrom_step : public step_defaults<Space> {
     using part = detail::part_of<vector>;
 
     nystrom_step(const Method& method, int n)
-        : m_(method),
-          n_(n / 2),
-          output_(output_columns),
-          K_(n / 2, method.stages()),
-          left_(n),
-          right_(n),
-          q_(n / 2),
-          v_(n / 2),
-          a_(n / 2) {
+        : base(n), m_(method), n_(n / 2), K_(n / 2, method.stages()), q_(n / 2), v_(n / 2), a_(n / 2) {
         detail::check_nystrom(m_, velocity_matrix());
         K_.setZero();
-        left_.setZero();
-        right_.setZero();
         v_.setZero();
         as_tableau_.A = m_.A_bar;
         as_tableau_.b = m_.b;
@@ -104,12 +95,7 @@ class nystrom_step : public step_defaults<Space> {
     const tableau<Scalar, Stages>& method() const { return as_tableau_; }
     int count() const { return m_.stages(); }
     int order() const { return m_.order; }
-    int coupled_stages_count() const { return 1; }
-    int columns() const { return output_columns; }
     int estimate_power() const { return power_; }
-    Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
-    bool stiffly_accurate() const { return false; }
-    bool has_stage_order_two() const { return false; }
     bool implicit() const { return false; }
     static constexpr bool iterates() { return false; }
 
@@ -118,15 +104,7 @@ class nystrom_step : public step_defaults<Space> {
         if (needs_left_value(true)) left_ = f0;
     }
     bool ends_with_value() const { return output_wanted_ && !ends_right_; }
-    void end(const vector& f1) { right_ = f1; }
-    void end_without_value(const Scalar& h, const vector& y, const vector& y1) {
-        right_ = (y1 - y) * (Scalar(2) / h) - left_;
-    }
 
-    template <class System>
-    static bool factor(const System&, const Scalar&) {
-        return true;
-    }
     template <class System, class Norm>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                  const Norm&, const newton_limits<Scalar>&, typename output::stage_matrix&,
@@ -189,11 +167,6 @@ class nystrom_step : public step_defaults<Space> {
         error.tail(n_) = q_;
         return 0;
     }
-    template <class System, class Size>
-    static Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,
-                             Size&& size) {
-        return size(error, false) * ratio;
-    }
 
     template <class Bag>
     void carry(Bag& bag) {
@@ -201,7 +174,6 @@ class nystrom_step : public step_defaults<Space> {
     }
 
   private:
-    static constexpr int output_columns = hermite_output<Space>::quintic_columns;
     using column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     using square = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -232,14 +204,12 @@ class nystrom_step : public step_defaults<Space> {
     square no_matrix_;
     tableau<Scalar, Stages> as_tableau_;
     int n_, power_ = 1;
-    hermite_output<Space> output_;
     Eigen::Matrix<Scalar, part::RowsAtCompileTime, Stages> K_;
-    vector left_, right_;  // slopes (v, a) at the ends
     part q_, v_, a_;
     Scalar h_{0};
     bool begins_left_ = false,
          ends_right_ = false;  // the first stage is the left end, the last one the right end
-    bool uses_velocity_ = false, output_wanted_ = true, left_known_ = false;
+    bool uses_velocity_ = false, left_known_ = false;
 };
 
 namespace detail {

@@ -11,9 +11,8 @@
 #include <stagecraft/method/partitioned_method.hpp>
 #include <stagecraft/problem/partition.hpp>
 #include <stagecraft/stages/partitioned_stages.hpp>
-#include <stagecraft/step/hermite_output.hpp>
 #include <stagecraft/step/method_set.hpp>
-#include <stagecraft/step/one_step_method.hpp>
+#include <stagecraft/step/step_between_slopes.hpp>
 
 namespace stagecraft {
 
@@ -25,8 +24,10 @@ namespace stagecraft {
 ///
 /// `separable_only`: the pair is a separable_method.
 template <int Stages, class Space, bool separable_only>
-class partitioned_step : public step_defaults<Space> {
+class partitioned_step : public step_between_slopes<Space> {
     using Scalar = typename Space::scalar;
+    using base = step_between_slopes<Space>;
+    using base::left_, base::right_, base::output_wanted_;
 
   public:
     using vector = typename Space::vector;
@@ -35,27 +36,23 @@ class partitioned_step : public step_defaults<Space> {
     using part = detail::part_of<vector>;
 
     partitioned_step(const method_type& method, int n)
-        : pair_(method),
+        : base(n),
+          pair_(method),
           n_(n / 2),
           explicit_(strictly_lower(method.first) && strictly_lower(method.second)),
           order_(explicit_order(method.first, method.second)),
           systems_(method.stages(), n),
-          output_(output_columns),
           c_(times(method.first)),
           c_hat_(times(method.second)),
           K_(n, method.stages()),
           last_K_(n, method.stages()),
           y_(n),
           f_(n),
-          left_(n),
-          right_(n),
           kept_(n),
           part_(n / 2),
           rate_(n / 2) {
         K_.setZero();
         last_K_.setZero();
-        left_.setZero();
-        right_.setZero();
         kept_.setZero();
         x_.resize(static_cast<std::size_t>(n * method.stages()));
         find_last();
@@ -100,24 +97,8 @@ class partitioned_step : public step_defaults<Space> {
     int count() const { return pair_.stages(); }
     int order() const { return pair_.first.facts.order; }
     int coupled_stages_count() const { return count(); }
-    int columns() const { return output_columns; }
-    int estimate_power() const { return 1; }
-    Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
-    bool stiffly_accurate() const { return false; }
-    bool has_stage_order_two() const { return false; }
     bool implicit() const { return !explicit_; }
     bool iterates() const { return implicit(); }
-
-    /// Slopes at the ends are wanted for the continuous solution alone.
-    bool needs_left_value(bool) const { return output_wanted_; }
-    void begin(const vector& f0) {
-        if (output_wanted_) left_ = f0;
-    }
-    bool ends_with_value() const { return output_wanted_; }
-    void end(const vector& f1) { right_ = f1; }
-    void end_without_value(const Scalar& h, const vector& y, const vector& y1) {
-        right_ = (y1 - y) * (Scalar(2) / h) - left_;
-    }
 
     template <class System>
     bool factor(const System& system, const Scalar& h) {
@@ -166,12 +147,6 @@ class partitioned_step : public step_defaults<Space> {
             if (!(b_hat == Scalar(0))) y1.tail(n_) += b_hat * K_.col(j).tail(n_);
         }
     }
-    void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) {
-        if (output_wanted_)
-            output_.cubic(t, y, h, y1, left_, right_, now);
-        else
-            now.cover(t, h);
-    }
     void accepted() {
         known_ = true;
         if (!explicit_) {
@@ -183,17 +158,6 @@ class partitioned_step : public step_defaults<Space> {
     }
     void replaced() { known_ = false; }
 
-    template <class System>
-    static int estimate(const System&, const Scalar&, const vector&, const output&, vector& error) {
-        error.setZero();
-        return 0;
-    }
-    template <class System, class Size>
-    static Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,
-                             Size&& size) {
-        return size(error, false) * ratio;
-    }
-
     template <class Bag>
     void carry(Bag& bag) {
         bag(known_, last_h_, kept_);
@@ -204,7 +168,6 @@ class partitioned_step : public step_defaults<Space> {
     }
 
   private:
-    static constexpr int output_columns = hermite_output<Space>::cubic_columns;
     using slopes = Eigen::Matrix<Scalar, vector::RowsAtCompileTime, Stages>;
     using per_stage = Eigen::Matrix<Scalar, Stages, 1>;
 
@@ -352,16 +315,14 @@ class partitioned_step : public step_defaults<Space> {
     bool explicit_;
     std::vector<part_evaluation> order_;
     partitioned_systems<Scalar> systems_;
-    hermite_output<Space> output_;
     per_stage c_, c_hat_;
     slopes K_, last_K_;  // columns (k_i, l_i), of this step and of the one before
-    vector y_, f_, left_, right_, kept_;
+    vector y_, f_, kept_;
     part part_, rate_;
     std::vector<Scalar> x_;
     part_evaluation first_, last_;
     Scalar h_{0}, last_h_{1};
-    bool separable_ = false, output_wanted_ = true, known_ = false, has_first_ = false,
-         first_is_last_ = false;
+    bool separable_ = false, known_ = false, has_first_ = false, first_is_last_ = false;
 };
 
 namespace detail {

@@ -11,9 +11,8 @@
 #include <stagecraft/mechanics/model.hpp>
 #include <stagecraft/method/spark_method.hpp>
 #include <stagecraft/stages/partitioned_stages.hpp>
-#include <stagecraft/step/hermite_output.hpp>
 #include <stagecraft/step/method_set.hpp>
-#include <stagecraft/step/one_step_method.hpp>
+#include <stagecraft/step/step_between_slopes.hpp>
 
 namespace stagecraft {
 
@@ -61,8 +60,10 @@ concept holonomic_motion = requires(const Problem& p) {
 /// and the last Lambda from G v + b = 0 at the end. Solved by Newton's iteration with M, G and G M^-1 G^T at the start of the
 /// step, down to rounding: s evaluations of F, M and G an iteration, one factorisation of M and of G M^-1 G^T a step.
 template <int Stages, class Space>
-class spark_step : public step_defaults<Space> {
+class spark_step : public step_between_slopes<Space> {
     using Scalar = typename Space::scalar;
+    using base = step_between_slopes<Space>;
+    using base::output_wanted_;
     using square = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
   public:
@@ -70,12 +71,10 @@ class spark_step : public step_defaults<Space> {
     using output = typename Space::output;
 
     spark_step(const spark_method<Scalar, Stages>& method, int n)
-        : pair_(method.pair), n_(n / 2), output_(output_columns), left_(n), right_(n), end_(n) {
+        : base(n), pair_(method.pair), n_(n / 2), end_(n) {
         const int s = count();
         const square product = square(pair_.first.A) * square(pair_.second.A);
         B_inverse_ = product.block(1, 0, s - 1, s - 1).inverse();
-        left_.setZero();
-        right_.setZero();
         V_.setZero(n_, s);
     }
 
@@ -97,27 +96,9 @@ class spark_step : public step_defaults<Space> {
     int count() const { return pair_.stages(); }
     int order() const { return pair_.first.facts.order; }
     int coupled_stages_count() const { return count(); }
-    int columns() const { return output_columns; }
-    int estimate_power() const { return 1; }
-    Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
-    bool stiffly_accurate() const { return false; }
-    bool has_stage_order_two() const { return false; }
     bool implicit() const { return false; }
     static constexpr bool iterates() { return true; }
 
-    bool needs_left_value(bool) const { return output_wanted_; }
-    void begin(const vector& f0) {
-        if (output_wanted_) left_ = f0;
-    }
-    bool ends_with_value() const { return output_wanted_; }
-    void end(const vector& f1) { right_ = f1; }
-    void end_without_value(const Scalar& h, const vector& y, const vector& y1) {
-        right_ = (y1 - y) * (Scalar(2) / h) - left_;
-    }
-    template <class System>
-    static bool factor(const System&, const Scalar&) {
-        return true;
-    }
     template <class System, class Norm>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                  const Norm& norm, const newton_limits<Scalar>& limits,
@@ -131,19 +112,6 @@ class spark_step : public step_defaults<Space> {
         for (int i = 0; i < count(); ++i) V_.col(i) = y.tail(n_);
     }
     void advance(const vector&, const output&, vector& y1) { y1 = end_; }
-    void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) {
-        output_.cubic(t, y, h, y1, left_, right_, now);
-    }
-    template <class System>
-    static int estimate(const System&, const Scalar&, const vector&, const output&, vector& error) {
-        error.setZero();
-        return 0;
-    }
-    template <class System, class Size>
-    static Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,
-                             Size&& size) {
-        return size(error, false) * ratio;
-    }
     template <class Bag>
     void carry(Bag& bag) {
         for (int j = 0; j < Lambda_.cols(); ++j)
@@ -151,8 +119,6 @@ class spark_step : public step_defaults<Space> {
     }
 
   private:
-    static constexpr int output_columns = hermite_output<Space>::cubic_columns;
-
     template <class System, class Norm>
     newton_outcome<Scalar> iterate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                                    const Norm& norm, const newton_limits<Scalar>& limits, long& solves) {
@@ -242,11 +208,9 @@ class spark_step : public step_defaults<Space> {
 
     partitioned_method<Scalar, Stages> pair_;
     int n_;
-    hermite_output<Space> output_;
     square B_inverse_;  // of A A^, rows 2, ..., s, columns 1, ..., s - 1
-    vector left_, right_, end_;
+    vector end_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> V_, Lambda_;  // a column a stage
-    bool output_wanted_ = true;
 };
 
 namespace detail {

@@ -6,10 +6,9 @@
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/method/stabilised_method.hpp>
-#include <stagecraft/step/hermite_output.hpp>
 #include <stagecraft/step/method_set.hpp>
-#include <stagecraft/step/one_step_method.hpp>
 #include <stagecraft/step/spectral_radius.hpp>
+#include <stagecraft/step/step_between_slopes.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
@@ -19,8 +18,10 @@ namespace stagecraft {
 /// trapezoidal rule, 4/5 (y - y1) + 2/5 h (f(t, y) + f(t1, y1)) (Sommeijer, Shampine and Verwer 1998), for which
 /// f(t1, y1) is evaluated, the next step's first; it is O(h^{order + 1}).
 template <class Space>
-class stabilised_step : public step_defaults<Space> {
+class stabilised_step : public step_between_slopes<Space> {
     using Scalar = typename Space::scalar;
+    using base = step_between_slopes<Space>;
+    using base::left_, base::right_, base::output_wanted_;
 
   public:
     using vector = typename Space::vector;
@@ -28,17 +29,7 @@ class stabilised_step : public step_defaults<Space> {
     using method_type = stabilised_method<Scalar>;
 
     stabilised_step(const method_type& method, int n)
-        : m_(method),
-          rows_(method),
-          radius_of_(n),
-          output_(output_columns),
-          left_(n),
-          right_(n),
-          y_(n),
-          before_(n),
-          f_(n) {
-        left_.setZero();
-        right_.setZero();
+        : base(n), m_(method), rows_(method), radius_of_(n), y_(n), before_(n), f_(n) {
         known_as_.A.setZero(1, 1);
         known_as_.b.setConstant(1, Scalar(10 * static_cast<int>(m_.family) + m_.stages));
         known_as_.c.setConstant(1, m_.damping);
@@ -58,24 +49,16 @@ class stabilised_step : public step_defaults<Space> {
     const tableau<Scalar>& method() const { return known_as_; }
     int count() const { return rows_.stages(); }
     int order() const { return m_.order; }
-    int coupled_stages_count() const { return 1; }
-    int columns() const { return output_columns; }
     int estimate_power() const { return m_.order + 1; }
-    Scalar estimate_ratio(const Scalar&) const { return Scalar(1); }
-    bool stiffly_accurate() const { return false; }
-    bool has_stage_order_two() const { return false; }
     bool implicit() const { return false; }
     static constexpr bool iterates() { return false; }
 
     bool needs_left_value(bool) const { return !left_known_; }
+    static constexpr bool ends_with_value() { return false; }
     void begin(const vector& f0) {
         if (!left_known_) left_ = f0;
     }
 
-    template <class System>
-    static bool factor(const System&, const Scalar&) {
-        return true;
-    }
     /// The stages. A step that needs more than `most_stages` is diverged.
     template <class System, class Norm>
     newton_outcome<Scalar> solve(System& system, const Scalar& t, const vector& y, const Scalar& h,
@@ -107,9 +90,6 @@ class stabilised_step : public step_defaults<Space> {
     }
     void guess(const output*, const vector&, const Scalar&, output&, const Scalar& = Scalar(1)) {}
     void advance(const vector&, const output&, vector& y1) { y1 = y_; }
-    void finish(const Scalar& t, const vector& y, const Scalar& h, const vector& y1, output& now) {
-        output_.cubic(t, y, h, y1, left_, right_, now);
-    }
     void accepted() {
         left_known_ = !fixed_ || output_wanted_;
         if (left_known_) left_ = right_;
@@ -126,11 +106,6 @@ class stabilised_step : public step_defaults<Space> {
         error = before_;
         return 0;
     }
-    template <class System, class Size>
-    static Scalar error_size(const System&, const output&, const Scalar& ratio, const vector& error, long&,
-                             Size&& size) {
-        return size(error, false) * ratio;
-    }
 
     template <class Bag>
     void carry(Bag& bag) {
@@ -139,18 +114,16 @@ class stabilised_step : public step_defaults<Space> {
     }
 
   private:
-    static constexpr int output_columns = hermite_output<Space>::cubic_columns;
     static constexpr int most_stages = 20000;  // rounding grows like s^2 eps
 
     method_type m_;
     stabilised_recurrence<Scalar> rows_;
     spectral_radius_of<vector> radius_of_;
     tableau<Scalar> known_as_;
-    hermite_output<Space> output_;
-    vector left_, right_, y_, before_, f_;
+    vector y_, before_, f_;
     Scalar radius_{0};
     int since_radius_ = 25;
-    bool fixed_ = false, output_wanted_ = true, left_known_ = false, tried_ = false;
+    bool fixed_ = false, left_known_ = false, tried_ = false;
 };
 
 namespace detail {

@@ -39,8 +39,8 @@ struct misnamed_options {
         initial_step{}, hmin{}, min_step{}, hmax{}, max_step{}, largest_step{}, control{}, continuous{},
         jumps{}, max_steps{}, max_iter{}, max_iterations{}, n{}, nodes{}, points{}, intervals{}, mesh{},
         fixed_points{}, max_intervals{}, max_points{}, growth{}, phase_component{}, phase_value{}, adapt{},
-        newton_iterations{}, newton_factor{}, break_points{}, consistent_start{}, conditioning{}, dir{}, direction{}, stop{},
-        terminal{}, at_start{};
+        newton_iterations{}, newton_factor{}, break_points{}, consistent_start{}, conditioning{}, dir{},
+        direction{}, stop{}, terminal{}, at_start{};
 };
 /// The same for the overload of last resort, which ends in "..." and so takes options with unknown names too.
 /// Sentence::say<T>() refuses in a static_assert: it stands in the exception specification, which compilers look at once

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include <stagecraft/dense_output.hpp>
+#include <stagecraft/step/hermite_output.hpp>
+#include <stagecraft/step/one_step_method.hpp>
+
+namespace stagecraft {
+
+/// What the steps of methods for problems that are not stiff have in common: no filter of the estimate, no stage at the end
+/// that counts as y1, no factors unless a model has some, and a continuous solution by the slopes at both ends, which are
+/// evaluated where somebody looks at it and a model does not know them anyhow. A model hides what it knows better.
+template <class Space, int Columns = hermite_output<Space>::cubic_columns>
+class step_between_slopes : public step_defaults<Space> {
+  public:
+    using vector = typename Space::vector;
+    using scalar = typename Space::scalar;
+    using output = typename Space::output;
+
+    static constexpr int columns() { return Columns; }
+    static constexpr int estimate_power() { return 1; }
+    static constexpr int coupled_stages_count() { return 1; }
+    static scalar estimate_ratio(const scalar&) { return scalar(1); }
+    static constexpr bool stiffly_accurate() { return false; }
+    static constexpr bool has_stage_order_two() { return false; }
+
+    bool needs_left_value(bool) const { return output_wanted_; }
+    void begin(const vector& f0) {
+        if (output_wanted_) left_ = f0;
+    }
+    bool ends_with_value() const { return output_wanted_; }
+    void end(const vector& f1) { right_ = f1; }
+    void end_without_value(const scalar& h, const vector& y, const vector& y1) {
+        right_ = (y1 - y) * (scalar(2) / h) - left_;
+    }
+    void finish(const scalar& t, const vector& y, const scalar& h, const vector& y1, output& now) const {
+        if (output_wanted_)
+            output_.cubic(t, y, h, y1, left_, right_, now);
+        else
+            now.cover(t, h);
+    }
+
+    template <class System>
+    static bool factor(const System&, const scalar&) {
+        return true;
+    }
+    /// There is none: equal steps.
+    template <class System>
+    static int estimate(const System&, const scalar&, const vector&, const output&, vector& error) {
+        error.setZero();
+        return 0;
+    }
+    template <class System, class Size>
+    static scalar error_size(const System&, const output&, const scalar& ratio, const vector& error, long&,
+                             Size&& size) {
+        return size(error, false) * ratio;
+    }
+
+  protected:
+    explicit step_between_slopes(int n) : left_(vector::Zero(n)), right_(vector::Zero(n)), output_(Columns) {}
+
+    vector left_, right_;  // slopes at the ends of the step
+    hermite_output<Space> output_;
+    bool output_wanted_ = true;
+};
+
+}  // namespace stagecraft
