@@ -115,7 +115,7 @@ std::optional<std::vector<rational>> negative_direction(const tableau<K>& t,
     for (const double grid : {64.0, 0x1p20, 0x1p50}) {
         std::vector<rational> rounded;
         for (Eigen::Index p = 0; p < n; ++p)
-            rounded.push_back(exactly(std::round(near_double((*v)[p]) / largest * grid) / grid));
+            rounded.push_back(theory::exactly(std::round(near_double((*v)[p]) / largest * grid) / grid));
         K value(0);
         for (Eigen::Index p = 0; p < n; ++p)
             for (Eigen::Index q = 0; q < n; ++q)

@@ -41,7 +41,7 @@ namespace detail {
 STAGECRAFT_INLINE rational near_inverse_root(const rational& p) {
     const int half = tableaux::binary_exponent(p) / 2;
     const double near_one = tableaux::scaled(p, -2 * half).to<double>();
-    return tableaux::scaled(exactly(1 / std::sqrt(near_one)), -half);
+    return tableaux::scaled(theory::exactly(1 / std::sqrt(near_one)), -half);
 }
 
 }  // namespace detail

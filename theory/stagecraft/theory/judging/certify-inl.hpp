@@ -205,7 +205,7 @@ STAGECRAFT_INLINE void certify_algebraic_stability(const exact_model& m, certifi
     const std::string gram = "the Gram matrix of b^T(uv) has signs: " + text(out.weights);
     out.others.push_back(
         {"b > 0", is_positive_definite(out.weights) ? verdict::proved(gram) : verdict::refuted(gram)});
-    out.others.push_back({"M has rank " + std::to_string(rank(out.M)),
+    out.others.push_back({"M has rank " + std::to_string(theory::rank(out.M)),
                           verdict::proved("eigenvalues of M: " + text(out.M) + " (exact congruence)")});
     if (!is_nonnegative(out.weights)) {
         out.algebraically_stable =
@@ -219,8 +219,9 @@ STAGECRAFT_INLINE void certify_algebraic_stability(const exact_model& m, certifi
                        ? verdict::proved("algebraically stable")
                        : verdict::refuted("distinct nodes and not algebraically stable: " +
                                           out.algebraically_stable.reason());
-    out.symplectic = rank(out.M) == 0 ? verdict::proved("M = 0")
-                                      : verdict::refuted("M has rank " + std::to_string(rank(out.M)));
+    out.symplectic = theory::rank(out.M) == 0
+                         ? verdict::proved("M = 0")
+                         : verdict::refuted("M has rank " + std::to_string(theory::rank(out.M)));
 }
 
 // Reversal of time is x -> 1 - x, P_k -> (-1)^k P_k: A + S A S = 1 b^T, and nodes that mirror each other.
