@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -62,6 +63,26 @@ BOOST_AUTO_TEST_CASE(every_kind_of_picture_is_drawn) {
     }
 }
 
+// The slopes are the orders; on the stiff problem those that the theory gives for stiff accuracy and stage order 3 (Hairer-Wanner
+// II.IV.15: what stays of an error h^{q+1}/(h lambda) in the last stage), and 1 of implicit Euler.
+BOOST_AUTO_TEST_CASE(errors_fall_with_the_order) {
+    const folder f;
+    const std::string files = source + "/tableaux/catalogue/";
+    const auto slopes = [&](const std::string& arguments, const std::vector<const char*>& titles) {
+        const fs::path picture = f.path / "error.svg";
+        const auto done = run(f, "error " + arguments + " -o '" + picture.string() + "'");
+        BOOST_TEST(done.exit_code == 0, done.messages);
+        const std::string svg = text_of(picture);
+        for (const char* title : titles) BOOST_TEST(svg.find(title) != std::string::npos, title);
+    };
+    slopes("gauss 2 radau_iia 3 '" + files + "classical_rk4.json' lobatto_iiic 2",
+           {"gauss, s = 2 (slope 4.0)", "radau_iia, s = 3 (slope 5.0)", "(RK4) (slope 4.0)",
+            "lobatto_iiic, s = 2 (slope 2.0)", "step size h"});
+    slopes("gauss 1 --problem oscillator", {"gauss, s = 1 (slope 2.0)"});
+    slopes("radau_iia 3 radau_iia 1 --problem prothero-robinson",
+           {"radau_iia, s = 3 (slope 3.1)", "radau_iia, s = 1 (slope 1.0)"});
+}
+
 BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_clear_message) {
     const folder f;
     const auto done = run(f, "region gauss 2 -o '" + (f.path / "x.svg").string() + "'", "PATH=/nowhere");
@@ -82,6 +103,11 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_2) {
                                           {"region gauss 2 -o /nowhere/x.svg", "output"},
                                           {"region gauss 2 -w 1,0,0,1" + out, "window"},
                                           {"tableau gauss 2 -w 0,1,0,1" + out, "window"},
+                                          {"region gauss 2 3" + out, "METHOD"},
+                                          {"region gauss 2 --problem smooth" + out, "problem"},
+                                          {"error gauss 2 --problem nix" + out, "prothero-robinson"},
+                                          {"error gauss 2 radau_iia" + out, "stages"},
+                                          {"error gauss 2 -w 0,1,0,1" + out, "window"},
                                           {"region /nowhere.json" + out, "/nowhere.json"}}) {
         const auto done = run(f, arguments);
         BOOST_TEST(done.exit_code == 2, arguments);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <stagecraft/tableaux/read_partitioned.hpp>
+#include <stagecraft/tableaux/rounded.hpp>
+#include <stagecraft/tableaux/tableau_from_file.hpp>
 #include <stagecraft/theory/plot/coupled_region.hpp>
 #include <stagecraft/theory/plot/method_data.hpp>
 
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "error_picture.hpp"
 #include "method_argument.hpp"
 
 namespace {
@@ -24,7 +27,8 @@ using namespace stagecraft;
 namespace plot = theory::plot;
 
 struct arguments {
-    std::string kind, method, stages, output;
+    std::string kind, method, stages, output, problem;
+    std::vector<std::string> methods;
     std::vector<double> window;
     std::optional<double> implicit;
     bool script_only = false;
@@ -61,7 +65,7 @@ plot::script picture_of(const arguments& a, const plot::subject& m) {
         return plot::e_polynomial_picture(m.name, m.data.r, m.e_polynomial, m.e_text);
     if (a.kind == "tableau") return plot::tableau_picture(m.name, m.tableau);
     throw std::invalid_argument("kind: unknown '" + a.kind +
-                                "', allowed: region, order-star, E-polynomial, tableau");
+                                "', allowed: region, order-star, E-polynomial, tableau, error");
 }
 
 plot::script picture_of_family(const arguments& a) {
@@ -77,8 +81,40 @@ plot::script picture_of_file(const arguments& a) {
     return picture_of(a, plot::subject_of_file(std::get<tableaux::tableau_file>(file)));
 }
 
+tool::named_method runnable(const std::string& method, const std::string& stages) {
+    if (tool::is_family(method)) {
+        const auto [family, s] = tool::member_of_family(method, stages, 20);
+        return {method + ", s = " + stages, tableaux::rounded<double>(family, s)};
+    }
+    const auto file = tableaux::read_method_file(method);
+    const auto* one = std::get_if<tableaux::tableau_file>(&file);
+    if (!one) throw std::invalid_argument(method + ": error is drawn of methods of one tableau");
+    return {one->name.empty() ? method : one->name, tableaux::rounded<double>(*one)};
+}
+
+/// METHOD [S] METHOD [S] ...
+plot::script error_picture(const arguments& a) {
+    if (!a.window.empty()) throw std::invalid_argument("window: only region and order-star have one");
+    std::vector<tool::named_method> all;
+    for (std::size_t k = 0; k < a.methods.size(); ++k) {
+        const std::string method = a.methods[k];
+        const bool counted = tool::is_family(method) && k + 1 < a.methods.size();
+        all.push_back(runnable(method, counted ? a.methods[++k] : ""));
+    }
+    return tool::error_picture(all, a.problem.empty() ? "smooth" : a.problem);
+}
+
+plot::script picture_of(arguments a) {
+    if (a.kind == "error") return error_picture(a);
+    if (!a.problem.empty()) throw std::invalid_argument("problem: only error has one");
+    if (a.methods.size() > 2) throw std::invalid_argument("METHOD: only error takes several");
+    a.method = a.methods[0];
+    if (a.methods.size() > 1) a.stages = a.methods[1];
+    return tool::is_family(a.method) ? picture_of_family(a) : picture_of_file(a);
+}
+
 void run(const arguments& a) {
-    const plot::script picture = tool::is_family(a.method) ? picture_of_family(a) : picture_of_file(a);
+    const plot::script picture = picture_of(a);
     if (a.script_only) {
         std::ofstream out(a.output);
         if (!(out << picture.text("picture.svg")))
@@ -94,11 +130,15 @@ void run(const arguments& a) {
 }
 
 const tool::command plot_command{[](CLI::App& app) {
-    auto* sub = app.add_subcommand("plot", "Draw a method: region, order-star, E-polynomial or tableau");
+    auto* sub =
+        app.add_subcommand("plot", "Draw a method: region, order-star, E-polynomial, tableau or error");
     const auto a = std::make_shared<arguments>();
-    sub->add_option("KIND", a->kind, "region, order-star, E-polynomial or tableau")->required();
-    sub->add_option("METHOD", a->method, "a family (see `families`) or a tableau file")->required();
-    sub->add_option("S", a->stages, "number of stages of the family's member");
+    sub->add_option("KIND", a->kind, "region, order-star, E-polynomial, tableau or error")->required();
+    sub->add_option("METHOD", a->methods,
+                    "a family (see `families`) and its number of stages, or a tableau file; of error several")
+        ->required()
+        ->expected(1, -1);
+    sub->add_option("--problem", a->problem, "of error: " + tool::error_problems() + " (default smooth)");
     sub->add_option("-o,--output", a->output, "file to write: .svg, .png or .pdf")->required();
     sub->add_option("-w,--window", a->window, "LEFT,RIGHT,BOTTOM,TOP in the complex plane")->delimiter(',');
     sub->add_option("--implicit", a->implicit,
