@@ -88,6 +88,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_in_one_line_that_says_what_is_allowed)
     expect_refusal("coefficients radau 3", "lobatto_iiic");
     expect_refusal("coefficients gauss 0", "from 1");
     expect_refusal("coefficients gauss", "a family needs its largest number of stages");
-    expect_refusal("coefficients " STAGECRAFT_SOURCE_DIR "/tableaux/catalogue/dormand_prince_5_4.json",
-                   "holds one tableau");
+    expect_refusal("coefficients " STAGECRAFT_SOURCE_DIR
+                   "/tableaux/catalogue/dormand_prince_5_4.json " STAGECRAFT_SOURCE_DIR
+                   "/tableaux/pairs/nystrom_4.json",
+                   "a header holds methods of one tableau, or of several");
 }

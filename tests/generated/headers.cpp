@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE headers
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stagecraft/coefficients/explicit.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stagecraft/coefficients/lobatto_iiia.hpp>
 #include <stagecraft/coefficients/lobatto_iiib.hpp>
 #include <stagecraft/coefficients/lobatto_iiic.hpp>
 #include <stagecraft/coefficients/radau_ia.hpp>
 #include <stagecraft/coefficients/radau_iia.hpp>
+#include <stagecraft/integrate.hpp>
 #include <type_traits>
 
 using namespace stagecraft;
@@ -71,4 +74,39 @@ BOOST_AUTO_TEST_CASE(facts_are_those_of_the_families) {
     BOOST_TEST(iia.r_infinity == 0.0);
     BOOST_TEST(gauss<3>().facts.r_infinity == -1.0);
     BOOST_TEST((lobatto_iiia<4>().facts.symmetric && !lobatto_iiia<4>().facts.algebraically_stable));
+}
+
+// Without tables, parsers and exact arithmetic: the nearest doubles run, with their estimates, in float as well.
+BOOST_AUTO_TEST_CASE(explicit_pairs_run) {
+    static_assert(std::is_same_v<decltype(dormand_prince_5_4()), tableau<double, 7>>);
+    static_assert(std::is_same_v<decltype(bogacki_shampine_3_2<float>()), tableau<float, 4>>);
+    BOOST_TEST(dormand_prince_5_4().A(4, 3) == -212.0 / 729.0);  // Hairer-Norsett-Wanner I, table II.5.2
+    BOOST_TEST(dormand_prince_5_4().b_embedded[0] == 5179.0 / 57600.0);
+    BOOST_TEST(classical_rk4().b[1] == 1.0 / 3.0);
+    const auto f = [](auto t, const auto& y, auto& out) {
+        using std::cos;
+        out[0] = y[0] * cos(t);
+    };
+    const auto error = [&](const auto& m, int steps) {
+        const auto r = integrate(m, f, Eigen::Matrix<double, 1, 1>(1.0), 0, 1, {.fixed_step = 1.0 / steps});
+        return std::abs(r.y[0] - std::exp(std::sin(1.0)));
+    };
+    const auto has_order = [&](const auto& m, int order, int steps) {
+        BOOST_TEST(m.facts.order == order);
+        const double slope = std::log2(error(m, steps) / error(m, 2 * steps));
+        BOOST_TEST_CONTEXT("order " << order << ", " << m.stages() << " stages")
+        BOOST_TEST((slope > order - 0.35 && slope < order + 0.7), slope);
+    };
+    has_order(heun_euler_2_1(), 2, 64);
+    has_order(bogacki_shampine_3_2(), 3, 32);
+    has_order(classical_rk4(), 4, 16);
+    has_order(cash_karp_5_4(), 5, 16);
+    has_order(dormand_prince_5_4(), 5, 16);
+    has_order(dormand_prince_8_5_3(), 8, 4);
+    const auto r = integrate(dormand_prince_8_5_3(), f, Eigen::Matrix<double, 1, 1>(1.0), 0, 1,
+                             {.rtol = 1e-10, .atol = 1e-10});
+    BOOST_TEST((r.ok() && std::abs(r.y[0] - std::exp(std::sin(1.0))) < 1e-9));
+    const auto single = integrate(bogacki_shampine_3_2<float>(), f, Eigen::Matrix<float, 1, 1>(1.0F), 0, 1,
+                                  {.rtol = 1e-4F, .atol = 1e-4F});
+    BOOST_TEST((single.ok() && std::abs(single.y[0] - std::exp(std::sin(1.0F))) < 1e-3F));
 }

@@ -7,8 +7,10 @@
 #include <stagecraft/tableaux/emit_pairs.hpp>
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
+#include <stagecraft/theory/judging/certify_file.hpp>
 #include <stagecraft/theory/judging/certify_partitioned.hpp>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "command.hpp"
@@ -26,30 +28,37 @@ void write_family(const std::string& name, const std::string& stages) {
         f, most, [f](int s) { return stagecraft::theory::certify(f, s).facts(); });
 }
 
-/// Nothing that a file claims may be refuted, or beyond what can be tested.
-void write_pairs(const std::vector<std::string>& files) {
-    std::vector<tableaux::named_pair> methods;
+/// Nothing that a file claims may be refuted, or beyond what can be tested. All files hold one tableau, or several, as the
+/// first does.
+void write_files(const std::vector<std::string>& files) {
+    std::vector<tableaux::named_pair> pairs;
+    std::vector<tableaux::named_tableau> methods;
     std::string command = "stagecraft coefficients";
     for (const std::string& path : files) {
+        const std::string id = std::filesystem::path(path).stem().string();
         const auto read = tableaux::read_method_file(path);
-        const auto* file = std::get_if<tableaux::partitioned_file>(&read);
-        if (file == nullptr)
-            throw tableaux::unusable_input(path + ": holds one tableau, not a method of several");
-        if (stagecraft::theory::certify(*file).exit_code() != 0)
+        const int exit_code =
+            std::visit([](const auto& file) { return stagecraft::theory::certify(file).exit_code(); }, read);
+        if (exit_code != 0)
             throw tableaux::unusable_input(path + ": a claim is not proved; see stagecraft certify");
-        methods.emplace_back(std::filesystem::path(path).stem().string(), *file);
+        if (const auto* several = std::get_if<tableaux::partitioned_file>(&read))
+            pairs.emplace_back(id, *several);
+        else
+            methods.emplace_back(id, std::get<tableaux::tableau_file>(read));
+        if (!pairs.empty() && !methods.empty())
+            throw tableaux::unusable_input(path + ": a header holds methods of one tableau, or of several");
         command += " " + path;
     }
-    std::cout << tableaux::pairs_header(methods, command);
+    std::cout << (pairs.empty() ? tableaux::methods_header(methods, command)
+                                : tableaux::pairs_header(pairs, command));
 }
 
 const stagecraft::tool::command coefficients{[](CLI::App& app) {
     const auto asked = std::make_shared<std::vector<std::string>>();
-    auto* command =
-        app.add_subcommand("coefficients",
-                           "Write a header of stagecraft/coefficients/: the nearest doubles of a "
-                           "family, FAMILY MOST, or of files "
-                           "with additive, partitioned, separable and Nystrom methods, FILE.json ...");
+    auto* command = app.add_subcommand("coefficients",
+                                       "Write a header of stagecraft/coefficients/: the nearest doubles of a "
+                                       "family, FAMILY MOST, or of files, FILE.json ...: tableaux, or "
+                                       "additive, partitioned, separable and Nystrom methods");
     command
         ->add_option("what", *asked,
                      "One of " + tableaux::family_names() + " and the largest number of stages, or files")
@@ -57,7 +66,7 @@ const stagecraft::tool::command coefficients{[](CLI::App& app) {
     command->callback([asked] {
         const std::vector<std::string>& words = *asked;
         if (words.front().ends_with(".json"))
-            write_pairs(words);
+            write_files(words);
         else if (words.size() == 2)
             write_family(words[0], words[1]);
         else

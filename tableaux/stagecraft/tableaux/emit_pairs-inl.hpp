@@ -43,42 +43,80 @@ STAGECRAFT_INLINE std::string pair_data(const std::string& id, const partitioned
     return out + "};\n";
 }
 
+/// What stands above the function that returns the method of a file of either kind.
+template <class File>
+std::string function_comment(const File& file, number_kind kind) {
+    const bool exact = kind == number_kind::rational || kind == number_kind::quadratic;
+    return "\n/// " + file.name + " (" + file.source + "), order " +
+           std::to_string(file.claims.order.value_or(0)) +
+           (file.claims.embedded_order ? "(" + std::to_string(*file.claims.embedded_order) + ")" : "") +
+           (exact ? ", proved" : ", up to the digits published") +
+           ": every entry is the nearest double; in another Scalar that one rounded.\n"
+           "template <class Scalar = double>\n";
+}
+
 STAGECRAFT_INLINE std::string pair_function(const std::string& id, const partitioned_file& file) {
-    const bool exact = file.kind() == number_kind::rational || file.kind() == number_kind::quadratic;
     const std::string type = std::string(file.coupling == coupling::additive      ? "additive_method"
                                          : file.coupling == coupling::partitioned ? "partitioned_method"
                                          : file.coupling == coupling::separable   ? "separable_method"
                                          : file.uses_velocity                     ? "velocity_nystrom_method"
                                                                                   : "nystrom_method") +
                              "<Scalar, " + std::to_string(file.stages()) + ">";
-    return "\n/// " + file.name + " (" + file.source + "), order " +
-           std::to_string(file.claims.order.value_or(0)) +
-           (file.claims.embedded_order ? "(" + std::to_string(*file.claims.embedded_order) + ")" : "") +
-           (exact ? ", proved" : ", up to the digits published") +
-           ": every entry is the nearest double; in another Scalar that one rounded.\n"
-           "template <class Scalar = double>\n" +
-           type + " " + id + "() {\n    return coefficients::unpack_pair<" + type + ", coefficients::" + id +
-           ">();\n}\n";
+    return function_comment(file, file.kind()) + type + " " + id +
+           "() {\n    return coefficients::unpack_pair<" + type + ", coefficients::" + id + ">();\n}\n";
+}
+
+STAGECRAFT_INLINE std::string method_data(const std::string& id, const tableau_file& file) {
+    return "\nstruct " + id + " {\n    static constexpr int stages = " + std::to_string(file.stages()) +
+           ", order = " + std::to_string(file.claims.order.value_or(0)) + ";\n" +
+           arrays(rounded<double>(file), {"c", "A", "b", "b_embedded"}) + "};\n";
+}
+
+STAGECRAFT_INLINE std::string method_function(const std::string& id, const tableau_file& file) {
+    const std::string type = "tableau<Scalar, " + std::to_string(file.stages()) + ">";
+    return function_comment(file, file.kind()) + type + " " + id +
+           "() {\n    return coefficients::unpack_one<" + type + ", coefficients::" + id + ">();\n}\n";
+}
+
+/// Throws std::invalid_argument where `id` is no name of a function.
+inline void require_name(const std::string& id) {
+    bool good = !id.empty() && !std::isdigit(static_cast<unsigned char>(id[0]));
+    for (const char ch : id) good = good && (std::isalnum(static_cast<unsigned char>(ch)) || ch == '_');
+    if (!good) throw std::invalid_argument("coefficients: '" + id + "' is no name of a function");
+}
+
+inline std::string whole_header(const std::string& command, const char* include, const std::string& data,
+                                const std::string& functions) {
+    return "// SPDX-License-Identifier: BSL-1.0 | written by: " + command +
+           "\n// clang-format off\n#pragma once\n\n#include <stagecraft/coefficients/" + include +
+           ".hpp>\n\nnamespace stagecraft {\nnamespace coefficients {\n" + data +
+           "\n}  // namespace coefficients\n" + functions + "\n}  // namespace stagecraft\n";
 }
 
 }  // namespace emitting
+
+STAGECRAFT_INLINE std::string methods_header(const std::vector<named_tableau>& methods,
+                                             const std::string& command) {
+    std::string data, functions;
+    for (const auto& [id, file] : methods) {
+        emitting::require_name(id);
+        data += emitting::method_data(id, file);
+        functions += emitting::method_function(id, file);
+    }
+    return emitting::whole_header(command, "unpack_one", data, functions);
+}
 
 STAGECRAFT_INLINE std::string pairs_header(const std::vector<named_pair>& methods,
                                            const std::string& command) {
     std::string data, functions;
     for (const auto& [id, file] : methods) {
-        bool good = !id.empty() && !std::isdigit(static_cast<unsigned char>(id[0]));
-        for (const char ch : id) good = good && (std::isalnum(static_cast<unsigned char>(ch)) || ch == '_');
-        if (!good) throw std::invalid_argument("coefficients: '" + id + "' is no name of a function");
+        emitting::require_name(id);
         if (file.partners.size() != 2)
             throw std::invalid_argument("coefficients: " + id + " must have two tableaux");
         data += emitting::pair_data(id, file);
         functions += emitting::pair_function(id, file);
     }
-    return "// SPDX-License-Identifier: BSL-1.0 | written by: " + command +
-           "\n// clang-format off\n#pragma once\n\n#include <stagecraft/coefficients/unpack_pair.hpp>\n\n"
-           "namespace stagecraft {\nnamespace coefficients {\n" +
-           data + "\n}  // namespace coefficients\n" + functions + "\n}  // namespace stagecraft\n";
+    return emitting::whole_header(command, "unpack_pair", data, functions);
 }
 
 }  // namespace stagecraft::tableaux
