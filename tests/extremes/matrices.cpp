@@ -96,15 +96,18 @@ BOOST_AUTO_TEST_CASE(a_step_at_which_the_newton_matrix_is_singular_is_passed_by)
     BOOST_TEST((!equal.ok() || std::isfinite(equal.y[0])));
 }
 
-BOOST_AUTO_TEST_CASE(a_state_without_components_is_refused_on_every_path) {
+BOOST_AUTO_TEST_CASE(a_state_without_components_reaches_the_end_on_every_path) {
     const auto f = [](double, const V&, V&) {};
-    for (const double step : {0.0, 0.25})
-        BOOST_CHECK_THROW(sc::integrate(radau, f, V(0), 0, 1, {.fixed_step = step}), std::invalid_argument);
+    const auto ends = [](const auto& r) {
+        BOOST_TEST(r.ok());
+        BOOST_TEST((r.t == 1 && r.y.size() == 0));
+    };
+    for (const double step : {0.0, 0.25}) ends(sc::integrate(radau, f, V(0), 0, 1, {.fixed_step = step}));
     struct sparse {
         void operator()(double, const V&, V&) const {}
         Eigen::SparseMatrix<double> sparsity() const { return {0, 0}; }
     };
-    BOOST_CHECK_THROW(sc::integrate(radau, sparse{}, V(0), 0, 1), std::invalid_argument);
+    ends(sc::integrate(radau, sparse{}, V(0), 0, 1));
 }
 
 namespace {

@@ -228,7 +228,8 @@ class system
     /// f := the explicit part at (t, y), counted.
     void explicit_part(const scalar& t, const Vector& y, Vector& f) const requires has_explicit_part {
         ++report_.f_explicit;
-        counted(f, [&] { problem_.explicit_part(t, y, f); });
+        // clang 14 instantiates it with the class although its constraint is not satisfied.
+        if constexpr (has_explicit_part) counted(f, [&] { problem_.explicit_part(t, y, f); });
     }
     /// Adds the explicit part, where there is one, to f.
     void add_explicit_part(const scalar& t, const Vector& y, Vector& f) const {
