@@ -15,7 +15,8 @@ namespace stagecraft {
 
 namespace detail {
 
-/// Calls found(i, j) for each component i of f(t, y) that becomes another one, or NaN, where y_j becomes moved(y_j).
+/// Calls found(i, j) for each component i of f(t, y) that becomes another one, or NaN, where y_j becomes moved(y_j); for all j
+/// where it is NaN at y, as nothing is known of it then.
 template <class Problem, class Moved, class Found>
 void changes(Problem& f, double t, Eigen::VectorXd y, const Moved& moved, const Found& found) {
     Eigen::VectorXd before(y.size()), after(y.size());
@@ -25,7 +26,7 @@ void changes(Problem& f, double t, Eigen::VectorXd y, const Moved& moved, const 
         f(t, y, after);
         y[j] = kept;
         for (Eigen::Index i = 0; i < y.size(); ++i)
-            if (!(after[i] == before[i]) && before[i] == before[i]) found(i, j);
+            if (!(after[i] == before[i])) found(i, j);
     }
 }
 

@@ -84,7 +84,8 @@ class stabilised_step : public step_between_slopes<Space> {
             y_.swap(before_);
         }
         if (!fixed_ || output_wanted_) system(Scalar(t + h), y_, right_);
-        before_ = (Scalar(4) / 5) * (y - y_) + (Scalar(2) / 5 * h) * (left_ + right_);  // the estimate
+        if (!fixed_)
+            before_ = (Scalar(4) / 5) * (y - y_) + (Scalar(2) / 5 * h) * (left_ + right_);  // the estimate
         done.end = newton_end::converged;
         return done;
     }
