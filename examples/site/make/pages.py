@@ -38,6 +38,7 @@ READMES = {
     "examples/campaign/README.md": "explanation/limits.md",
     "examples/brusselator_2d/README.md": "explanation/large_systems.md",
     "examples/incompressible_flow/README.md": "explanation/incompressible_flow.md",
+    "examples/singular_perturbations/README.md": "explanation/singular_perturbations.md",
     "examples/work_precision/README.md": "explanation/work_precision.md",
     "examples/site/README.md": "site.md",
     "CHANGELOG.md": "changelog.md",

@@ -8,6 +8,7 @@ import sys
 
 import chapters
 import gallery
+import measured
 import pages
 import reference
 
@@ -95,6 +96,7 @@ def main():
     made, headers, tables = reference.pages(pages.REPOSITORY)
     site = pages.Site(out, command, headers)
     tables["chapters"] = chapters.table(site)
+    tables |= measured.tables(site)
     site.generated = tables
     site.page_of |= gallery.pages(site)
     for page, text in made.items():
