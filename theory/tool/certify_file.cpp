@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stagecraft/tableaux/program_text.hpp>
 #include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/time_share.hpp>
 #include <stagecraft/theory/judging/certify_partitioned.hpp>
 #include <stagecraft/theory/judging/difference.hpp>
 #include <stagecraft/theory/judging/junit.hpp>
@@ -39,6 +40,13 @@ struct judged_file {
     }
 };
 
+/// The certificate of a tableau or method; what is not decided within the seconds allowed says so.
+template <class File>
+file_certificate certified_in_time(const File& file) {
+    const tableaux::time_share share(seconds_for_decisions());
+    return theory::certify(file);
+}
+
 judged_file judged_program(const std::string& path, const certify_options& o) {
     try {
         auto program = tableaux::read_program_text(tableaux::text_of_file(path), o.how);
@@ -47,7 +55,7 @@ judged_file judged_program(const std::string& path, const certify_options& o) {
         judged_file out{{}, std::move(program.unusable), std::move(program.unused)};
         for (const auto& tableau : program.tableaux) {
             if (!alone) start_clock(path + ": " + tableau.name);
-            out.certificates.push_back(theory::certify(tableau));
+            out.certificates.push_back(certified_in_time(tableau));
         }
         return out;
     } catch (const tableaux::unusable_input& e) {
@@ -57,7 +65,7 @@ judged_file judged_program(const std::string& path, const certify_options& o) {
 
 judged_file judged(const std::string& path, const certify_options& o) {
     if (o.from_text) return judged_program(path, o);
-    return {{theory::certify(tableaux::read_method_file(path, o.how))}, {}, {}};
+    return {{certified_in_time(tableaux::read_method_file(path, o.how))}, {}, {}};
 }
 
 std::vector<std::string> with_folders_opened(const std::vector<std::string>& paths) {

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -17,6 +18,11 @@ inline void start_clock(std::string file = {}) {
     alarm(0);
     file_at_work = std::move(file);
     alarm(seconds_allowed);
+}
+
+/// What of it the decisions on one file may take together, so that what is known is printed before the clock runs out.
+inline double seconds_for_decisions() {
+    return seconds_allowed == 0 ? std::numeric_limits<double>::infinity() : 0.8 * seconds_allowed;
 }
 
 }  // namespace stagecraft::tool

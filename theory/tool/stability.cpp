@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "clock.hpp"
 #include "command.hpp"
 #include "method_argument.hpp"
 #include "stability_json.hpp"
@@ -35,6 +36,7 @@ void run(const stability_request& r) {
     }
     tool::require_no_stages(r.stages);
     const auto file = tableaux::read_tableau_file(r.method);
+    const tableaux::time_share share(tool::seconds_for_decisions());
     print(file.name, tool::stability_report(file), r.json, tableaux::to_json(file));
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/tableau_json.hpp>
+#include <stagecraft/tableaux/time_share.hpp>
 #include <stagecraft/theory/judging/enclosed_report.hpp>
 #include <stagecraft/theory/judging/family_report.hpp>
 #include <string>
@@ -10,10 +11,14 @@
 
 namespace stagecraft::tool {
 
-/// What `stability` says of a tableau file: decisions on exact data, enclosures of others.
+/// What `stability` says of a tableau file: decisions on exact data, enclosures of others, and of exact data whose
+/// decisions would take more than half of the time that is left.
 inline std::vector<theory::report_section> stability_report(const tableaux::tableau_file& file) {
-    if (file.kind() <= tableaux::number_kind::quadratic)
-        return theory::stability_report(tableaux::to_quadratic(file));
+    if (file.kind() <= tableaux::number_kind::quadratic) try {
+            const tableaux::time_share share(tableaux::time_share::left() / 2);
+            return theory::stability_report(tableaux::to_quadratic(file));
+        } catch (const tableaux::out_of_time&) {
+        }
     return theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
         file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
 }

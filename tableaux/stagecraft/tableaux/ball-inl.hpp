@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "stagecraft/compiled.hpp"
+#include "stagecraft/tableaux/time_share.hpp"
 
 namespace stagecraft::tableaux {
 
@@ -45,6 +46,7 @@ STAGECRAFT_INLINE ball ball::operator-() const {
 }
 
 STAGECRAFT_INLINE ball& ball::operator*=(const ball& o) {
+    time_share::check();
     bits_ = std::max(bits_, o.bits_);
     if (exactly_zero() || o.exactly_zero()) return *this = ball(mantissa(0), 0, 0, bits_);
     if (r_ != 0 || o.r_ != 0) r_ = upward(magnitude() * o.r_ + o.magnitude() * r_ + r_ * o.r_);
@@ -158,6 +160,7 @@ STAGECRAFT_INLINE void ball::truncate() {
 }
 
 STAGECRAFT_INLINE ball& ball::add(const ball& o, bool subtract) {
+    time_share::check();
     bits_ = std::max(bits_, o.bits_);
     if (o.m_.is_zero()) {
         if (o.r_ != 0) r_ = upward(r_ + o.r_);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "stagecraft/compiled.hpp"
+#include "stagecraft/tableaux/time_share.hpp"
 
 namespace stagecraft::tableaux {
 
@@ -26,6 +27,7 @@ STAGECRAFT_INLINE rational rational::operator-() const {
 }
 
 STAGECRAFT_INLINE rational& rational::operator*=(const rational& o) {
+    time_share::check();
     integer n = o.n_, d = o.d_;
     cancel(n_, d);
     cancel(n, d_);

@@ -9,6 +9,7 @@
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/theory/judging/coupling_suspects.hpp"
+#include "stagecraft/theory/judging/in_its_time.hpp"
 #include "stagecraft/theory/judging/judge_coupling.hpp"
 
 namespace stagecraft::theory {
@@ -31,7 +32,12 @@ STAGECRAFT_INLINE file_certificate certify(const tableaux::partitioned_file& fil
                     certificate.partners.back().notes.push_back(
                         "judged by itself; the orders claimed are those of the whole method");
             }
-        if (certificate.overall() == standing::refuted) find_coupling_suspects(s, certificate);
+        if (certificate.overall() != standing::refuted) return;
+        try {
+            find_coupling_suspects(s, certificate);
+        } catch (const tableaux::out_of_time&) {
+            certificate.suspects_note = detail::no_time_for_suspects;
+        }
     };
     if (file.kind() <= tableaux::number_kind::quadratic)
         examine(detail::exact_subject);

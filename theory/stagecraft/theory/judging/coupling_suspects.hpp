@@ -151,6 +151,7 @@ void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certi
     const coupled_trees_claimed trees(file);
     const auto search = [&](const auto& quick) {
         for (const coupled_place& p : coupled_places(file)) {
+            tableaux::time_share::check_now();
             const auto value = restoring_value(s, quick, p, trees);
             if (!value || !certainly_nonzero(K(*value - value_at(s.partners[p.partner], p.place)))) continue;
             coupled_subject<K> changed = s;

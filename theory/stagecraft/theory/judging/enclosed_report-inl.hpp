@@ -13,6 +13,7 @@
 #include "stagecraft/theory/dae/dae_order.hpp"
 #include "stagecraft/theory/judging/enclosed_ssp.hpp"
 #include "stagecraft/theory/judging/enclosed_stability.hpp"
+#include "stagecraft/theory/judging/in_its_time.hpp"
 #include "stagecraft/theory/judging/order_finding.hpp"
 #include "stagecraft/theory/judging/properties.hpp"
 
@@ -120,23 +121,48 @@ STAGECRAFT_INLINE claim enclosed_prediction(const std::string& problem, const or
 
 }  // namespace detail
 
+namespace detail {
+
+/// What the stability function and the theorems that need it say, each within its share of the time.
+STAGECRAFT_INLINE void add_function_claims(const subject<ball>& s, const enclosed_stability_function& f,
+                                           report_section& function, report_section& dae) {
+    const auto add = [&](const char* statement, auto decide) {
+        function.claims.push_back(claimed_in_its_time(statement, 0.3, decide));
+    };
+    add("R(infinity)", [&] { return enclosed_limit(s, f); });
+    add("A(alpha)-stable", [&] { return enclosed_sector(s, f); });
+    add("real stability interval", [&] { return enclosed_real_interval(f); });
+    add("imaginary stability interval", [&] { return enclosed_imaginary_interval(f); });
+    const auto predict = [&]() -> std::vector<claim> {
+        const auto m = enclosed_traits_of(s, f);
+        return {enclosed_prediction("index 1", predict_index1(m.traits), m),
+                enclosed_prediction("index 2", predict_index2(m.traits), m),
+                enclosed_prediction("index 3", predict_index3(m.traits), m)};
+    };
+    dae.claims = within_its_time(0.3, predict, {{"orders", verdict::undecided(out_of_its_time)}});
+}
+
+}  // namespace detail
+
 STAGECRAFT_INLINE std::vector<report_section> enclosed_stability_report(const subject<ball>& s) {
-    std::vector<report_section> out;
-    const auto f = stability_function_of(s);
-    out.push_back({"stability function, by enclosures",
-                   {enclosed_limit(s, f), enclosed_sector(s, f), enclosed_real_interval(f),
-                    enclosed_imaginary_interval(f)}});
+    report_section function{"stability function, by enclosures", {}};
     report_section method{"tableau, by enclosures", {}};
+    report_section dae{"differential-algebraic problems, by enclosures", {}};
+    const auto f = detail::within_its_time(
+        0.3, [&] { return std::optional(stability_function_of(s)); }, std::nullopt);
+    if (f)
+        detail::add_function_claims(s, *f, function, dae);
+    else
+        function.claims = {{"R(z)", verdict::undecided(detail::out_of_its_time)}};
     for (const auto& [property, member] : tableaux::yes_no_claims)
-        method.claims.push_back({std::string(property), property_of(s, property)});
-    if (s.stages() <= 16) method.claims.push_back(enclosed_ssp_radius(s));
-    out.push_back(std::move(method));
-    const auto m = detail::enclosed_traits_of(s, f);
-    out.push_back({"differential-algebraic problems, by enclosures",
-                   {detail::enclosed_prediction("index 1", predict_index1(m.traits), m),
-                    detail::enclosed_prediction("index 2", predict_index2(m.traits), m),
-                    detail::enclosed_prediction("index 3", predict_index3(m.traits), m)}});
-    return out;
+        method.claims.push_back({std::string(property), detail::in_its_time(0.3, [&, name = property] {
+                                     return property_of(s, name);
+                                 })});
+    if (s.stages() <= 16)
+        method.claims.push_back(
+            detail::claimed_in_its_time("SSP radius", 0.5, [&] { return enclosed_ssp_radius(s); }));
+    if (!f) return {std::move(function), std::move(method)};
+    return {std::move(function), std::move(method), std::move(dae)};
 }
 
 }  // namespace stagecraft::theory

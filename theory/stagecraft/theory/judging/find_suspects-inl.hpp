@@ -151,16 +151,18 @@ void lost_columns(const subject<K>& s, Add add) {
 }
 
 /// A transposed, b and b_embedded exchanged, two rows of A, two entries of a row, of b or of c exchanged, the rows of
-/// A, one row, or weights shifted, a column lost.
-template <class K>
-std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
-    std::vector<mix_up<K>> all;
+/// A, one row, or weights shifted, a column lost: `visit` sees each undone, until it returns true.
+template <class K, class Visit>
+void visit_mix_ups(const subject<K>& s, Visit visit) {
+    bool found = false;
     const auto add = [&](std::string what, auto change) {
-        all.push_back({std::move(what), s});
-        auto& t = all.back().undone.t;
-        change(t);
-        if (s.nodes_given) return;
-        for (int i = 0; i < s.stages(); ++i) t.c(i) = t.A.row(i).sum();
+        if (found) return;
+        tableaux::time_share::check_now();
+        mix_up<K> m{std::move(what), s};
+        change(m.undone.t);
+        if (!s.nodes_given)
+            for (int i = 0; i < s.stages(); ++i) m.undone.t.c(i) = m.undone.t.A.row(i).sum();
+        found = visit(m);
     };
     add("A is transposed", [](auto& t) { t.A = t.A.transpose().eval(); });
     if (s.t.b_embedded.size() > 0)
@@ -202,7 +204,6 @@ std::vector<mix_up<K>> mix_ups(const subject<K>& s) {
                             " are exchanged",
                         [=](auto& t) { std::swap(t.A(i, j), t.A(i, k)); });
     lost_columns(s, add);
-    return all;
 }
 
 /// Whether undoing it leaves an explicit method explicit, and a diagonally implicit one that.
@@ -220,9 +221,13 @@ bool keeps_structure(const mix_up<K>& m) {
 /// structure.
 template <class K>
 std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims, bool structured) {
-    for (const auto& m : mix_ups(s))
-        if (keeps_structure(m) == structured && keeps_claims(m.undone, claims)) return m.what;
-    return {};
+    std::string what;
+    visit_mix_ups(s, [&](const mix_up<K>& m) {
+        if (keeps_structure(m) != structured || !keeps_claims(m.undone, claims)) return false;
+        what = m.what;
+        return true;
+    });
+    return what;
 }
 
 STAGECRAFT_INLINE void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate) {

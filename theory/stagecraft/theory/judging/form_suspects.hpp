@@ -53,6 +53,7 @@ std::vector<repair<K>> find_form_repairs(tableaux::stage_form::kind kind, const 
     if (claims.order.value_or(0) < 1) return repairs;
     const tree_table table(*claims.order);
     for (const place& p : candidates) {
+        tableaux::time_share::check_now();
         const auto with = [&](const K& x) {
             auto changed = values;
             changed[static_cast<std::size_t>(p.row)][static_cast<std::size_t>(p.column)] = x;

@@ -7,6 +7,7 @@
 #include <stagecraft/method/simplifying_assumptions.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
+#include <stagecraft/theory/judging/finding_in_its_time.hpp>
 #include <stagecraft/theory/judging/jumps_seen.hpp>
 #include <stagecraft/theory/judging/order_finding.hpp>
 #include <stagecraft/theory/judging/properties.hpp>
@@ -306,7 +307,8 @@ bool only_row_sums_tell(const subject<K>& s, bool embedded) {
 
 }  // namespace detail
 
-/// Judges every claim; properties that are not claimed are reported too while they are cheap (s <= 16).
+/// Judges every claim, each within its share of the time; properties that are not claimed are reported too while they are
+/// cheap (s <= 16).
 template <class K>
 void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate& certificate) {
     auto& failures = certificate.failures;
@@ -315,8 +317,9 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
         certificate.findings.push_back(detail::judge_row_sums(s, claims, failures));
         row_sums_fail = certificate.findings.back().truth->is_refuted();
     }
-    certificate.findings.push_back(
-        detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, certificate));
+    certificate.findings.push_back(detail::found_in_its_time("order", claims.order, 0.4, [&] {
+        return detail::judge_order(s, s.t.b, "b", claims.order, row_sums_fail, certificate);
+    }));
     const auto& order = certificate.findings.back();
     if (row_sums_fail && !claims.stage_order && order.judgement && !order.judgement->is_refuted() &&
         !detail::only_row_sums_tell(s, claims.embedded_order.has_value())) {
@@ -327,17 +330,24 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
             "c is not A*1, and the order claimed holds for y' = f(t, y) all the same");
     }
     if (s.t.b_embedded.size() > 0) {
-        certificate.findings.push_back(detail::judge_order(
-            s, s.t.b_embedded, "b_embedded", claims.embedded_order, row_sums_fail, certificate));
+        certificate.findings.push_back(
+            detail::found_in_its_time("embedded_order", claims.embedded_order, 0.4, [&] {
+                return detail::judge_order(s, s.t.b_embedded, "b_embedded", claims.embedded_order,
+                                           row_sums_fail, certificate);
+            }));
         certificate.findings.push_back({"jumps_seen", {}, {}, jumps_seen(s.t), {}, {}, {}});
     }
-    certificate.findings.push_back(detail::judge_stage_order(s, claims.stage_order, failures));
+    certificate.findings.push_back(detail::found_in_its_time("stage_order", claims.stage_order, 0.4, [&] {
+        return detail::judge_stage_order(s, claims.stage_order, failures);
+    }));
+    auto properties_left = static_cast<double>(tableaux::yes_no_claims.size());
     for (const auto& [property, member] : tableaux::yes_no_claims) {
         const std::optional<bool> claimed = claims.*member;
         if (!claimed && s.stages() > 16) continue;
         finding f;
         f.name = property;
-        f.truth = property_of(s, property);
+        f.truth = detail::in_its_time(1 / (1 + properties_left--),
+                                      [&, name = property] { return property_of(s, name); });
         if (claimed) {
             f.claimed = *claimed ? "true" : "false";
             f.judgement = *claimed ? *f.truth : negation(*f.truth);

@@ -228,11 +228,14 @@ void judge(const coupled_subject<K>& s, file_certificate& certificate) {
     const auto& file = *s.file;
     const auto& claims = file.claims;
     const bool additive = file.coupling == tableaux::coupling::additive;
-    certificate.findings.push_back(detail::judge_coupled_order(s, false, claims.order, certificate));
+    certificate.findings.push_back(detail::found_in_its_time("order", claims.order, 0.4, [&] {
+        return detail::judge_coupled_order(s, false, claims.order, certificate);
+    }));
     if (std::all_of(s.partners.begin(), s.partners.end(),
                     [](const auto& p) { return p.t.b_embedded.size() > 0; }))
-        certificate.findings.push_back(
-            detail::judge_coupled_order(s, true, claims.embedded_order, certificate));
+        certificate.findings.push_back(detail::found_in_its_time(
+            "embedded_order", claims.embedded_order, 0.4,
+            [&] { return detail::judge_coupled_order(s, true, claims.embedded_order, certificate); }));
     detail::judge_coupled_row_sums(s, certificate);
     if (!s.nystrom()) {
         certificate.notes.push_back(detail::same_nodes(s) ? "the nodes are the same" : "the nodes differ");

@@ -154,6 +154,7 @@ std::vector<repair<K>> find_repairs(const subject<K>& s, const tableaux::claims&
     if constexpr (!exact_scalar<K>)
         rough = mapped<tableaux::rough_ball>(s, [](const K& x) { return tableaux::rough_ball(x); });
     for (const place& p : candidates) {
+        tableaux::time_share::check_now();
         const auto d = residues ? detail::determined_by(*residues, p, claims, trees)
                                 : detail::determined_by(s, p, claims, trees);
         if (!d || (residues && !try_in(*residues, p, *d))) continue;

@@ -136,6 +136,7 @@ std::vector<repaired_pair<K>> find_repaired_pairs(const subject<K>& s, const tab
     if (sums.empty() || (sums.size() > 2 && !intact) || !rough) return found;
     const bool row_sums = !s.nodes_given || mostly_row_sums(s);
     const auto attempt = [&](const place& p, const K& at_p, const place& q, const K& at_q) {
+        tableaux::time_share::check_now();
         subject<K> changed = s;
         shift(changed, p, at_p);
         shift(changed, q, at_q);
@@ -153,6 +154,7 @@ std::vector<repaired_pair<K>> find_repaired_pairs(const subject<K>& s, const tab
     for (const auto& [defect, places] : sums)
         for (std::size_t k = 0; k < places.size(); ++k)
             for (std::size_t i = 0; i < k; ++i) {
+                tableaux::time_share::check_now();
                 subject<K> right = s;
                 if (!intact) shift(right, places[i], K(-defect));
                 const auto fast = quick(right);
