@@ -286,6 +286,38 @@ BOOST_AUTO_TEST_CASE(a_row_sum_tells_what_the_order_conditions_do_not) {
     BOOST_TEST(checked::certify(node.dump()).exit_code() == 1);
 }
 
+BOOST_AUTO_TEST_CASE(a_repair_keeps_the_structure_and_leaves_it_only_where_nothing_else_restores_the_claims) {
+    // With a row sum each entry of the row could be to blame, those above the diagonal among them.
+    for (const char* name : {"classical_rk4", "dormand_prince_5_4", "kvaerno_5_4", "sdirk_4_3"}) {
+        json table = method(name);
+        const std::size_t s = table["b"].size();
+        const bool is_explicit = std::all_of(table["A"].begin(), table["A"].end(),
+                                             [i = 0U](const auto& row) mutable { return row[i++] == "0"; });
+        table["A"][s - 1][0] = "1/7";
+        const auto c = checked::certify(table.dump());
+        BOOST_TEST_CONTEXT(name) {
+            BOOST_TEST(c.exit_code() == 1);
+            BOOST_REQUIRE(!c.suspects.empty());
+            for (const auto& x : c.suspects) {
+                if (x.entry.front() != 'A') continue;
+                const auto row = std::stoul(x.entry.substr(2)),
+                           column = std::stoul(x.entry.substr(x.entry.find("][") + 2));
+                BOOST_TEST((is_explicit ? column < row : column <= row));
+            }
+        }
+    }
+    const auto midpoint = checked::certify(R"({"A":[["0"]],"b":["1"],"c":["1/2"],"claims":{"order":2}})");
+    BOOST_REQUIRE(midpoint.suspects.size() == 1U);
+    BOOST_TEST(midpoint.suspects.front().entry == "A[1][1]");
+    BOOST_TEST(midpoint.suspects.front().suggest == "1/2");
+    BOOST_TEST(midpoint.suspects_note ==
+               "no change within its structure restores every claim; a change of this zero does");
+    json radau = method("radau_iia_2");
+    radau["A"][0][1] = "0";
+    BOOST_TEST(checked::certify(radau.dump()).suspects_note ==
+               "entry [2] of row [1] of A is lost: undone, every claim is restored");
+}
+
 BOOST_AUTO_TEST_CASE(exchanged_and_transposed_parts_are_recognised) {
     const auto note = [](const json& table) { return checked::certify(table.dump()).suspects_note; };
     json transposed = method("gauss_2");

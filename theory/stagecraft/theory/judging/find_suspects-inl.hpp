@@ -230,6 +230,19 @@ std::string find_mix_up(const subject<K>& s, const tableaux::claims& claims, boo
     return what;
 }
 
+/// Whether a change of a zero that makes the method what it is, explicit or diagonally implicit, restores every claim.
+template <class K>
+bool find_beyond_structure(subject<K> s, const tableaux::tableau_file& file, const std::vector<place>& within,
+                           file_certificate& certificate) {
+    std::vector<place> beyond;
+    for (const place& p : places_of(file))
+        if (std::find(within.begin(), within.end(), p) == within.end()) beyond.push_back(p);
+    s.strictly_lower = s.lower = false;
+    append_suspects(file, find_repairs(s, file.claims, beyond), certificate.suspects);
+    rank(certificate.suspects);
+    return !certificate.suspects.empty();
+}
+
 STAGECRAFT_INLINE void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate) {
     const int highest = std::max(file.claims.order.value_or(0), file.claims.embedded_order.value_or(0));
     if (highest > tableaux::largest_order) {
@@ -267,7 +280,9 @@ STAGECRAFT_INLINE void find_suspects(const tableaux::tableau_file& file, file_ce
                 (find_two_in_sums(s, file, certificate) || find_two_faults(s, file, all, certificate)))
                 return;
         }
-        note = "no change of a single entry restores every claim";
+        note = find_beyond_structure(s, file, all, certificate)
+                   ? "no change within its structure restores every claim; a change of this zero does"
+                   : "no change of a single entry restores every claim";
     };
     if (file.kind() <= tableaux::number_kind::quadratic)
         several(exact_subject(file));
