@@ -220,6 +220,11 @@ Proof.
   unfold scaled. destruct (null e) eqn:E; [rewrite (value_null _ E); simpl; ring|].
   induction v as [|f v IH]; simpl; [ring|]. rewrite value_times, IH; ring.
 Qed.
+Lemma polynomial_null p x : forallb null p = true -> polynomial p x = 0.
+Proof.
+  induction p as [|e p IH]; simpl; intro H; [reflexivity|]. apply andb_prop in H. destruct H as [H H'].
+  rewrite (value_null _ H), IH by exact H'. ring.
+Qed.
 Fixpoint times1 (p r : list coefficient) : list coefficient :=
   match p with [] => [] | e :: p => vplus (scaled e r) (q 0 :: times1 p r) end.
 Lemma polynomial_times1 p r x : polynomial (times1 p r) x = polynomial p x * polynomial r x.
@@ -463,32 +468,38 @@ Proof.
 Qed.
 
 (** A single tree whose condition fails. *)
-Fixpoint vector (t : tree) : list coefficient :=
-  match t with leaf => unit | graft t u => times_in (vector t) (grown (size u) (vector u)) end.
-Fixpoint all_short (t : tree) : bool :=
-  short (vector t) && match t with leaf => true | graft t u => all_short t && all_short u end.
-Lemma vector_stage t : all_short t = true -> forall i, i < stages T ->
-  stage (vector t) i = whole (branches t) * phi T t i.
+Definition when_short (v : list coefficient) : option (list coefficient) := if short v then Some v else None.
+Fixpoint vector (t : tree) : option (list coefficient) :=
+  match t with
+  | leaf => when_short unit
+  | graft t u => match vector t, vector u with
+                 | Some v, Some w => when_short (times_in v (grown (size u) w)) | _, _ => None end
+  end.
+Lemma when_short_is v w : when_short v = Some w -> w = v /\ length v <= length beta.
 Proof.
-  induction t as [|t IHt u IHu]; simpl; intros H i Hi.
-  - rewrite (has_unit M) by exact Hi. rewrite whole_one; ring.
-  - apply andb_prop in H. destruct H as [_ H]. apply andb_prop in H. destruct H as [Ht Hu].
-    rewrite (has_product M) by exact Hi. rewrite (IHt Ht) by exact Hi.
-    assert (L : length (vector u) <= length beta).
-    { destruct u; simpl in Hu; apply andb_prop in Hu; destruct Hu as [Hu _]; apply Nat.leb_le; exact Hu. }
-    rewrite stage_grown by assumption.
+  unfold when_short. destruct (short v) eqn:S; intro E; [|discriminate]. injection E as <-. split; [reflexivity|].
+  apply Nat.leb_le, S.
+Qed.
+Lemma vector_stage t : forall v, vector t = Some v -> length v <= length beta /\
+  forall i, i < stages T -> stage v i = whole (branches t) * phi T t i.
+Proof.
+  induction t as [|t IHt u IHu]; intros v H; cbn [vector] in H.
+  - apply when_short_is in H. destruct H as [-> L]. split; [exact L|]. intros i Hi.
+    rewrite (has_unit M) by exact Hi. simpl. rewrite whole_one; ring.
+  - destruct (vector t) as [x|]; [|discriminate]. destruct (vector u) as [y|]; [|discriminate].
+    apply when_short_is in H. destruct H as [-> L]. split; [exact L|]. intros i Hi.
+    destruct (IHt x eq_refl) as [_ X]. destruct (IHu y eq_refl) as [Ly Y].
+    rewrite (has_product M) by exact Hi. rewrite X, stage_grown by assumption. simpl.
     rewrite (@sum_ext _ _ (fun j => whole (branches u) * (a T i j * phi T u j))).
-    2: { intros j Hj. rewrite (IHu Hu) by exact Hj. ring. }
+    2: { intros j Hj. rewrite Y by exact Hj. ring. }
     rewrite sum_scale, !whole_mul. ring.
 Qed.
-Definition fails (t : tree) : bool := all_short t && not_null (defect (size t) (vector t)).
+Definition fails (t : tree) : bool := match vector t with Some v => not_null (defect (size t) v) | None => false end.
 Theorem failure_is_checked t : fails t = true -> ~ condition T t.
 Proof.
-  unfold fails. intros H C. apply andb_prop in H. destruct H as [H N]. apply value_not_null in N. apply N.
-  assert (L : length (vector t) <= length beta).
-  { destruct t; simpl in H; apply andb_prop in H; destruct H as [H _]; apply Nat.leb_le; exact H. }
-  rewrite (@defect_value (size t) (vector t) t L eq_refl (vector_stage _ H)). unfold condition in C.
-  rewrite C. ring.
+  unfold fails. destruct (vector t) as [v|] eqn:E; [|discriminate]. intros N C.
+  destruct (@vector_stage t v E) as [L V]. apply value_not_null in N. apply N.
+  rewrite (@defect_value (size t) v t L eq_refl V). unfold condition in C. rewrite C. ring.
 Qed.
 
 Definition order_verdict (p : nat) (t : tree) : bool := order_holds p && ((size t =? S p) && fails t).
@@ -574,10 +585,7 @@ Proof.
   - intros i Hi. rewrite (@along_solves z Q [] H i Hi) at 1. cbn [stage stage_from].
     unfold stage; cbn [stage_from]. rewrite sum_nothing. ring.
   - rewrite <- along_weighs by exact H.
-    assert (X : polynomial (vplus (scaled (q (-1)) P) (numerator Q)) z = 0).
-    { generalize E. generalize (vplus (scaled (q (-1)) P) (numerator Q)). clear. intro p.
-      induction p as [|e p IH]; simpl; intro H; [reflexivity|]. apply andb_prop in H. destruct H as [H H'].
-      rewrite (value_null _ H), IH by exact H'. ring. }
+    pose proof (polynomial_null _ z E) as X.
     rewrite polynomial_plus, polynomial_scaled in X. unfold numerator in X. rewrite polynomial_plus in X.
     cbn [polynomial] in X. rewrite value_zero in X. rewrite value_q in X.
     change (-1)%Q with (- (1))%Q in X. rewrite rat_opp, rat_one in X.
@@ -693,17 +701,6 @@ Proof.
   - intros u v i Hi. rewrite !stage_powers. simpl. rewrite polynomial_times; [ring|]. rewrite Ln. apply HN, Hi.
 Qed.
 
-Definition acts_order (N : list coefficient) (alpha : list (list coefficient)) (beta : list coefficient)
-           (p : nat) (t : tree) : bool :=
-  ((length alpha =? length beta) && (length N =? length beta))
-  && order_verdict alpha beta [q 1] (times_modulo N) p t.
-Theorem acts_order_is T c N alpha beta p t :
-  acts T c N alpha beta -> acts_order N alpha beta p t = true -> order_is T p.
-Proof.
-  unfold acts_order. intros H E. apply andb_prop in E. destruct E as [L E]. apply andb_prop in L. destruct L as [L L'].
-  apply Nat.eqb_eq in L, L'. exact (order_is_decided (acts_model L L' H) p t E).
-Qed.
-
 Definition acts_function (N : list coefficient) (alpha : list (list coefficient)) (beta : list coefficient) (n : nat)
            (G P Q : list coefficient) : bool :=
   ((length alpha =? length beta) && (length N =? length beta)) && function_verdict alpha beta [q 1] n G P Q.
@@ -748,9 +745,352 @@ Proof.
     apply one_over_inverse, HC; assumption.
   - intros k Hk. rewrite nth_seq by lia. rewrite (one_over_inverse _ _ (HB k Hk)). ring.
 Qed.
+
+(** ** 8. Orders of families: Butcher's simplifying assumptions
+
+    B(p), C(q) and D(r) give the order p where p <= q + r + 1 and p <= 2 q + 2 (Hairer-Norsett-Wanner I.II.7): a tree has at
+    most one branch of more than q nodes. C(q) makes powers of c of the others, and D(r) takes that one off. *)
+
+Definition quadrature (T : tableau) (f : nat -> F) : F := sum (stages T) (fun i => b T i * f i).
+Definition applied (T : tableau) (f : nat -> F) (i : nat) : F := sum (stages T) (fun j => a T i j * f j).
+Definition has_B (T : tableau) (c : nat -> F) (p : nat) : Prop := forall k, k < p ->
+  whole (Z.of_nat (S k)) * quadrature T (fun i => power (c i) k) = 1.
+Definition has_C (T : tableau) (c : nat -> F) (q : nat) : Prop := forall k i, k < q -> i < stages T ->
+  whole (Z.of_nat (S k)) * applied T (fun j => power (c j) k) i = power (c i) (S k).
+(** Of one stage vector f. (D(r) in the books is this of all of them.) *)
+Definition has_D (T : tableau) (c : nat -> F) (r : nat) (f : nat -> F) : Prop := forall k, k < r ->
+  whole (Z.of_nat (S k)) * quadrature T (fun i => power (c i) k * applied T f i)
+  + quadrature T (fun i => power (c i) (S k) * f i) = quadrature T f.
+
+Lemma power_add x k n : power x (k + n)%nat = power x k * power x n.
+Proof. induction k; cbn [power Nat.add]; [ring|]. rewrite IHk. ring. Qed.
+Lemma whole_add x y : whole (x + y)%Z = whole x + whole y.
+Proof. unfold whole. rewrite inject_Z_plus. apply rat_add. Qed.
+Lemma whole_cancel n x y : whole (Z.of_nat (S n)) * x = whole (Z.of_nat (S n)) * y -> x = y.
+Proof.
+  intro E. set (r := rat F (1 # Pos.of_nat (S n))).
+  assert (I : r * whole (Z.of_nat (S n)) = 1).
+  { unfold r, whole. rewrite <- rat_mul, <- rat_one. apply rat_eq.
+    unfold Qeq, inject_Z, Qmult; cbn [Qnum Qden].
+    replace (Z.of_nat (S n)) with (Zpos (Pos.of_nat (S n))) by (rewrite <- positive_nat_Z, Nat2Pos.id; lia). lia. }
+  transitivity (r * whole (Z.of_nat (S n)) * x); [rewrite I; ring|].
+  transitivity (r * (whole (Z.of_nat (S n)) * x)); [ring|]. rewrite E.
+  transitivity (r * whole (Z.of_nat (S n)) * y); [ring|]. rewrite I; ring.
+Qed.
+
+Section Simplifying.
+Variables (T : tableau) (c : nat -> F) (p q r : nat).
+Hypothesis B : has_B T c p.
+Hypothesis C : has_C T c q.
+Hypothesis D : forall u, has_D T c r (phi T u).
+Definition scaled_phi (t : tree) (i : nat) : F := whole (branches t) * phi T t i.
+Lemma quadrature_ext f g : (forall i, i < stages T -> f i = g i) -> quadrature T f = quadrature T g.
+Proof. intro H. apply sum_ext. intros i Hi. rewrite H by exact Hi. reflexivity. Qed.
+Lemma quadrature_scale x f : quadrature T (fun i => x * f i) = x * quadrature T f.
+Proof. unfold quadrature. rewrite <- sum_scale. apply sum_ext. intros; ring. Qed.
+Lemma applied_ext f g i : (forall i, i < stages T -> f i = g i) -> applied T f i = applied T g i.
+Proof. intro H. apply sum_ext. intros j Hj. rewrite H by exact Hj. reflexivity. Qed.
+Lemma applied_scale x f i : applied T (fun j => x * f j) i = x * applied T f i.
+Proof. unfold applied. rewrite <- sum_scale. apply sum_ext. intros; ring. Qed.
+Lemma scaled_graft t u i : scaled_phi (graft t u) i =
+  scaled_phi t i * (whole (Z.of_nat (size u)) * applied T (scaled_phi u) i).
+Proof.
+  unfold scaled_phi. rewrite applied_scale. cbn [branches phi]. rewrite !whole_mul. unfold applied. ring.
+Qed.
+
+(** A power of c; or a power of c times one branch with more than q nodes; or a tree too large for that. *)
+Lemma one_large_branch t :
+  (forall i, i < stages T -> scaled_phi t i = power (c i) (size t - 1)%nat) \/
+  (exists k u, (size t = S k + size u)%nat /\ q < size u /\ forall i, i < stages T ->
+     scaled_phi t i = power (c i) k * (whole (Z.of_nat (size u)) * applied T (scaled_phi u) i)) \/
+  (2 * q + 2 < size t)%nat.
+Proof.
+  induction t as [|t IHt u IHu].
+  - left. intros i _. unfold scaled_phi. cbn. rewrite whole_one. ring.
+  - pose proof (size_positive t). pose proof (size_positive u). cbn [size].
+    destruct (le_lt_dec (size u) q) as [L|L].
+    + assert (E : forall i, i < stages T -> whole (Z.of_nat (size u)) * applied T (scaled_phi u) i = power (c i) (size u)).
+      { intros i Hi. destruct IHu as [U|[[k [v [S [Q _]]]]|U]]; try lia.
+        rewrite (@applied_ext _ _ i U). assert (X : size u - 1 < q) by lia.
+        apply (C X) in Hi. replace (S (size u - 1)) with (size u) in Hi by lia. exact Hi. }
+      destruct IHt as [U|[[k [v [S [Q U]]]]|U]].
+      * left. intros i Hi. rewrite scaled_graft, E, U, <- power_add by exact Hi. f_equal. lia.
+      * right; left. exists (k + size u)%nat, v. repeat split; try lia.
+        intros i Hi. rewrite scaled_graft, E, U, power_add by exact Hi. ring.
+      * right; right. lia.
+    + destruct IHt as [U|[[k [v [S [Q U]]]]|U]]; try (right; right; lia).
+      right; left. exists (size t - 1)%nat, u. repeat split; try lia.
+      intros i Hi. rewrite scaled_graft, U by exact Hi. ring.
+Qed.
+
+(** m leaves are grafted besides: so that D(r) can be used again. *)
+Lemma weight_with_leaves : (p <= q + r + 1)%nat -> (p <= 2 * q + 2)%nat -> forall n t m, size t <= n -> (size t + m <= p)%nat ->
+  whole (Z.of_nat (size t + m)%nat) * quadrature T (fun i => power (c i) m * scaled_phi t i) = 1.
+Proof.
+  intros P P'. induction n as [|n IH]; intros t m N L; pose proof (size_positive t); [lia|].
+  destruct (one_large_branch t) as [U|[[k [u [S [Q U]]]]|U]]; [| |lia].
+  - rewrite (@quadrature_ext _ (fun i => power (c i) (size t + m - 1)%nat)).
+    + assert (X : size t + m - 1 < p) by lia. apply B in X. replace (S (size t + m - 1)) with (size t + m)%nat in X by lia. exact X.
+    + intros i Hi. rewrite U, <- power_add by exact Hi. f_equal. lia.
+  - set (l := (m + k)%nat). set (x := quadrature T (fun i => power (c i) l * applied T (scaled_phi u) i)).
+    rewrite (@quadrature_ext _ (fun i => whole (Z.of_nat (size u)) * (power (c i) l * applied T (scaled_phi u) i))).
+    2: { intros i Hi. rewrite U by exact Hi. unfold l. rewrite power_add. ring. }
+    rewrite quadrature_scale. fold x.
+    pose proof (IH u 0%nat ltac:(lia) ltac:(lia)) as E. pose proof (IH u (Datatypes.S l) ltac:(lia) ltac:(lia)) as E'.
+    rewrite Nat.add_0_r in E. rewrite (@quadrature_ext _ (scaled_phi u)) in E by (intros; cbn [power]; ring).
+    assert (X : whole (Z.of_nat (Datatypes.S l)) * x + quadrature T (fun i => power (c i) (Datatypes.S l) * scaled_phi u i)
+                = quadrature T (scaled_phi u)).
+    { unfold x, scaled_phi. rewrite quadrature_scale, <- (D u (k := l)) by lia.
+      rewrite (@quadrature_ext _ (fun i => whole (branches u) * (power (c i) l * applied T (phi T u) i))).
+      2: { intros i _. rewrite applied_scale. ring. }
+      rewrite (@quadrature_ext (fun i => power (c i) (Datatypes.S l) * _)
+                 (fun i => whole (branches u) * (power (c i) (Datatypes.S l) * phi T u i))) by (intros; ring).
+      rewrite !quadrature_scale. ring. }
+    replace (size t + m)%nat with (size u + Datatypes.S l)%nat by lia.
+    apply (@whole_cancel l). set (y := quadrature T (fun i => power (c i) (Datatypes.S l) * scaled_phi u i)) in *.
+    rewrite <- X in E. rewrite Nat2Z.inj_add, whole_add in *.
+    set (g := whole (Z.of_nat (size u))) in *. set (h := whole (Z.of_nat (Datatypes.S l))) in *.
+    (* g (h x + y) = 1 and (g + h) y = 1, so that (g + h) g h x = h *)
+    transitivity ((g + h) * (g * (h * x + y)) + opp F (g * ((g + h) * y))); [ring|]. rewrite E, E'. ring.
+Qed.
+Theorem simplifying_order : (p <= q + r + 1)%nat -> (p <= 2 * q + 2)%nat -> has_order T p.
+Proof.
+  intros P P' t L. unfold condition. pose proof (@weight_with_leaves P P' (size t) t 0%nat) as W.
+  rewrite Nat.add_0_r in W. rewrite <- W by lia. clear W.
+  rewrite (@quadrature_ext _ (fun i => whole (branches t) * phi T t i)) by (intros; cbn [power]; unfold scaled_phi; ring).
+  rewrite quadrature_scale. unfold gamma, weight. rewrite whole_mul. unfold quadrature. ring.
+Qed.
+End Simplifying.
+
+(** How B(p), C(q) and D(r) are computed where T acts on the powers of c by alpha and beta. *)
+Lemma length_vplus u : forall v n, length u <= n -> length v <= n -> length (vplus u v) <= n.
+Proof.
+  induction u as [|x u IH]; intros [|y v] [|n] L L'; simpl in *; try lia. specialize (IH v n). lia.
+Qed.
+Lemma length_scaled x v : length (scaled x v) <= length v.
+Proof. unfold scaled. destruct (null x); [simpl; lia|]. rewrite map_length. lia. Qed.
+Lemma length_reduced N p : length p <= S (length N) -> length (reduced N p) <= length N.
+Proof.
+  intro L. unfold reduced. pose proof (skipn_length (length N) p) as K.
+  destruct (skipn (length N) p) as [|e [|f l]]; simpl in K; try lia.
+  apply length_vplus; [rewrite firstn_length; lia|]. apply length_scaled.
+Qed.
+Lemma length_times N u v : length v <= length N -> length (times_modulo N u v) <= length N.
+Proof.
+  intro L. induction u as [|x u IH]; cbn [times_modulo]; [simpl; lia|].
+  apply length_vplus; [pose proof (length_scaled x v); lia|]. apply length_reduced. simpl. lia.
+Qed.
+Lemma length_combination n v : forall rows, forallb (fun row => length row <=? n) rows = true ->
+  length (combination v rows) <= n.
+Proof.
+  induction v as [|x v IH]; intros [|row rows] H; cbn [combination]; try (simpl; lia).
+  cbn [forallb] in H. apply andb_prop in H. destruct H as [H H']. apply Nat.leb_le in H.
+  apply length_vplus; [pose proof (length_scaled x row); lia|]. apply IH, H'.
+Qed.
+
+Lemma skipn_nth (X : Type) (x : X) l : forall k, k < length l -> skipn k l = nth k l x :: skipn (S k) l.
+Proof.
+  induction l as [|y l IH]; intros [|k] K; cbn [length] in K; try lia; [reflexivity|].
+  change (skipn (S k) (y :: l)) with (skipn k l). rewrite IH by lia. reflexivity.
+Qed.
+Lemma quadrature_combination T x f g : quadrature T (fun i => x * f i + g i) = x * quadrature T f + quadrature T g.
+Proof. unfold quadrature. rewrite <- sum_scale, <- sum_add. apply sum_ext. intros; ring. Qed.
+Lemma has_D_combination T c r x f g h : has_D T c r f -> has_D T c r g ->
+  (forall i, i < stages T -> h i = x * f i + g i) -> has_D T c r h.
+Proof.
+  intros Df Dg E k K. rewrite (@quadrature_ext T h (fun i => x * f i + g i)) by exact E.
+  rewrite (@quadrature_ext T (fun i => power (c i) (S k) * h i)
+             (fun i => x * (power (c i) (S k) * f i) + power (c i) (S k) * g i)) by (intros; rewrite E by assumption; ring).
+  rewrite (@quadrature_ext T (fun i => power (c i) k * applied T h i)
+             (fun i => x * (power (c i) k * applied T f i) + power (c i) k * applied T g i)).
+  2: { intros i _. rewrite (@applied_ext T h (fun i => x * f i + g i)) by exact E. unfold applied.
+       rewrite (@sum_ext _ _ (fun j => x * (a T i j * f j) + a T i j * g j)) by (intros; ring).
+       rewrite sum_add, sum_scale. ring. }
+  rewrite !quadrature_combination, <- (Df k K), <- (Dg k K). ring.
+Qed.
+
+Lemma has_D_zero T c r f : (forall i, i < stages T -> f i = 0) -> has_D T c r f.
+Proof.
+  intros Z k K. unfold quadrature, applied.
+  rewrite (@sum_ext _ (fun i => b T i * f i) (fun i => b T i * 0)) by (intros; rewrite Z by assumption; ring).
+  rewrite (@sum_ext _ (fun i => b T i * (power (c i) (S k) * f i)) (fun i => b T i * 0))
+    by (intros; rewrite Z by assumption; ring).
+  rewrite (@sum_ext _ (fun i => b T i * (power (c i) k * _)) (fun i => b T i * 0)).
+  - rewrite !sum_nothing. ring.
+  - intros i _. rewrite (@sum_ext _ _ (fun j => a T i j * 0)) by (intros; rewrite Z by assumption; ring).
+    rewrite sum_nothing. ring.
+Qed.
+
+Section Moments.
+Variables (T : tableau) (c : nat -> F) (N : list coefficient) (alpha : list (list coefficient)) (beta : list coefficient).
+Hypothesis H : acts T c N alpha beta.
+Hypothesis La : length alpha = length beta.
+Hypothesis Ln : length N = length beta.
+Lemma nodal_power i : i < stages T -> power (c i) (length N) = polynomial N (c i).
+Proof. rewrite Ln, <- (number_of_stages H). apply (on_nodes H). Qed.
+Lemma quadrature_polynomial v : length v <= length beta ->
+  quadrature T (fun i => polynomial v (c i)) = value (product v beta).
+Proof.
+  intro L. rewrite <- (stage_product (acts_model La Ln H)) by exact L.
+  apply sum_ext. intros i _. unfold stage. rewrite stage_powers. cbn [power]. ring.
+Qed.
+Lemma applied_polynomial v i : length v <= length beta -> i < stages T ->
+  applied T (fun j => polynomial v (c j)) i = polynomial (combination v alpha) (c i).
+Proof.
+  intros L Hi. transitivity (stage (powers c) (combination v alpha) i).
+  - rewrite <- (stage_combination (acts_model La Ln H)) by assumption.
+    apply sum_ext. intros j _. unfold stage. rewrite stage_powers. cbn [power]. ring.
+  - unfold stage. rewrite stage_powers. cbn [power]. ring.
+Qed.
+
+(** b^T (c^k p(c)) for k = 0, 1, ... *)
+Fixpoint moments (p : list coefficient) (n : nat) : list coefficient :=
+  match n with O => [] | S n => product p beta :: moments (reduced N (q 0 :: p)) n end.
+Lemma moments_length n : forall p, length (moments p n) = n.
+Proof. induction n; intro p; cbn [moments length]; [reflexivity|]. rewrite IHn; reflexivity. Qed.
+Lemma moments_value n : forall p k, length p <= length N -> k < n ->
+  value (nth k (moments p n) (q 0)) = quadrature T (fun i => power (c i) k * polynomial p (c i)).
+Proof.
+  induction n; intros p [|k] L K; try lia; cbn [moments nth].
+  - rewrite <- quadrature_polynomial by lia. apply quadrature_ext. intros; cbn [power]; ring.
+  - rewrite IHn by (try lia; apply length_reduced; simpl; lia).
+    apply quadrature_ext. intros i Hi. rewrite polynomial_reduced by (apply nodal_power, Hi).
+    cbn [polynomial power]. rewrite value_zero. ring.
+Qed.
+Definition times_whole (k : nat) (x : coefficient) : coefficient := times (q (inject_Z (Z.of_nat k))) x.
+Definition B_holds (mu : list coefficient) (p : nat) : bool :=
+  (p <=? length mu) && forallb (fun k => null (plus (times_whole (S k) (nth k mu (q 0))) (q (-1)))) (seq 0 p).
+Definition C_holds (q' : nat) : bool :=
+  (q' <=? length beta)
+  && forallb (fun k => forallb null (vplus (nth k alpha []) (scaled (q (-1)) (integral_of N k)))) (seq 0 q').
+Definition D_holds (mu : list coefficient) (r : nat) : bool :=
+  (r + length beta <=? length mu)
+  && forallb (fun k => forallb (fun l => null
+       (plus (plus (times_whole (S k) (product (nth l alpha []) (skipn k mu))) (nth (S k + l) mu (q 0)))
+             (times (q (-1)) (nth l mu (q 0))))) (seq 0 (length beta))) (seq 0 r).
+Definition rows_short : bool := forallb (fun row => length row <=? length beta) alpha.
+
+Variable n : nat.
+Notation mu := (moments [q 1] n).
+Hypothesis Positive : 0 < length beta.
+Lemma moment_value k : k < n -> value (nth k mu (q 0)) = quadrature T (fun i => power (c i) k).
+Proof.
+  intro K. rewrite moments_value by (simpl; lia). apply quadrature_ext. intros. cbn [polynomial]. rewrite value_one. ring.
+Qed.
+Lemma product_moments v : forall k, k + length v <= n ->
+  value (product v (skipn k mu)) = quadrature T (fun i => power (c i) k * polynomial v (c i)).
+Proof.
+  induction v as [|e v IH]; intros k L; cbn [length] in L.
+  - cbn [product polynomial]. rewrite value_zero. unfold quadrature. symmetry.
+    rewrite (@sum_ext _ _ (fun i => b T i * 0)) by (intros; ring). apply sum_nothing.
+  - rewrite (@skipn_nth _ (q 0) mu k) by (rewrite moments_length; lia). cbn [product polynomial].
+    rewrite value_plus, value_times, IH, moment_value by lia. cbn [power].
+    rewrite <- quadrature_scale. unfold quadrature. rewrite <- sum_add. apply sum_ext. intros; ring.
+Qed.
+
+Hypothesis Short : rows_short = true.
+Lemma row_short k : length (nth k alpha []) <= length beta.
+Proof.
+  unfold rows_short in Short. rewrite forallb_forall in Short.
+  destruct (nth_in_or_default k alpha []) as [I|E]; [apply Nat.leb_le, Short, I|rewrite E; simpl; lia].
+Qed.
+Lemma null_minus_one x y : null (plus x (times (q (-1)) y)) = true -> value x = value y.
+Proof.
+  intro E. apply value_null in E. rewrite value_plus, value_times, value_q in E.
+  change (-1)%Q with (- (1))%Q in E. rewrite rat_opp, rat_one in E.
+  transitivity (value x + opp F 1 * value y + value y); [ring|]. rewrite E; ring.
+Qed.
+Lemma times_whole_value k x : value (times_whole k x) = whole (Z.of_nat k) * value x.
+Proof. unfold times_whole. rewrite value_times, value_q. reflexivity. Qed.
+Lemma B_is_checked p : B_holds mu p = true -> has_B T c p.
+Proof.
+  unfold B_holds. rewrite moments_length. intros E k K. apply andb_prop in E. destruct E as [L E]. apply Nat.leb_le in L.
+  rewrite forallb_forall in E. specialize (E k). rewrite <- moment_value by lia.
+  rewrite <- times_whole_value. assert (X : In k (seq 0 p)) by (apply in_seq; lia). apply E, value_null in X.
+  rewrite value_plus, value_q in X. change (-1)%Q with (- (1))%Q in X. rewrite rat_opp, rat_one in X.
+  transitivity (value (times_whole (S k) (nth k mu (q 0))) + opp F 1 + 1); [ring|]. rewrite X; ring.
+Qed.
+Lemma C_is_checked q' : C_holds q' = true -> has_C T c q'.
+Proof.
+  unfold C_holds. intros E k i K Hi. apply andb_prop in E. destruct E as [L E]. apply Nat.leb_le in L.
+  rewrite forallb_forall in E. specialize (E k). assert (X : In k (seq 0 q')) by (apply in_seq; lia).
+  apply E in X. apply (@polynomial_null _ (c i)) in X. rewrite polynomial_plus, polynomial_scaled, value_q in X.
+  change (-1)%Q with (- (1))%Q in X. rewrite rat_opp, rat_one in X. unfold applied.
+  assert (K' : k < stages T) by (rewrite (number_of_stages H); lia). rewrite (on_stages H Hi K').
+  assert (Y : polynomial (integral_of N k) (c i) = value (one_over (S k)) * power (c i) (S k)).
+  { unfold integral_of. rewrite polynomial_reduced by (apply nodal_power, Hi). apply polynomial_monomial. }
+  transitivity (whole (Z.of_nat (S k)) * value (one_over (S k)) * power (c i) (S k)).
+  - rewrite <- (Rmul_assoc (is_ring F)), <- Y. f_equal.
+    transitivity (polynomial (nth k alpha []) (c i) + opp F 1 * polynomial (integral_of N k) (c i)
+                  + polynomial (integral_of N k) (c i)); [ring|]. rewrite X; ring.
+  - replace (whole (Z.of_nat (S k)) * value (one_over (S k))) with 1; [ring|].
+    assert (I : 1 = value (one_over (S k)) * whole (Z.of_nat (S k))) by (apply one_over_inverse; ring).
+    rewrite I at 1. ring.
+Qed.
+
+(** D(r) of all polynomials in c from that of the powers, and the stage vectors of trees are such polynomials. *)
+Lemma D_is_checked r : D_holds mu r = true -> forall v k, k + length v <= length beta ->
+  has_D T c r (fun i => power (c i) k * polynomial v (c i)).
+Proof.
+  unfold D_holds. rewrite moments_length. intro E. apply andb_prop in E. destruct E as [L E]. apply Nat.leb_le in L.
+  assert (P : forall l, l < length beta -> has_D T c r (fun i => power (c i) l)).
+  { intros l Hl k K. rewrite forallb_forall in E. specialize (E k ltac:(apply in_seq; lia)).
+    rewrite forallb_forall in E. specialize (E l ltac:(apply in_seq; lia)).
+    apply null_minus_one in E. rewrite value_plus, times_whole_value in E.
+    rewrite product_moments in E by (pose proof (row_short l); lia). rewrite !moment_value in E by lia.
+    rewrite <- E. f_equal; [f_equal|]; apply quadrature_ext; intros i Hi; [|rewrite power_add; ring].
+    f_equal. apply (on_stages H); [exact Hi|]. rewrite (number_of_stages H). exact Hl. }
+  induction v as [|e v IH]; intros l Hl; cbn [length] in Hl.
+  - apply has_D_zero. intros; cbn [polynomial]; ring.
+  - apply has_D_combination with (x := value e) (f := fun i => power (c i) l)
+      (g := fun i => power (c i) (S l) * polynomial v (c i)); [apply P; lia|apply IH; lia|].
+    intros; cbn [polynomial power]; ring.
+Qed.
+Lemma phi_polynomial t : exists v, length v <= length beta /\ forall i, i < stages T -> phi T t i = polynomial v (c i).
+Proof.
+  induction t as [|t [v [Lv V]] u [w [Lw W]]].
+  - exists [q 1]. split; [simpl; lia|]. intros i _. cbn [phi polynomial]. rewrite value_one. ring.
+  - exists (times_modulo N v (combination w alpha)). split.
+    + rewrite <- Ln. apply length_times. rewrite Ln. apply length_combination, Short.
+    + intros i Hi. rewrite polynomial_times by (apply nodal_power, Hi). cbn [phi]. rewrite V by exact Hi. f_equal.
+      rewrite <- applied_polynomial by assumption. apply applied_ext, W.
+Qed.
+Lemma D_of_trees r : D_holds mu r = true -> forall t, has_D T c r (phi T t).
+Proof.
+  intros E t. destruct (phi_polynomial t) as [v [L V]].
+  apply has_D_combination with (x := 0) (f := fun i => power (c i) 0 * polynomial v (c i))
+    (g := fun i => power (c i) 0 * polynomial v (c i)); try (apply D_is_checked; assumption).
+  intros i Hi. rewrite V by exact Hi. cbn [power]. ring.
+Qed.
+End Moments.
+
+(** B(p), C(r) and D(e), and a tree of p + 1 nodes that fails. *)
+Definition acts_order (N : list coefficient) (alpha : list (list coefficient)) (beta : list coefficient)
+           (p r e : nat) (t : tree) : bool :=
+  let mu := moments N beta [q 1] (p + e + length beta) in
+  ((length alpha =? length beta) && (length N =? length beta) && (0 <? length beta) && rows_short alpha beta)
+  && (B_holds mu p && C_holds N alpha beta r && D_holds alpha beta mu e)
+  && ((p <=? r + e + 1)%nat && (p <=? 2 * r + 2)%nat)
+  && ((size t =? S p) && fails alpha beta [q 1] (times_modulo N) t).
+Theorem acts_order_is T c N alpha beta p r e t :
+  acts T c N alpha beta -> acts_order N alpha beta p r e t = true -> order_is T p.
+Proof.
+  unfold acts_order. intros H E. repeat match goal with X : _ && _ = true |- _ => apply andb_prop in X; destruct X end.
+  repeat match goal with
+    | X : (_ =? _) = true |- _ => apply Nat.eqb_eq in X
+    | X : (_ <? _) = true |- _ => apply Nat.ltb_lt in X
+    | X : (_ <=? _) = true |- _ => apply Nat.leb_le in X
+  end.
+  split.
+  - apply simplifying_order with (c := c) (q := r) (r := e); try assumption.
+    + eapply B_is_checked; eassumption.
+    + eapply C_is_checked; eassumption.
+    + eapply D_of_trees; eassumption.
+  - exists t. split; [assumption|]. refine (failure_is_checked (acts_model _ _ H) _); assumption.
+Qed.
 End Statements.
 
-(** ** 8. Stability, over the real numbers of Coq's library (whose axioms these theorems use; those on orders use none) *)
+(** ** 9. Stability, over the real numbers of Coq's library (whose axioms these theorems use; those on orders use none) *)
 
 From Coq Require Import Reals Qreals Lra Psatz.
 
@@ -926,27 +1266,70 @@ Proof.
   pose proof (@even_not_negative_sound (length c) c (le_n _) H y). specialize (IH H'). nra.
 Qed.
 
-(** W |Q|^2 - 1 and W (|Q|^2 - |P|^2) have no negative coefficient, for some W >= 1 (which is 1 for most methods). *)
-Definition a_verdict (W : poly2) (P Q : list coefficient) : bool :=
-  (not_negative2 (plus2 [[minus1]] W) && not_negative2 (plus2 [[minus1]] (times2 W (square2 Q))))
-  && not_negative2 (times2 W (plus2 (square2 Q) (opposite2 (square2 P)))).
-Theorem a_stable_is_checked W P Q : a_verdict W P Q = true -> a_stable P Q.
+(** |Q|^2 - 1 and |Q|^2 - |P|^2 have no negative coefficient: so it is for most methods. *)
+Lemma a_stable_from (e : coefficient) P Q : 0 < val e ->
+  (forall u y, 0 <= u -> 0 <= at_u_y (plus2 [[times d minus1 e]] (square2 Q)) u y) ->
+  (forall u y, 0 <= u -> 0 <= at_u_y (plus2 (square2 Q) (opposite2 (square2 P))) u y) -> a_stable P Q.
 Proof.
-  unfold a_verdict. intros H x y X. apply andb_prop in H. destruct H as [H H']. apply andb_prop in H. destruct H as [HW H].
-  replace x with (- - x) by lra. rewrite <- !at_square2.
-  apply (@not_negative2_sound _ (- x) y) in HW, H, H'; try lra. rewrite at_times2 in H'. rewrite at_plus2 in HW, H, H'.
-  rewrite at_opposite2 in H'. rewrite at_times2 in H. cbn [at_u_y at_y] in HW, H. rewrite val_minus1 in HW, H.
-  rewrite (at_square2 Q) in *. assert (N : 0 <= modulus_squared Q (- - x) y).
-  { unfold modulus_squared. destruct (at_complex Q (- - x) y). nra. }
-  rewrite <- (at_square2 Q) in *. split; [nra|].
-  destruct (Rle_or_lt (at_u_y (square2 P) (- x) y) (at_u_y (square2 Q) (- x) y)) as [L|L]; [exact L|nra].
+  intros E H H' x y X. replace x with (- - x) by lra. rewrite <- !at_square2.
+  specialize (H (- x) y). specialize (H' (- x) y). rewrite at_plus2 in H, H'. rewrite at_opposite2 in H'.
+  cbn [at_u_y at_y] in H. rewrite val_times, val_minus1 in H. split; lra.
 Qed.
-Definition l_verdict (W : poly2) (P Q : list coefficient) : bool :=
-  a_verdict W P Q && ((length P <? length Q) && not_null d (last Q (q 0))).
-Theorem l_stable_is_checked W P Q : l_verdict W P Q = true -> l_stable P Q.
+Definition a_verdict (P Q : list coefficient) : bool :=
+  not_negative2 (plus2 [[times d minus1 (q 1)]] (square2 Q)) && not_negative2 (plus2 (square2 Q) (opposite2 (square2 P))).
+Theorem a_stable_is_checked P Q : a_verdict P Q = true -> a_stable P Q.
 Proof.
-  unfold l_verdict. intro H. apply andb_prop in H. destruct H as [A H]. apply andb_prop in H. destruct H as [L N].
-  split; [apply (a_stable_is_checked W), A|]. split; [apply Nat.ltb_lt, L|exact (value_not_null reals _ N)].
+  unfold a_verdict. intro H. apply andb_prop in H. destruct H as [H H']. apply (@a_stable_from (q 1)).
+  - rewrite (value_one reals). cbn. lra.
+  - intros u y. apply not_negative2_sound, H.
+  - intros u y. apply not_negative2_sound, H'.
+Qed.
+
+(** Where they have: sums of squares, |Q|^2 - |P|^2 = sum of D |h(z)|^2 + u sum of D |k(z)|^2 with D >= 0; and the same of
+    |Q|^2 - e for some e > 0. *)
+Definition squares := list (coefficient * list coefficient).
+Definition weights_not_negative (sq : squares) : bool := forallb (fun p => not_negative (fst p)) sq.
+Fixpoint moduli (sq : squares) : poly2 :=
+  match sq with [] => [] | (D, h) :: sq => plus2 (map (scaled d D) (square2 h)) (moduli sq) end.
+Definition is_squares (p : poly2) (on_axis inside : squares) : bool :=
+  weights_not_negative (on_axis ++ inside)
+  && forallb (forallb null) (plus2 p (opposite2 (plus2 (moduli on_axis) ([] :: moduli inside)))).
+Lemma moduli_not_negative sq u y : weights_not_negative sq = true -> 0 <= at_u_y (moduli sq) u y.
+Proof.
+  induction sq as [|[D h] sq IH]; cbn [moduli weights_not_negative forallb fst at_u_y]; intro H; [lra|].
+  apply andb_prop in H. destruct H as [H H']. apply not_negative_sound in H. specialize (IH H').
+  rewrite at_plus2. assert (S : at_u_y (map (scaled d D) (square2 h)) u y = val D * at_u_y (square2 h) u y).
+  { clear. induction (square2 h) as [|e p IH]; cbn [map at_u_y]; [lra|]. rewrite at_y_scaled, IH. lra. }
+  rewrite S, at_square2. assert (0 <= modulus_squared h (- u) y).
+  { unfold modulus_squared. destruct (at_complex h (- u) y). nra. }
+  nra.
+Qed.
+Lemma null2_zero p u y : forallb (forallb null) p = true -> at_u_y p u y = 0.
+Proof.
+  induction p as [|c p IH]; cbn [forallb at_u_y]; intro H; [reflexivity|]. apply andb_prop in H. destruct H as [H H'].
+  rewrite IH by exact H'. assert (Z : at_y c y = 0); [|lra]. clear - H. induction c as [|e c IH]; cbn [forallb at_y] in *; [reflexivity|].
+  apply andb_prop in H. destruct H as [H H']. apply (value_null reals) in H. cbn [zero reals] in H. rewrite H, IH by exact H'. lra.
+Qed.
+Lemma is_squares_sound p on_axis inside u y : is_squares p on_axis inside = true -> 0 <= u -> 0 <= at_u_y p u y.
+Proof.
+  unfold is_squares, weights_not_negative. intros H U. apply andb_prop in H. destruct H as [H E]. rewrite forallb_app in H.
+  apply andb_prop in H. destruct H as [H H']. apply (moduli_not_negative _ u y) in H, H'.
+  apply (null2_zero _ u y) in E. rewrite at_plus2, at_opposite2, at_plus2 in E. cbn [at_u_y at_y] in E. nra.
+Qed.
+Definition a_verdict_by_squares (P Q : list coefficient) (on_axis inside : squares) (e : coefficient) (on_axis' inside' : squares) : bool :=
+  positive e && is_squares (plus2 (square2 Q) (opposite2 (square2 P))) on_axis inside
+  && is_squares (plus2 [[times d minus1 e]] (square2 Q)) on_axis' inside'.
+Theorem a_stable_by_squares P Q on_axis inside e on_axis' inside' :
+  a_verdict_by_squares P Q on_axis inside e on_axis' inside' = true -> a_stable P Q.
+Proof.
+  unfold a_verdict_by_squares. intro H. apply andb_prop in H. destruct H as [H H']. apply andb_prop in H. destruct H as [E H].
+  apply positive_sound in E. apply (@a_stable_from e P Q E); intros u y; eapply is_squares_sound; eassumption.
+Qed.
+Definition l_verdict (P Q : list coefficient) : bool := (length P <? length Q)%nat && not_null d (last Q (q 0)).
+Theorem l_stable_is_checked P Q : a_stable P Q -> l_verdict P Q = true -> l_stable P Q.
+Proof.
+  unfold l_verdict. intros A H. apply andb_prop in H. destruct H as [L N].
+  split; [exact A|]. split; [apply Nat.ltb_lt, L|exact (value_not_null reals _ N)].
 Qed.
 
 (** A point where |R| > 1. *)
@@ -978,7 +1361,7 @@ Proof.
   exists (val x), (val y). rewrite !square_at_sound. split; lra.
 Qed.
 
-(** ** 9. Algebraic stability and symplecticity: the matrix M *)
+(** ** 10. Algebraic stability and symplecticity: the matrix M *)
 
 Notation total := (@sum d reals : nat -> (nat -> R) -> R).
 Variable T : tableau reals.
@@ -1042,7 +1425,6 @@ Proof.
 Qed.
 
 (** A form that is a sum of D times a square of L x is not negative where D is not. *)
-Definition squares := list (coefficient * list coefficient).
 Definition at_place (l : list coefficient) (k : nat) : coefficient := nth k l (q 0).
 Fixpoint entry_of (sq : squares) (k l : nat) : coefficient :=
   match sq with
@@ -1055,10 +1437,10 @@ Lemma null_minus x y : null (minus x y) = true -> val x = val y.
 Proof. intro H. apply (value_null reals) in H. rewrite val_minus in H. cbn [zero reals] in H. lra. Qed.
 Lemma for_all (f : nat -> bool) k : forallb f (seq 0 n) = true -> (k < n)%nat -> f k = true.
 Proof. intros H L. rewrite forallb_forall in H. apply H, in_seq. lia. Qed.
-Lemma squares_not_negative sq x : forallb (fun p => not_negative (fst p)) sq = true ->
+Lemma squares_not_negative sq x : weights_not_negative sq = true ->
   0 <= total n (fun k => x k * total n (fun l => x l * val (entry_of sq k l))).
 Proof.
-  induction sq as [|[D L] sq IH]; cbn [forallb entry_of fst]; intro H.
+  induction sq as [|[D L] sq IH]; cbn [weights_not_negative forallb entry_of fst]; intro H.
   - apply Req_le. symmetry. apply total_zero. intros k _. rewrite (total_zero (n := n)); [lra|].
     intros l _. rewrite val_0. lra.
   - apply andb_prop in H. destruct H as [H H']. specialize (IH H'). apply not_negative_sound in H.
@@ -1074,7 +1456,7 @@ Proof.
 Qed.
 Lemma form_not_negative g (entries : nat -> nat -> coefficient) sq :
   spans -> (forall k l, (k < n)%nat -> (l < n)%nat -> form g (B k) (B l) = val (entries k l)) ->
-  equals sq entries = true -> forallb (fun p => not_negative (fst p)) sq = true -> forall v, 0 <= form g v v.
+  equals sq entries = true -> weights_not_negative sq = true -> forall v, 0 <= form g v v.
 Proof.
   intros S G E P v. destruct (S v) as [x X]. rewrite (@form_ext g _ _ _ _ X X), form_left.
   rewrite (@total_ext n _ (fun k => x k * total n (fun l => x l * val (entry_of sq k l)))).
@@ -1160,7 +1542,7 @@ Proof.
   destruct S as [_ S]. apply Nat.leb_le in S. rewrite <- (stage_product M) by exact S.
   apply total_ext. intros i Hi. rewrite (has_product M) by exact Hi. rewrite !axis_stage. reflexivity.
 Qed.
-Lemma weights_not_negative : (forall v, 0 <= form diagonal v v) -> forall i, (i < s)%nat -> 0 <= b T i.
+Lemma diagonal_not_negative : (forall v, 0 <= form diagonal v v) -> forall i, (i < s)%nat -> 0 <= b T i.
 Proof.
   intros H i Hi. specialize (H (fun j => if (i =? j)%nat then 1 else 0)). rewrite diagonal_form in H.
   enough (E : total s (fun j => b T j * ((if (i =? j)%nat then 1 else 0) * (if (i =? j)%nat then 1 else 0))) = b T i) by lra.
@@ -1172,12 +1554,12 @@ Proof.
 Qed.
 
 Definition algebraic_verdict (of_b of_m : squares) : bool :=
-  pairings_short && ((forallb (fun p => not_negative (fst p)) (of_b ++ of_m)) && (equals of_b g_entry && equals of_m m_entry)).
+  pairings_short && (weights_not_negative (of_b ++ of_m) && (equals of_b g_entry && equals of_m m_entry)).
 Theorem algebraic_is_checked of_b of_m : algebraic_verdict of_b of_m = true -> algebraically_stable.
 Proof.
   unfold algebraic_verdict. intro H. apply andb_prop in H. destruct H as [S H]. apply andb_prop in H.
-  destruct H as [P E]. rewrite forallb_app in P. apply andb_prop in P, E. destruct P as [P P'], E as [E E']. split.
-  - apply weights_not_negative. apply form_not_negative with (1 := Span) (entries := g_entry) (sq := of_b); try assumption.
+  destruct H as [P E]. unfold weights_not_negative in P. rewrite forallb_app in P. apply andb_prop in P, E. destruct P as [P P'], E as [E E']. split.
+  - apply diagonal_not_negative. apply form_not_negative with (1 := Span) (entries := g_entry) (sq := of_b); try assumption.
     intros; apply g_value; assumption.
   - apply form_not_negative with (1 := Span) (entries := m_entry) (sq := of_m); try assumption.
     intros; apply m_value; assumption.
@@ -1249,7 +1631,7 @@ Qed.
 End Basis.
 End Reals.
 
-(** ** 10. The same for both kinds of tableaux *)
+(** ** 11. The same for both kinds of tableaux *)
 
 Section Kinds.
 Variable d : Q.
@@ -1377,7 +1759,7 @@ Qed.
 End Polynomials.
 End Kinds.
 
-(** ** 11. Stiff accuracy and symmetry of tables *)
+(** ** 12. Stiff accuracy and symmetry of tables *)
 
 Open Scope nat_scope.
 Section Structure.
@@ -1420,7 +1802,7 @@ Proof.
 Qed.
 End Structure.
 
-(** ** 12. The nodes: real, distinct, in [0, 1] *)
+(** ** 13. The nodes: real, distinct, in [0, 1] *)
 
 From Coq Require Import Ranalysis.
 Section Nodes.

@@ -45,7 +45,7 @@ void export_coq(tableaux::family f, int s, const theory::certificate& certificat
     theory::coq_words words{certificate.method + " of " + std::to_string(s) + (s == 1 ? " stage" : " stages"),
                             {},
                             {},
-                            certificate.order,
+                            certificate.simplifying,
                             tableaux::nodal_polynomial(f, s)};
     write(theory::coq_theorems(theory::coq_method_of(f, s), words), o);
 }

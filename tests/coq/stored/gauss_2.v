@@ -20,7 +20,7 @@ Theorem order_of_the_method : forall (F : field d) (T : tableau F) (c : nat -> F
   order_is T 4.
 Proof.
   intros F T c H.
-  apply (@acts_order_is d F T c N (integrals d N) (inverses (length N)) 4 (graft (graft (graft (graft leaf leaf) leaf) leaf) leaf) (collocation_acts H)).
+  apply (@acts_order_is d F T c N (integrals d N) (inverses (length N)) 4 2 2 (graft (graft (graft (graft leaf leaf) leaf) leaf) leaf) (collocation_acts H)).
   vm_cast_no_check (eq_refl true).
 Qed.
 
@@ -37,12 +37,10 @@ Proof.
   vm_cast_no_check (eq_refl true).
 Qed.
 
-(** W |Q|^2 - 1 and W (|Q|^2 - |P|^2) at z = -u + iy have no negative coefficient. *)
-Definition W : list coefficient :=
-  map q [1]%Q.
+(** |Q|^2 - 1 and |Q|^2 - |P|^2 at z = -u + iy have no negative coefficient. *)
 Theorem a_stable_method : a_stable d_positive top bottom.
 Proof.
-  apply (a_stable_is_checked d_positive [W]).
+  apply (a_stable_is_checked d_positive).
   vm_cast_no_check (eq_refl true).
 Qed.
 

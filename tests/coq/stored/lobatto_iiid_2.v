@@ -41,12 +41,24 @@ Proof.
   vm_cast_no_check (eq_refl true).
 Qed.
 
-(** W |Q|^2 - 1 and W (|Q|^2 - |P|^2) at z = -u + iy have no negative coefficient. *)
-Definition W : list coefficient :=
-  map q [1; 0; (1 # 4)]%Q.
+(** |Q|^2 - |P|^2 = sum of D |h|^2 + u sum of D |k|^2 at z = -u + iy, with the pairs (D, h) and (D, k); and so is
+    |Q|^2 - e. *)
+Definition growth_on_axis : squares :=
+  [].
+Definition growth_inside : squares :=
+  [ ((2, 0)%Q, map q [1; 0]%Q);
+    (((1 # 2), 0)%Q, map q [0; 1]%Q) ].
+Definition poles_on_axis : squares :=
+  [ ((1, 0)%Q, map q [(44869 # 65536); (34779 # 131072); (63455 # 262144)]%Q);
+    (((134256487 # 4294967296), 0)%Q, map q [1]%Q);
+    (((189778653 # 17179869184), 0)%Q, map q [0; 1]%Q);
+    (((268430271 # 68719476736), 0)%Q, map q [0; 0; 1]%Q) ].
+Definition poles_inside : squares :=
+  [ (((5855466247 # 4294967296), 0)%Q, map q [1; (-1447804901 # 11710932494)]%Q);
+    (((17987666961995132613 # 50298072067393716224), 0)%Q, map q [0; 1]%Q) ].
 Theorem a_stable_method : a_stable d_positive top bottom.
 Proof.
-  apply (a_stable_is_checked d_positive [W]).
+  apply (a_stable_by_squares d_positive _ _ growth_on_axis growth_inside ((1 # 2), 0)%Q poles_on_axis poles_inside).
   vm_cast_no_check (eq_refl true).
 Qed.
 

@@ -16,14 +16,14 @@ struct coq_words {
     std::string name;
     std::string source;
     tableaux::claims claims;
-    std::optional<int> order;                         ///< known already: of a family,
-    std::optional<tableaux::nodal_polynomial> nodes;  ///< as these are
+    std::optional<simplifying> known;                 ///< of a family: B, C, D,
+    std::optional<tableaux::nodal_polynomial> nodes;  ///< and the nodes
 };
 
 /// The part of an exported file that is about this method: plain words, numbers, theorems. Coq reads it behind
 /// theory/coq/stagecraft.v. Throws std::invalid_argument, in one sentence, where nothing can be exported.
 inline std::string coq_theorems(const coq_method& m, const coq_words& words) {
-    const auto order = coq::order_of(m, words.order);
+    const auto order = words.known ? coq::order_by(*words.known, m.stages()) : coq::order_by_trees(m);
     std::string head = "(** * " + coq::comment(words.name.empty() ? "A tableau" : words.name) + "\n\n";
     if (!words.source.empty()) head += "    Source: " + coq::comment(words.source) + "\n";
     head += "    Proved here of its " + std::to_string(m.stages()) + " stage" + (m.stages() == 1 ? "" : "s") +

@@ -5,6 +5,7 @@
 #include <set>
 #include <stagecraft/tableaux/tableau_file.hpp>
 #include <stagecraft/theory/export/coq_statement.hpp>
+#include <stagecraft/theory/models/legendre_simplifying.hpp>
 #include <stagecraft/theory/trees/tree_order.hpp>
 #include <stagecraft/theory/trees/tree_text.hpp>
 #include <stdexcept>
@@ -17,13 +18,11 @@ namespace stagecraft::theory::coq {
 /// The order and a tree of the next order whose condition fails.
 struct order_witness {
     int order = 0;
-    std::string tree;   ///< in Coq
+    std::string shown;  ///< what Coq's rule is given: the order, of a family C and D, and the tree
     std::string words;  ///< "dot(b, c*c*(A*c)) == 1/15"
 };
 
-/// Orders up to which an exported file goes through all trees.
-inline constexpr int largest_order = 20;
-/// Products of stage vectors that such a file may need: Coq compares each with all others of its order.
+/// Products of stage vectors that an exported file of a table may need: Coq compares each with all others of its order.
 inline constexpr int largest_work = 8000;
 
 /// How many products Coq's levels need up to order p, counted until they exceed largest_work.
@@ -58,42 +57,40 @@ inline int work(const coq_method& m, int p) {
     return products;
 }
 
-/// The order by the trees: of a family `known`, with the quadrature's failure as witness where it is one.
-/// Throws std::invalid_argument where an exported file could not go through all trees.
-inline order_witness order_of(const coq_method& m, std::optional<int> known = {}) {
-    const auto refuse = [&m](int order) {
+/// The order of a table by the trees.
+/// Throws std::invalid_argument where an exported file could not go through all of them.
+inline order_witness order_by_trees(const coq_method& m) {
+    const auto refuse = [](int order) {
         throw std::invalid_argument(
             "coq: order " + std::to_string(order) +
-            ": an exported proof goes through all trees up to order " + std::to_string(largest_order) +
-            " and " + std::to_string(largest_work) + " products; beyond, B, C and D give the order" +
-            (m.family.empty() ? "" : ": stagecraft certify " + m.family + " " + std::to_string(m.stages())));
+            ": an exported proof about a table goes through all trees, by at most " +
+            std::to_string(largest_work) +
+            " products; of a family (stagecraft certify gauss 12) B, C and D give the order");
     };
-    if (known && *known > largest_order) refuse(*known);
-    if (known) {
-        auto power = m.one();
-        for (int k = 0; k < *known; ++k) power = m.multiply(m.c(), power);
-        const tableaux::quadratic residual = m.dot_b(power) * tableaux::quadratic(*known + 1) - 1;
-        if (!(residual == 0)) {
-            if (work(m, *known) > largest_work) refuse(*known);
-            return {*known, bushy(*known + 1),
-                    "b^T c^" + std::to_string(*known) + " == 1/" + std::to_string(*known + 1)};
-        }
-    }
-    const auto found = theory::order_of(m, known ? std::min(*known + 1, largest_order)
-                                                 : std::min(2 * m.stages() + 1, tableaux::largest_order));
+    const auto found = theory::order_of(m, std::min(2 * m.stages() + 1, tableaux::largest_order));
     if (!found.is_exact()) refuse(found.order + 1);
     if (work(m, found.order) > largest_work) refuse(found.order);
     const auto& first = found.failing.front().tree;
-    return {found.order, text(first), condition_text(first)};
+    return {found.order, std::to_string(found.order) + " " + text(first), condition_text(first)};
 }
 
-/// The theorem on the order, `p` of whose trees the witness tells; and where a larger order is claimed, that it is not.
+/// The order of a family's member by B, C and D, whose B(order + 1) fails.
+inline order_witness order_by(const simplifying& known, int stages) {
+    const int p = known.b;
+    const auto at_most_stages = [stages](int n) { return std::to_string(std::min(n, stages)); };
+    return {p,
+            std::to_string(p) + " " + at_most_stages(known.c) + " " + at_most_stages(known.d) + " " +
+                bushy(p + 1),
+            "b^T c^" + std::to_string(p) + " == 1/" + std::to_string(p + 1)};
+}
+
+/// The theorem on the order; and where a larger order is claimed, that it is not.
 inline std::string order_theorem(const coq_method& m, const order_witness& w, std::optional<int> claimed) {
     const std::string p = std::to_string(w.order);
     std::string out = "(** Order " + p + ": the conditions of all trees of at most " + p +
                       " nodes hold, and that of one of " + std::to_string(w.order + 1) +
                       " nodes does not: " + comment(w.words) + ". *)\n";
-    out += theorem(m, "order_of_the_method", "order_is", p, "order", p + " " + w.tree);
+    out += theorem(m, "order_of_the_method", "order_is", p, "order", w.shown);
     if (claimed && *claimed > w.order) {
         const std::string q = std::to_string(*claimed);
         out += "(** So the order " + q + " that is claimed is refuted. *)\nTheorem order_" + q +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stagecraft/theory/export/coq_squares.hpp>
 #include <stagecraft/theory/export/coq_statement.hpp>
 #include <stagecraft/theory/stability/a_stability.hpp>
 #include <stagecraft/theory/stability/stability_function.hpp>
@@ -14,7 +15,6 @@
 /// What an exported file says of R(z).
 namespace stagecraft::theory::coq {
 
-using scalar = tableaux::quadratic;
 using plane_polynomial = std::vector<polynomial<scalar>>;  ///< in u, of polynomials in y; z = -u + iy
 
 inline polynomial<scalar> part(const plane_polynomial& p, std::size_t j) {
@@ -54,25 +54,52 @@ inline bool no_negative_coefficient(const plane_polynomial& p) {
     return true;
 }
 
-/// A W >= 1 such that the coefficients of W |Q|^2 - 1 and of W (|Q|^2 - |P|^2) prove |P/Q| <= 1 and Q != 0 for Re z <= 0:
-/// 1, or a power of 1 + b y^2 (Polya's way). Nothing where none of those tried does.
-inline std::optional<polynomial<scalar>> a_stability_factor(const stability_function<scalar>& r) {
+/// Whether |Q|^2 - 1 and |Q|^2 - |P|^2 have no negative coefficient: then |P/Q| <= 1 and Q != 0 for Re z <= 0.
+inline bool a_stable_by_signs(const stability_function<scalar>& r) {
     const auto q = modulus_squared(r.denominator);
-    const auto e = sum(q, modulus_squared(r.numerator), -1);
-    for (int power = 0; power <= 8; power += power == 0 ? 1 : power)
-        for (const auto& step :
-             {tableaux::rational(1, 16), tableaux::rational(1, 48), tableaux::rational(1, 4),
-              tableaux::rational(1), tableaux::rational(4), tableaux::rational(16)}) {
-            polynomial<scalar> w(scalar(1));
-            for (int k = 0; k < power; ++k) w *= polynomial<scalar>{scalar(1), scalar(0), scalar(step)};
-            if (no_negative_coefficient(product({w}, e)) &&
-                no_negative_coefficient(sum(product({w}, q), {polynomial<scalar>(scalar(-1))})))
-                return w;
+    return no_negative_coefficient(sum(q, {polynomial<scalar>(scalar(-1))})) &&
+           no_negative_coefficient(sum(q, modulus_squared(r.numerator), -1));
+}
+
+/// Sums of squares for |Q|^2 - |P|^2, and for |Q|^2 - e with some e > 0.
+struct a_stability_squares {
+    half_plane_squares growth, poles;
+    scalar e;
+};
+inline std::optional<a_stability_squares> a_stable_by_squares(const stability_function<scalar>& r) {
+    const int n = std::max(r.numerator.degree(), r.denominator.degree()) + 1;
+    form q(n, n), g(n, n);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            q(i, j) = r.denominator[i] * r.denominator[j];
+            g(i, j) = q(i, j) - r.numerator[i] * r.numerator[j];
         }
+    const auto growth = squares_on_half_plane(g);
+    if (!growth) return {};
+    scalar e(tableaux::rational(1, 2));
+    for (int bits = 1; bits <= 40; ++bits, e /= scalar(2)) {
+        form less = q;
+        less(0, 0) -= e;
+        if (const auto poles = squares_on_half_plane(less)) return {{*growth, *poles, e}};
+    }
     return {};
 }
 
-/// A point x + iy with x <= 0 and |P| > |Q|: on the imaginary axis, else one of a grid.
+/// A y with |R(iy)| > 1 by bisection towards one whose square is known.
+inline std::optional<scalar> growth_on_axis(const stability_function<scalar>& r) {
+    const auto e = e_polynomial(r);
+    const auto square = tableaux::negative_point_from_zero(in_square(e));
+    if (!square) return {};
+    scalar low(0), high = *square + scalar(1);
+    for (int k = 0; k < 400; ++k) {
+        const scalar y = (low + high) / scalar(2);
+        if (tableaux::sign_of(e(y)) < 0) return y;
+        (tableaux::sign_of(y * y - *square) < 0 ? low : high) = y;
+    }
+    return {};
+}
+
+/// A point x + iy with x <= 0 and |P| > |Q|: one of a grid, on the imaginary axis where there is one, else any on that axis.
 inline std::optional<std::array<scalar, 2>> point_of_growth(const stability_function<scalar>& r) {
     const auto squared = [](const polynomial<scalar>& p, const scalar& x, const scalar& y) {
         scalar re(0), im(0);
@@ -91,6 +118,7 @@ inline std::optional<std::array<scalar, 2>> point_of_growth(const stability_func
         for (const auto& y : steps)
             if (tableaux::sign_of(squared(r.numerator, -x, y) - squared(r.denominator, -x, y)) > 0)
                 return {{scalar(-x), scalar(y)}};
+    if (const auto y = growth_on_axis(r)) return {{scalar(0), *y}};
     return {};
 }
 
@@ -120,24 +148,43 @@ inline std::string definition(const char* name, const polynomial<scalar>& p) {
            coefficients(coefficients_of(p)) + ".\n";
 }
 
+/// The theorem that |R| <= 1 on the left half-plane, where one of the two ways shows it; else nothing.
+inline std::string a_stability_theorem(const stability_function<scalar>& r) {
+    const std::string statement = "a_stable d_positive top bottom";
+    if (a_stable_by_signs(r))
+        return "(** |Q|^2 - 1 and |Q|^2 - |P|^2 at z = -u + iy have no negative coefficient. *)\n" +
+               proof("a_stable_method", statement, "apply (a_stable_is_checked d_positive).");
+    const auto shown = a_stable_by_squares(r);
+    if (!shown) return {};
+    std::string out =
+        "(** |Q|^2 - |P|^2 = sum of D |h|^2 + u sum of D |k|^2 at z = -u + iy, with the pairs (D, h) and (D, "
+        "k); and so is\n"
+        "    |Q|^2 - e. *)\n";
+    const auto define = [&out](const char* name, const std::vector<square>& items) {
+        out += std::string("Definition ") + name + " : squares :=\n" + text(items) + ".\n";
+    };
+    define("growth_on_axis", shown->growth.on_axis);
+    define("growth_inside", shown->growth.inside);
+    define("poles_on_axis", shown->poles.on_axis);
+    define("poles_inside", shown->poles.inside);
+    return out + proof("a_stable_method", statement,
+                       "apply (a_stable_by_squares d_positive _ _ growth_on_axis growth_inside " +
+                           pair(shown->e) + "%Q poles_on_axis poles_inside).");
+}
+
 inline std::string a_stability_theorems(const stability_function<scalar>& r,
                                         std::vector<std::string>& proved) {
-    const bool l = r.numerator.degree() < r.denominator.degree();
-    if (const auto w = a_stability_factor(r)) {
+    if (const auto shown = a_stability_theorem(r); !shown.empty()) {
+        const bool l = r.numerator.degree() < r.denominator.degree();
         proved.push_back(l ? "L-stable" : "A-stable");
-        std::string out =
-            "(** W |Q|^2 - 1 and W (|Q|^2 - |P|^2) at z = -u + iy have no negative coefficient. *)\n" +
-            definition("W", *w);
-        out += l ? proof("l_stable_method", "l_stable d_positive top bottom",
-                         "apply (l_stable_is_checked d_positive [W]).")
-                 : proof("a_stable_method", "a_stable d_positive top bottom",
-                         "apply (a_stable_is_checked d_positive [W]).");
-        if (!l && r.numerator.degree() == r.denominator.degree())
-            out +=
-                "(** R(infinity) is not 0: top has the degree of bottom. *)\n"
-                "Theorem not_l_stable_method : ~ l_stable d_positive top bottom.\nProof.\n"
-                "  intros [_ [L _]]. apply Nat.ltb_lt in L. vm_compute in L. discriminate.\nQed.\n\n";
-        return out;
+        if (l)
+            return shown + "(** And R(infinity) = 0. *)\n" +
+                   proof("l_stable_method", "l_stable d_positive top bottom",
+                         "apply (l_stable_is_checked a_stable_method).");
+        return shown +
+               "(** R(infinity) is not 0: top has the degree of bottom. *)\n"
+               "Theorem not_l_stable_method : ~ l_stable d_positive top bottom.\nProof.\n"
+               "  intros [_ [L _]]. apply Nat.ltb_lt in L. vm_compute in L. discriminate.\nQed.\n\n";
     }
     if (const auto z = point_of_growth(r)) {
         proved.push_back("not A-stable");

@@ -9,6 +9,7 @@
 #include <stagecraft/tableaux/roots.hpp>
 #include <stagecraft/tableaux/small_solve.hpp>
 #include <stagecraft/tableaux/sturm.hpp>
+#include <stagecraft/theory/export/coq_squares.hpp>
 #include <stagecraft/theory/export/coq_statement.hpp>
 #include <string>
 #include <utility>
@@ -16,8 +17,6 @@
 
 /// Algebraic stability, symplecticity, stiff accuracy, symmetry, and the nodes.
 namespace stagecraft::theory::coq {
-
-using form = tableaux::dense<tableaux::quadratic>;
 
 /// b^T(u v) and M on the basis of the coordinates.
 struct forms {
@@ -38,29 +37,6 @@ inline forms forms_of(const coq_method& method) {
     return f;
 }
 
-/// D_1, L_1, D_2, L_2, ... with g = sum of D L L^T and all D > 0; nothing where g has a negative direction.
-inline std::optional<std::string> squares(form g) {
-    std::vector<std::string> items;
-    for (int k = 0; k < g.rows(); ++k) {
-        const tableaux::quadratic d = g(k, k);
-        if (tableaux::sign_of(d) < 0) return {};
-        if (d == 0) {
-            for (int i = 0; i < g.rows(); ++i)
-                if (!(g(i, k) == 0)) return {};
-            continue;
-        }
-        std::vector<tableaux::quadratic> l;
-        for (int i = 0; i < g.rows(); ++i) l.push_back(g(i, k) / d);
-        for (int i = 0; i < g.rows(); ++i)
-            for (int j = 0; j < g.rows(); ++j)
-                g(i, j) -= d * l[static_cast<std::size_t>(i)] * l[static_cast<std::size_t>(j)];
-        items.push_back("(" + pair(d) + "%Q, " + coefficients(l, "     ") + ")");
-    }
-    std::string out;
-    for (const auto& x : items) out += (out.empty() ? "  [ " : ";\n    ") + x;
-    return out.empty() ? "  []" : out + " ]";
-}
-
 inline std::string algebraic_theorems(const coq_method& m, std::vector<std::string>& proved) {
     const auto f = forms_of(m);
     const auto of_b = squares(f.weights), of_m = squares(f.m);
@@ -72,7 +48,7 @@ inline std::string algebraic_theorems(const coq_method& m, std::vector<std::stri
         proved.push_back("algebraically stable");
         out +=
             "(** b >= 0, and M = B A + A^T B - b b^T >= 0: a sum of D (L^T v)^2 for each pair (D, L). *)\n" +
-            define("squares_of_b", "squares", *of_b) + define("squares_of_m", "squares", *of_m) +
+            define("squares_of_b", "squares", text(*of_b)) + define("squares_of_m", "squares", text(*of_m)) +
             real_theorem(m, "algebraically_stable_method", "algebraically_stable", "algebraic",
                          "squares_of_b squares_of_m");
     } else {
