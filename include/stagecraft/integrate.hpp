@@ -60,6 +60,7 @@ result<Vector> run_to_the_end(Run& run, Vector& start, const typename Vector::Sc
                 });
         }
         ended = run.status();
+        if constexpr (requires { run.reason(); }) thrown = run.reason();
     } catch (const bad_problem&) {
         throw;
     } catch (const size_change&) {

@@ -39,6 +39,9 @@ constexpr const char* reason(status s) {
         case status::singular_matrix:
             return "the matrix gamma/h M - J, or what constraints leave of it for small h, was singular "
                    "for every admissible step";
+        case status::constraints_dependent:
+            return "constraints come to depend on each other beside the state where the run ends, which is "
+                   "no position from which they determine the motion; result.exception names them";
         case status::linear_solver_failed:
             return "a linear solver that iterates did not reach the residual it was asked for, with any "
                    "admissible step";
@@ -148,7 +151,8 @@ constexpr const char* advice(status s, const report<Scalar>& r) {
     if (!r.found.has(capability::mass) || s == status::success || s == status::stopped ||
         s == status::event || s == status::steady_state || s == status::outside_domain ||
         s == status::chattering || s == status::too_many_steps || s == status::size_changed ||
-        s == status::linear_solver_failed || s == status::function_threw)
+        s == status::linear_solver_failed || s == status::constraints_dependent ||
+        s == status::function_threw)
         return "";
     if (s == status::singular_matrix && !r.found.has(capability::index))
         return "there is no problem.index(): where the constraints determine components of index 2 and 3, it "

@@ -16,7 +16,8 @@ struct result {
     Vector y;
     stagecraft::status status;
     stagecraft::report<typename Vector::Scalar> report;
-    std::exception_ptr exception;  ///< what a callable threw (status::function_threw), else null
+    /// What a callable threw (function_threw), or what there is to say of chattering and constraints_dependent; else null.
+    std::exception_ptr exception;
 
     bool ok() const { return status == status::success; }
 };

@@ -18,6 +18,7 @@ enum class status {
     newton_failed,   ///< the stage equations could not be solved with any admissible step
     inconsistent_start,  ///< y0 does not satisfy an equation without a derivative, and no y near it was found that does
     singular_matrix,  ///< gamma/h M - J, or what constraints leave of it for small h, was singular for every step
+    constraints_dependent,  ///< constraints of a mechanical system come to depend on each other; result.exception names them
     linear_solver_failed,  ///< a linear solver that iterates did not converge, for every admissible step
     non_finite,    ///< the right-hand side or the Jacobian gave NaN or infinity for every admissible step
     size_changed,  ///< the right-hand side or the Jacobian resized its output
@@ -50,6 +51,8 @@ constexpr const char* name(status s) {
             return "inconsistent_start";
         case status::singular_matrix:
             return "singular_matrix";
+        case status::constraints_dependent:
+            return "constraints_dependent";
         case status::linear_solver_failed:
             return "linear_solver_failed";
         case status::non_finite:

@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE independent_constraints
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/integrate.hpp>
@@ -162,6 +163,22 @@ BOOST_AUTO_TEST_CASE(a_mechanism_with_as_many_constraints_as_coordinates_moves) 
     // Lying flat the cranks and the bar are in line, and G has rank 2 there.
     const Eigen::Vector4d flat(1, 0, 3, 0);
     check_named([&] { independent_constraints<3>(three_cranks, flat); }, "G has rank 2 of 4");
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_ends_where_constraints_come_to_depend_on_each_other_names_them) {
+    // The same mechanism, swung up to where it is in line, beyond which it has two ways to go.
+    const Eigen::Vector4d q(0.6, -0.8, 2.6, -0.8), v(4, 3, 4, 3), flat(1, 0, 3, 0);
+    const auto T = [](const auto&, const auto& w) { return 0.5 * w.squaredNorm(); };
+    const auto V = [](const auto& x) { return 9.81 * (x[1] + x[3]); };
+    const auto bar = stabilised_index_2(lagrangian<4, 3>(T, V, independent_constraints<3>(three_cranks, q)));
+    const auto r =
+        integrate(radau_iia<3>(), bar, bar.initial_state(q, v), 0.0, 0.5, {.rtol = 1e-10, .atol = 1e-10});
+    BOOST_TEST(r.status == status::constraints_dependent);
+    BOOST_TEST((r.y.head<4>() - flat).norm() < 1e-2);
+    BOOST_TEST(std::abs(r.y.segment<2>(4).norm() - std::sqrt(25 - 2 * 9.81 * 0.8)) < 0.1);  // by its energy
+    BOOST_REQUIRE(r.exception);
+    check_named([&] { std::rethrow_exception(r.exception); }, "G has rank 2 of 3");
+    BOOST_TEST(bar.dependent_constraints(r.t, bar.initial_state(q, v)).empty());
 }
 
 BOOST_AUTO_TEST_CASE(everything_that_a_model_says_of_its_constraints_is_kept_of_those_that_are_kept) {

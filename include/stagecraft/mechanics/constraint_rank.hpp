@@ -92,6 +92,15 @@ inline std::string rank_in_words(const constraint_rank& r) {
     return text;
 }
 
+/// The same where rows of G depend on each other, or nearly: by less than a run that fails beside a singular position may
+/// be away from it. Empty where they do not.
+template <class Matrix>
+std::string dependence_in_words(const Matrix& G) {
+    constexpr double nearly = 1e-2;
+    const constraint_rank r = independent_rows(G, nearly);
+    return r.dependent.empty() ? std::string() : rank_in_words(r);
+}
+
 /// Throws std::domain_error for a G of which constraint k depends on those before it.
 template <class Matrix>
 void refuse_dependent(const Matrix& G, int k) {

@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
+#include <stagecraft/mechanics/constraint_rank.hpp>
 #include <stagecraft/mechanics/contact.hpp>
 #include <stagecraft/mechanics/derivatives.hpp>
 #include <stagecraft/mechanics/free_motion.hpp>
@@ -76,6 +78,10 @@ class equations_of_motion : start_of_another_size<Model, Multipliers>, checked_m
         return multipliers(y);
     }
     const Model& model() const { return model_; }
+    /// The rank of G in a state and the constraints that depend on others there, or nearly; empty where none does.
+    std::string dependent_constraints(const Scalar& t, const state& y) const {
+        return dependence_in_words(constraint_gradient<Scalar>(model_, position(y), t));
+    }
 
   protected:
     template <class S>

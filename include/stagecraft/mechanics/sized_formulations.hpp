@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -119,6 +120,10 @@ class equations_of_motion<Derived, Model, Scalar, Multipliers>
         return constraint_gradient(y, t).transpose() * multiplier(y);
     }
     const Model& model() const { return model_; }
+    /// The rank of G in a state and the constraints that depend on others there, or nearly; empty where none does.
+    std::string dependent_constraints(double t, const vector& y) const {
+        return dependence_in_words(constraint_gradient(y, t));
+    }
 
   protected:
     vector position(const vector& y) const { return y.head(n_); }

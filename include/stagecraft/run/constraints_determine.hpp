@@ -50,11 +50,22 @@ bool constraints_determine(const System& system, const Scalar& rtol) {
     }
 }
 
+/// A mechanical system that says of a state which of its constraints depend on others there: a string, empty where none does.
+template <class Problem, class Scalar, class Vector>
+concept names_dependent_constraints = requires(const Problem& problem, const Scalar& t, const Vector& y) {
+    problem.dependent_constraints(t, y).empty();
+};
+
 /// The status of a run that ends with `found` at (t, y): a start that is not consistent, or constraints that do not determine their components are the
 /// cause of iterations that fail.
 template <class System, class Vector, class Norm, class Scalar>
 status cause_of(status found, System& system, const Scalar& t, const Vector& y, const Norm& norm,
                 const Scalar& rtol, report<Scalar>& counts) {
+    if constexpr (names_dependent_constraints<typename System::problem_type, Scalar, Vector>)
+        if ((found == status::newton_failed || found == status::step_underflow ||
+             found == status::singular_matrix) &&
+            !system.problem().dependent_constraints(t, y).empty())
+            return status::constraints_dependent;
     if (counts.steps == 0) found = blame_start(found, system, t, y, norm.of_state(), counts);
     return found == status::newton_failed && !constraints_determine(system, rtol) ? status::singular_matrix
                                                                                   : found;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <exception>
+#include <stdexcept>
+
 #include <stagecraft/run/make_consistent.hpp>
 #include <stagecraft/run/step_loop.hpp>
 
@@ -97,6 +100,14 @@ class integrator : public step_loop<Method, Problem, Vector> {
             linear_.factor_again([&](int k, const scalar& h) {
                 detail::visit_at(steps_, k, [&](auto& m) { m.stages().factor(system_, h); });
             });
+    }
+
+    /// What more there is to say of status(), as an exception: of status::constraints_dependent, which; null where nothing is.
+    std::exception_ptr reason() requires(names_dependent_constraints<Problem, scalar, Vector>) {
+        if (this->status() == status::constraints_dependent)
+            return std::make_exception_ptr(std::domain_error(
+                "integrate: near result.t, result.y " + system_.problem().dependent_constraints(t_, y_)));
+        return nullptr;
     }
 
   private:
