@@ -230,6 +230,30 @@ BOOST_AUTO_TEST_CASE(mesh_judge_begins_again_where_newtons_iteration_fails_and_s
     BOOST_CHECK(judge(good({{evaluable, 0}}), h).status == bvp_status::non_finite);
 }
 
+BOOST_AUTO_TEST_CASE(mesh_judge_keeps_max_intervals_whatever_mesh_comes_next) {
+    const int most = limits.max_intervals;
+    const double more = most + 1;
+    // From the values at mesh points, to a mesh that follows them.
+    BOOST_CHECK(judge(good({{evaluable, 0}, {next_intervals, 1. * most}}), history{}).act == straight);
+    BOOST_CHECK(judge(good({{evaluable, 0}, {next_intervals, more}}), history{}).status ==
+                bvp_status::non_finite);
+    // From the guess, whose mesh may be finer than that on which the iteration has failed.
+    evidence e = failed(nonlinear_problem());
+    e.guess_intervals = most / 2;
+    BOOST_CHECK(judge(e, history{}).act == finer_guess);
+    e.guess_intervals = most / 2 + 1;
+    BOOST_CHECK(judge(e, history{}).status == bvp_status::newton_failed);
+}
+
+BOOST_AUTO_TEST_CASE(singularity_judge_calls_no_iterate_singular_whose_jacobians_change) {
+    // A change of f too small beside the largest entry to be seen there; a step has seen it.
+    evidence e = failed(good({{answer, 1e5}, {error_bound, 1}, {mesh_error, 1}, {nonlinear, 0}}));
+    e.linear = false;
+    BOOST_CHECK(judge(e, history{}).status == bvp_status::singular);
+    e.changes = true;
+    BOOST_CHECK(judge(e, history{}).act == finer_guess);
+}
+
 BOOST_AUTO_TEST_CASE(mesh_judge_halves_the_mesh_until_the_condition_number_stays) {
     // kappa rtol > 1/100, M unknown to five digits and not on the mesh halved: one more mesh.
     const numbers open{{answer, 1e5}, {error_bound, 0.1}, {mesh_error, 1e-2}, {halved_kappa, none}};

@@ -137,3 +137,40 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_mode_that_answers_much_takes_the_others_to_n
         BOOST_TEST(worst < of.tolerance);
     }
 }
+
+// A pn junction in equilibrium: n and p are small beside 1 / lambda^2, and f is
+// nonlinear in them alone. No iterate on the first mesh is taken for the solution of a singular problem, and however
+// little a guess leads to, no mesh has more than max_intervals.
+BOOST_AUTO_TEST_CASE(no_kernel_is_seen_before_a_mesh_resolves_the_iterate_and_max_intervals_is_kept) {
+    const double ni = 1e-5, big = (1 + std::sqrt(1 + 4 * ni * ni)) / 2, small = ni * ni / big,
+                 volts = std::log(big / ni);
+    const auto contacts = [=](const auto& a, const auto& b, auto& r) {
+        r[0] = a[2] - small, r[1] = a[3] - big, r[2] = a[0] + volts;
+        r[3] = b[2] - big, r[4] = b[3] - small, r[5] = b[0] - volts;
+    };
+    const auto guess = [=](double t) {
+        VectorXd y(6);
+        y << volts * std::tanh(10 * t), 0, t > 0 ? 1 : 1e-10, t > 0 ? 1e-10 : 1, 0, 0;
+        return y;
+    };
+    const auto solve = [&](double lambda2, int most) {
+        const auto f = [=](const auto& t, const auto& y, auto& d) {
+            using std::exp;
+            const auto doping = 1 - 2 / (1 + exp(200 * t));
+            d[0] = y[1], d[1] = (y[2] - y[3] - doping) / lambda2;
+            d[2] = y[2] * y[1] + y[4], d[3] = -y[3] * y[1] - y[5];
+            d[4] = 0 * y[4], d[5] = 0 * y[5];
+        };
+        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, contacts), -1.0, 1.0, guess,
+                             {.rtol = 1e-4, .max_intervals = most});
+    };
+    const auto r = solve(1e-4, 10000);
+    BOOST_TEST(sc::name(r.status) == std::string("success"));
+    BOOST_TEST(std::abs(r.y(0.0)[0]) < 1e-3);  // odd in t, and no current flows
+    BOOST_TEST(r.y(0.3).tail(2).norm() < 1e-3);
+    for (const int most : {20, 150, 1000}) {
+        const auto rough = solve(1e-6, most);
+        BOOST_TEST(rough.report.intervals <= most);
+        BOOST_TEST(sc::name(rough.status) != std::string("singular"));
+    }
+}

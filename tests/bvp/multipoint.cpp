@@ -192,3 +192,13 @@ BOOST_AUTO_TEST_CASE(what_is_said_wrong_is_named) {
     BOOST_TEST(sc::name(r.status) == std::string("non_finite"));
     BOOST_TEST(r.message.find("at t = 0.7") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_CASE(max_intervals_are_those_of_all_pieces_together) {
+    const auto f = [](const auto&, const auto& y, auto& d) { d[0] = y[1], d[1] = 100 * y[0]; };
+    const auto ends = [](const auto& a, const auto&, auto& r) { r[0] = a[0] - 1; };
+    const auto middle = [](const auto& y) { return y[0] - 1; };
+    const auto r = solve(sc::two_point(f, ends, sc::interior(0.5, middle)), 0, 1, zero(2),
+                         sc::bvp_options<double>{.rtol = 1e-13, .max_intervals = 12});
+    BOOST_TEST(r.status == sc::bvp_status::too_many_intervals);
+    BOOST_TEST(r.report.intervals <= 12);
+}

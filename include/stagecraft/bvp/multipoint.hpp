@@ -202,6 +202,8 @@ auto solve_bvp(const tableau<Scalar, S>& method, multipoint_problem<Rhs, Conditi
         if constexpr (has_break_points<Rhs>)
             detail::take_break_points(own, break_times<Scalar>(problem.f.break_points()), a, b);
         own.fixed_points = detail::parts_of(cut, own.fixed_points);
+        own.max_intervals = std::max(1, o.max_intervals / cut.pieces());  // every piece has them all
+        own.intervals = std::min(own.intervals, own.max_intervals);
         if (!o.mesh.empty()) {
             own.mesh = detail::parts_of(cut, o.mesh);
             own.mesh.insert(own.mesh.begin(), Scalar(0)), own.mesh.push_back(Scalar(1));

@@ -19,7 +19,9 @@ namespace stagecraft::detail {
 /// options.fixed_points among its points.
 template <class Scalar>
 std::vector<Scalar> first_mesh(const bvp_options<Scalar>& o, const Scalar& a, const Scalar& b, int usual) {
-    const int intervals = o.intervals > 0 ? o.intervals : std::min(usual, o.max_intervals);
+    const int between = static_cast<int>(o.fixed_points.size()),
+              intervals =
+                  std::min(o.intervals > 0 ? o.intervals : usual, std::max(1, o.max_intervals - between));
     std::vector<Scalar> t = o.mesh;
     if (t.empty()) {
         t.reserve(static_cast<std::size_t>(intervals) + 1 + o.fixed_points.size());
@@ -32,6 +34,9 @@ std::vector<Scalar> first_mesh(const bvp_options<Scalar>& o, const Scalar& a, co
     }
     demand_bvp(std::adjacent_find(t.begin(), t.end(), std::greater_equal<Scalar>()) == t.end(),
                "b - a must be so large that the mesh points differ");
+    demand_bvp(
+        static_cast<int>(t.size()) - 1 <= o.max_intervals,
+        "the intervals of mesh with fixed_points and break_points must not be more than max_intervals");
     return t;
 }
 

@@ -63,9 +63,11 @@ struct mesh_evidence {
     bool converged = true;  ///< still so after the iterations that the error estimate asked for
     Scalar remainder{0};    ///< what Newton's iteration has left, relative
     int intervals = 1;
+    int guess_intervals = 1;   ///< of the mesh on which the guess was last taken, halved for the next time
     int unknowns = 2;          ///< the size of y and p together
     bool trial = false;        ///< is this the first, coarse mesh, on which nothing is refused?
     bool linear = false;       ///< the same factors hold for every x
+    bool changes = false;      ///< other Jacobians were found where a step of Newton's iteration led to
     bool differences = false;  ///< f_y comes from differences
     bool no_mass = true;       ///< no matrix stands before y'
     bool from_guess = true;    ///< Newton's iteration began at the user's guess

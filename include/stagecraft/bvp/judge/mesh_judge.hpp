@@ -91,7 +91,7 @@ class mesh_judge {
     }
 
     verdict of_solution(const reader& r, const history& h) const {
-        if (!r.yes(quantity::evaluable)) return not_evaluable(h);
+        if (!r.yes(quantity::evaluable)) return not_evaluable(r, h);
         if (!limits_.adapt) return accepted(r, condition{});
         verdict v;
         if (within(r) && r.converged()) {
@@ -117,14 +117,19 @@ class mesh_judge {
         if (h.failures >= most_failures || 2 * r->intervals > limits_.max_intervals || !limits_.adapt)
             return finite ? v : not_finite();
         const bool again = !h.solved || rough(h.error) || !finite;
+        if (again && 2 * r->guess_intervals > limits_.max_intervals) return finite ? v : not_finite();
         v.act = again ? mesh_act::finer_guess : mesh_act::halve_last;
         return v;
     }
 
     /// Between its points a coarse solution may lead to where f cannot be evaluated.
-    verdict not_evaluable(const history& h) const {
+    verdict not_evaluable(const reader& r, const history& h) const {
         if (h.failures >= most_failures || !limits_.adapt) return not_finite();
-        return verdict::go(mesh_act::straight);
+        return too_many(r) ? not_finite() : verdict::go(mesh_act::straight);
+    }
+    /// Does the mesh that follows have more intervals than it may?
+    bool too_many(const reader& r) const {
+        return static_cast<double>(r(quantity::next_intervals)) > limits_.max_intervals;
     }
     static verdict not_finite() {
         verdict v = verdict::end(bvp_status::non_finite, "");
@@ -147,7 +152,7 @@ class mesh_judge {
                                 : spread              ? mesh_act::spread
                                                       : mesh_act::refine);
         v.doubled = h.idle > 0, v.divide = h.jumped > seen_jumps;
-        if (static_cast<double>(r(quantity::next_intervals)) > limits_.max_intervals) {
+        if (too_many(r)) {
             if (const auto end = singularity.hopeless(overestimated * error)) return *end;
             return verdict::end(bvp_status::too_many_intervals,
                                 "the tolerance asks for more than max_intervals");

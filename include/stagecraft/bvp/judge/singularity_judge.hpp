@@ -114,7 +114,7 @@ class singularity_judge {
                               r_(quantity::rounding_of_u) < Scalar(part_of_u);
         return !of_units || contradict();
     }
-    bool of_iterate() const { return !r_.converged() && r_.yes(quantity::nonlinear); }
+    bool of_iterate() const { return !r_.converged() && (r_->changes || r_.yes(quantity::nonlinear)); }
     /// Is u large because solutions grow from one end to the other, rounding errors leaving it what it is? M is regular then.
     bool grows() const {
         using std::sqrt;

@@ -83,6 +83,8 @@ class damped_newton {
 
     /// Do the factors hold for every x, as far as one step shows?
     bool linear() const { return linear_; }
+    /// Has a step shown that they do not?
+    bool nonlinear() const { return tested_ && !linear_; }
 
   private:
     bool differences() {

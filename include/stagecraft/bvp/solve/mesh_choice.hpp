@@ -67,7 +67,9 @@ class mesh_choice {
         const int L = x_.intervals(), s = equations_.s();
         if (!begins_singular()) mesh = graded(mesh, x_.t.front(), reach(0, 0));
         if (!ends_singular()) mesh = graded(mesh, x_.t.back(), reach(L - 1, s - 1));
-        // Layers inside are where modes that grow turn into modes that decay.
+        // Layers inside are where modes that grow turn into modes that decay. Where that would make most of the mesh, they are
+        // those of an iterate that no mesh has resolved, and the mesh stays as it is.
+        const std::vector<Scalar> ends = mesh;
         for (int k = 1; k < s * L; ++k) {
             const Scalar before = trace(k - 1), after = trace(k);
             if (!(before > Scalar(0) && after < Scalar(0))) continue;
@@ -75,7 +77,7 @@ class mesh_choice {
             mesh = graded(mesh, Scalar(t + step * before / (before - after)),
                           Scalar(2 * sqrt(step / (before - after))));
         }
-        return mesh;
+        return mesh.size() <= most_growth * ends.size() ? mesh : ends;
     }
 
     /// Is the end a a singular point of the first kind: does the Jacobian go like 1/(t - a) in the first interval? Its modes
@@ -96,7 +98,8 @@ class mesh_choice {
     /// Steps of the length at which the fastest mode is resolved: with fewer in an interval there is superconvergence.
     static constexpr int resolving_steps = 5;
     static constexpr int density_ratio = refinement<Scalar>::density_ratio,
-                         longer_than_mean = refinement<Scalar>::longer_than_mean;
+                         longer_than_mean = refinement<Scalar>::longer_than_mean,
+                         most_growth = refinement<Scalar>::most_growth;
     /// A mesh that follows y has at least so many intervals, and half as many again as the one before.
     static constexpr int least_spread = 16;
     /// Modes that a mesh misses by more than this (radian) are what makes its solution wrong.

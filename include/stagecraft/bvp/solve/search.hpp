@@ -130,7 +130,7 @@ class bvp_solver {
         else if (v.act == mesh_act::finer_guess)
             begin(guess, guess_mesh_ = halved(guess_mesh_));
         else if (v.act == mesh_act::straight)
-            begin(straight_between<Vector>(x_), choice().spread()), from_guess_ = false;
+            begin(straight_between<Vector>(x_), next_), from_guess_ = false;
         else
             follow(next_);
         return true;
@@ -153,6 +153,8 @@ class bvp_solver {
         evidence e;
         e.newton = outcome_.end, e.converged = converged();
         e.remainder = outcome_.remainder, e.linear = newton_.linear();
+        e.changes = newton_.nonlinear();
+        e.guess_intervals = static_cast<int>(guess_mesh_.size()) - 1;
         e.intervals = x_.intervals(), e.unknowns = equations_.n() + equations_.np();
         e.trial = std::exchange(trial_, false), e.from_guess = from_guess_, e.guess_size = guess_size_;
         e.differences = system_.differences, e.no_mass = mass_.identity();
@@ -252,7 +254,7 @@ class bvp_solver {
     mesh_choice<equations_type> choice() { return {equations_, estimate_, x_, o_}; }
     std::vector<Scalar> mesh_of(const verdict& v) {
         if (v.planned == mesh_act::resolve) return choice().resolving(halved(x_.t));
-        if (v.planned == mesh_act::spread) return choice().spread();
+        if (v.planned == mesh_act::spread || v.planned == mesh_act::straight) return choice().spread();
         return choice().refined(error_, threshold_, v.doubled, v.divide);
     }
     /// Where the errors are large, the collocation polynomial is a better start than what was to correct it.
