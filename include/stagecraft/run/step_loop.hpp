@@ -158,7 +158,7 @@ class step_loop {
     /// One attempt at the next step: plan, linearise, solve, judge, and then accept or propose another.
     template <class Step>
     progress attempt(Step& method) {
-        const planned_step<scalar> plan = plan_.next(t_, h_, report_.steps - before_, refused().all);
+        planned_step<scalar> plan = plan_.next(t_, h_, report_.steps - before_, refused().all);
         unsolved_before_ = report_.linear_failures;
         if (plan.obstacle != status::success)
             return give_up(plan.obstacle == status::step_underflow ? attempts_.obstacle() : plan.obstacle);
@@ -172,6 +172,8 @@ class step_loop {
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
         if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
         method.advance(y_, now, y1_);
+        if constexpr (requires { method.part_taken(); })
+            plan = plan_.ended_after(plan, t_, method.part_taken());
         const domain_end end =
             look_at_end(system_, plan, y_, y1_, norm_.of_state(), options_, plan_.fixed(), error_);
         if (end == domain_end::not_finite || end == domain_end::outside) return refuse_end(plan, end);

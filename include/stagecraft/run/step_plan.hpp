@@ -83,6 +83,14 @@ class step_plan {
         return fixed() ? next_equal(t, h, done) : next_free(t, h, failures);
     }
 
+    /// A step from t that ends after `part` of the planned one, unless that ends where a run has to.
+    planned_step<Scalar> ended_after(planned_step<Scalar> step, const Scalar& t, const Scalar& part) const {
+        if (step.t_next == t1_ || !(part - part == Scalar(0))) return step;
+        step.t_next = t + part * step.h;
+        step.h = step.t_next - t;
+        return step;
+    }
+
     /// What the next step depends on (checkpoint.hpp). A run of equal steps goes on with those it had.
     template <class Bag>
     void carry(Bag& bag) {
@@ -114,7 +122,8 @@ class step_plan {
     }
     planned_step<Scalar> next_equal(const Scalar& t, const Scalar& h, long done) const {
         const Scalar to = equal_.end(done + 1);
-        return {to == t1_ ? not_beyond(t, h, t1_) : h, to};
+        const Scalar size = t == equal_.end(done) ? h : Scalar(to - t);  // of relaxed methods
+        return {to == t1_ ? not_beyond(t, size, t1_) : size, to};
     }
     planned_step<Scalar> next_free(const Scalar& t, const Scalar& wanted, int failures) const {
         using std::abs;

@@ -379,7 +379,12 @@ class tableau_step : public step_defaults<Space> {
     bool ends_between_nodes() const { return is_.lower && sequential_.implicit() && !is_.stiffly_accurate; }
 
     coefficient_facts known_;
+
+  protected:
     stage_slopes<vector, Stages, blocks> v_;
+    Scalar h_{0};
+
+  private:
     tableau_structure is_;
     sequential_stages<vector, Stages, blocks> sequential_;
     bool implicit_;
@@ -390,7 +395,6 @@ class tableau_step : public step_defaults<Space> {
     vector left_slope_, right_slope_;  // at the ends of the step; next to come is the left one
     vector next_value_;                // M k_1 of the next step where that is kept
     vector scratch_;
-    Scalar h_{0};
     bool left_known_ = false, slope_from_f_ = false, ends_with_value_ = false;
 };
 
