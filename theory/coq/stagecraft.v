@@ -746,6 +746,18 @@ Proof.
   - intros k Hk. rewrite nth_seq by lia. rewrite (one_over_inverse _ _ (HB k Hk)). ring.
 Qed.
 
+Lemma one_over_whole k : 1 = value (one_over (S k)) * whole (Z.of_nat (S k)).
+Proof. apply one_over_inverse; ring. Qed.
+Lemma acts_collocation T c N : acts T c N (integrals N) (inverses (length N)) -> collocation T c N.
+Proof.
+  intros [S HN HA HB]. unfold integrals, inverses in *. rewrite map_length, seq_length in S. split; try assumption.
+  - intros i k Hi Hk. rewrite HA by assumption. rewrite nth_seq by lia. unfold integral_of.
+    rewrite polynomial_reduced by (rewrite <- S; apply HN, Hi). rewrite polynomial_monomial.
+    transitivity (value (one_over (Datatypes.S k)) * whole (Z.of_nat (Datatypes.S k)) * power (c i) (Datatypes.S k)); [ring|].
+    rewrite <- one_over_whole. ring.
+  - intros k Hk. rewrite HB by assumption. rewrite nth_seq by lia. rewrite (one_over_whole k). ring.
+Qed.
+
 (** ** 8. Orders of families: Butcher's simplifying assumptions
 
     B(p), C(q) and D(r) give the order p where p <= q + r + 1 and p <= 2 q + 2 (Hairer-Norsett-Wanner I.II.7): a tree has at
@@ -1023,9 +1035,7 @@ Proof.
   - rewrite <- (Rmul_assoc (is_ring F)), <- Y. f_equal.
     transitivity (polynomial (nth k alpha []) (c i) + opp F 1 * polynomial (integral_of N k) (c i)
                   + polynomial (integral_of N k) (c i)); [ring|]. rewrite X; ring.
-  - replace (whole (Z.of_nat (S k)) * value (one_over (S k))) with 1; [ring|].
-    assert (I : 1 = value (one_over (S k)) * whole (Z.of_nat (S k))) by (apply one_over_inverse; ring).
-    rewrite I at 1. ring.
+  - replace (whole (Z.of_nat (S k)) * value (one_over (S k))) with 1; [ring|]. rewrite (one_over_whole k). ring.
 Qed.
 
 (** D(r) of all polynomials in c from that of the powers, and the stage vectors of trees are such polynomials. *)
@@ -1714,6 +1724,79 @@ Proof.
   rewrite poly_combined, poly_cut, Y. destruct (Nat.eq_dec i n) as [->|E]; [field; exact W|].
   rewrite (@nodal_zero c n i) by lia. rewrite X by lia. ring.
 Qed.
+(** A polynomial with n coefficients and n different zeros is 0, so that Lagrange's interpolation gives a polynomial back. *)
+Lemma division n (r : R) : forall g : nat -> R, exists (h : nat -> R) (e : R), forall k, (k < S n)%nat ->
+  g k = shifted h k + - r * cut n h k + (if (k =? 0)%nat then e else 0).
+Proof.
+  induction n; intro g.
+  - exists (fun _ => 0), (g 0%nat). intros [|k] K; [cbn; lra|lia].
+  - destruct (IHn (fun k => if (k =? n)%nat then g n + r * g (S n) else g k)) as [h [e H]].
+    exists (fun k => if (k =? n)%nat then g (S n) else h k), e. intros k K. unfold cut in *.
+    destruct (Nat.eq_dec k (S n)) as [->|E].
+    + cbn [shifted Nat.eqb]. rewrite Nat.eqb_refl, Nat.ltb_irrefl. cbn. lra.
+    + specialize (H k ltac:(lia)).
+      replace (shifted (fun k => if (k =? n)%nat then g (S n) else h k) k) with (shifted h k).
+      2: { destruct k as [|k]; cbn [shifted]; [reflexivity|]. destruct (Nat.eqb_spec k n); [lia|reflexivity]. }
+      destruct (Nat.ltb_spec k (S n)); [|lia]. destruct (Nat.eqb_spec k n) as [E'|E'].
+      * rewrite E' in *. rewrite Nat.ltb_irrefl in H. lra.
+      * destruct (Nat.ltb_spec k n); [|lia]. exact H.
+Qed.
+Lemma poly_first n e t : poly (S n) (fun k => if (k =? 0)%nat then e else 0) t = e.
+Proof.
+  unfold poly. induction n; [cbn; lra|]. rewrite total_S, IHn. cbn. lra.
+Qed.
+Lemma poly_ext n x y t : (forall k, (k < n)%nat -> x k = y k) -> poly n x t = poly n y t.
+Proof. intro H. apply total_ext. intros k K. rewrite H by exact K. reflexivity. Qed.
+Lemma zero_polynomial n c : distinct n c -> forall g, (forall i, (i < n)%nat -> poly n g (c i) = 0) ->
+  forall k, (k < n)%nat -> g k = 0.
+Proof.
+  induction n as [|n IH]; intros D g Z k K; [lia|].
+  destruct (division n (c n) g) as [h [e H]].
+  assert (V : forall t, poly (S n) g t = (t - c n) * poly n h t + e).
+  { intro t. rewrite (@poly_ext (S n) g (fun k => 1 * (shifted h k + - c n * cut n h k) + 1 * (if (k =? 0)%nat then e else 0)))
+      by (intros l L; rewrite (H l L); ring).
+    rewrite (@poly_ext (S n) _ (fun k => (shifted h k + - c n * cut n h k) + 1 * (if (k =? 0)%nat then e else 0))) by (intros; ring).
+    rewrite (poly_combined (S n) (fun k => shifted h k + - c n * cut n h k)), poly_combined, poly_shifted, poly_cut, poly_first. ring. }
+  assert (E : e = 0). { pose proof (Z n ltac:(lia)) as X. rewrite V in X. lra. }
+  assert (Hz : forall l, (l < n)%nat -> h l = 0).
+  { apply IH; [intros i j Hi Hj; apply D; lia|]. intros i Hi. pose proof (Z i ltac:(lia)) as X. rewrite V, E in X.
+    assert (c i <> c n) by (intro Y; apply D in Y; lia).
+    apply Rmult_eq_reg_l with (c i - c n); lra. }
+  rewrite (H k K), E. unfold cut. replace (shifted h k) with 0 by (destruct k as [|k]; cbn [shifted]; [reflexivity|rewrite Hz by lia; reflexivity]).
+  destruct (Nat.ltb_spec k n); [rewrite (Hz k) by assumption|]; destruct (k =? 0)%nat; lra.
+Qed.
+Lemma finite_choice (X : Type) (x : X) n (P : nat -> X -> Prop) : (forall j, (j < n)%nat -> exists y, P j y) ->
+  exists f, forall j, (j < n)%nat -> P j (f j).
+Proof.
+  induction n as [|n IH]; intro H; [exists (fun _ => x); intros; lia|].
+  destruct IH as [f F]; [intros; apply H; lia|]. destruct (H n ltac:(lia)) as [y Y].
+  exists (fun j => if (j =? n)%nat then y else f j). intros j J. destruct (Nat.eqb_spec j n) as [->|E]; [exact Y|apply F; lia].
+Qed.
+Lemma lagrange n c : distinct n c -> exists L : nat -> nat -> R, forall k l, (k < n)%nat -> (l < n)%nat ->
+  total n (fun j => L j k * pow (c j) l) = if (k =? l)%nat then 1 else 0.
+Proof.
+  intro D. destruct (@finite_choice (nat -> R) (fun _ => 0) n (fun j x => forall i, (i < n)%nat ->
+    poly n x (c i) = if (i =? j)%nat then 1 else 0)) as [L HL].
+  { intros j _. destruct (interpolation (fun i => if (i =? j)%nat then 1 else 0) D) as [x X]. exists x. intros i Hi. symmetry. apply X, Hi. }
+  exists L. intros k l Hk Hl.
+  set (g := fun k => total n (fun j => L j k * pow (c j) l) - if (k =? l)%nat then 1 else 0).
+  enough (G : g k = 0) by (unfold g in G; lra). apply (@zero_polynomial n c D g); [|exact Hk]. intros i Hi.
+  unfold g, poly.
+  rewrite (@total_ext d d_positive n _ (fun k => total n (fun j => pow (c j) l * (L j k * pow (c i) k)) + - ((if (k =? l)%nat then 1 else 0) * pow (c i) k))).
+  2: { intros r _. rewrite (@total_ext d d_positive n (fun j => pow (c j) l * _) (fun j => pow (c i) r * (L j r * pow (c j) l))) by (intros; ring).
+       rewrite total_scale. ring. }
+  rewrite total_add, total_swap.
+  rewrite (@total_ext d d_positive n (fun j => total n _) (fun j => pow (c j) l * (if (i =? j)%nat then 1 else 0))).
+  2: { intros j Hj. rewrite total_scale. f_equal. exact (HL j Hj i Hi). }
+  assert (S1 : forall v (f : nat -> R) p, (p < v)%nat -> total v (fun j => f j * (if (p =? j)%nat then 1 else 0)) = f p).
+  { intros v f p. induction v; intro Hp; [lia|]. rewrite total_S. destruct (Nat.eqb_spec p v) as [->|E].
+    - rewrite total_zero; [lra|]. intros r Hr. destruct (Nat.eqb_spec v r); [lia|lra].
+    - rewrite IHv by lia. lra. }
+  rewrite S1 by exact Hi.
+  rewrite (@total_ext d d_positive n (fun k => - _) (fun k => (- pow (c i) k) * (if (l =? k)%nat then 1 else 0))).
+  2: { intros r _. rewrite (Nat.eqb_sym r l). destruct (l =? r)%nat; lra. }
+  rewrite S1 by exact Hl. lra.
+Qed.
 Lemma powers_span (T : tableau Re) c : distinct (stages T) c -> spans T (@powers d Re c) (stages T).
 Proof. intros D v. exact (interpolation (n := stages T) (c := c) v D). Qed.
 
@@ -1810,6 +1893,8 @@ Variable d : Q.
 Hypothesis d_positive : (0 <= d)%Q.
 Open Scope R_scope.
 Notation Re := (reals d_positive).
+Notation total := (@sum d Re : nat -> (nat -> R) -> R).
+Notation pow := (@power d Re : R -> nat -> R).
 (** x^s - N has as many different zeros in [0, 1] as its degree: all that it has. *)
 Definition has_nodes (N : list coefficient) : Prop := exists c : nat -> R,
   distinct (length N) c /\ forall i, (i < length N)%nat ->
@@ -1879,6 +1964,38 @@ Proof.
     + specialize (C' i j ltac:(lia)). lra.
     + specialize (C' j i ltac:(lia)). lra.
   - intros i Hi. destruct (C i Hi) as [_ [C2 C3]]. split; [exact C2|]. rewrite whole_of_value in C3. lra.
+Qed.
+(** Such tableaux exist, so that what is stated of all of them is said of one at least: rows are combinations of Lagrange's
+    polynomials. *)
+Theorem acts_exists N alpha beta : has_nodes N -> length N = length beta ->
+  exists (T : tableau Re) (c : nat -> R), acts T c N alpha beta /\ distinct (stages T) c
+    /\ forall i, (i < stages T)%nat -> 0 <= c i <= 1.
+Proof.
+  intros [c [D H]] E. destruct (lagrange d_positive D) as [L HL]. set (n := length N) in *.
+  pose (p := fun k i => polynomial Re (nth k alpha []) (c i) : R). pose (w := fun k => value Re (nth k beta (q 0)) : R).
+  exists {| stages := n; a := fun i j => total n (fun k => p k i * L j k) : Re; b := fun j => total n (fun k => w k * L j k) : Re |}, c.
+  assert (S1 : forall (f : nat -> R) l, (l < n)%nat -> total n (fun j => total n (fun k => f k * L j k) * pow (c j) l) = f l).
+  { intros f l Hl. rewrite (@total_ext d d_positive n _ (fun j => total n (fun k => f k * (L j k * pow (c j) l)))).
+    2: { intros j _. rewrite (Rmult_comm _ (pow (c j) l)), <- total_scale. apply total_ext. intros; ring. }
+    rewrite total_swap. rewrite (@total_ext d d_positive n _ (fun k => f k * (if (l =? k)%nat then 1 else 0))).
+    2: { intros k Hk. rewrite total_scale, HL by assumption. rewrite Nat.eqb_sym. reflexivity. }
+    assert (S2 : forall v, (l < v)%nat -> total v (fun k => f k * (if (l =? k)%nat then 1 else 0)) = f l); [|apply S2, Hl].
+    induction v; intro Hm; [lia|]. rewrite total_S. destruct (Nat.eqb_spec l v) as [->|Em].
+    - rewrite total_zero; [lra|]. intros r Hr. destruct (Nat.eqb_spec v r); [lia|lra].
+    - rewrite IHv by lia. lra. }
+  split; [|split; [exact D|intros i Hi; apply H, Hi]]. split; cbn [stages a b].
+  - exact E.
+  - intros i Hi. apply H, Hi.
+  - intros i k Hi Hk. exact (S1 (fun k => p k i) k Hk).
+  - intros k Hk. exact (S1 w k Hk).
+Qed.
+Theorem collocation_exists N : has_nodes N ->
+  exists (T : tableau Re) (c : nat -> R), collocation T c N /\ distinct (stages T) c
+    /\ forall i, (i < stages T)%nat -> 0 <= c i <= 1.
+Proof.
+  intro H. destruct (@acts_exists N (integrals d N) (inverses (length N)) H) as [T [c [A [D I]]]].
+  { unfold inverses. rewrite map_length, seq_length. reflexivity. }
+  exists T, c. split; [exact (acts_collocation A)|split; assumption].
 Qed.
 End Nodes.
 Open Scope nat_scope.

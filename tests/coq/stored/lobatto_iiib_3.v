@@ -75,5 +75,12 @@ Proof.
   vm_cast_no_check (eq_refl true).
 Qed.
 
+(** So what is said here of every such method is said of one. *)
+Theorem there_is_such_a_method : exists (T : tableau (reals d_positive)) (c : nat -> R),
+  acts T c N alpha beta /\ distinct (stages T) c /\ forall i, i < stages T -> (0 <= c i <= 1)%R.
+Proof.
+  exact (acts_exists alpha beta nodes_of_the_method eq_refl).
+Qed.
+
 Print Assumptions order_of_the_method.
 End Method.

@@ -74,5 +74,12 @@ Proof.
   vm_cast_no_check (eq_refl true).
 Qed.
 
+(** So what is said here of every such method is said of one. *)
+Theorem there_is_such_a_method : exists (T : tableau (reals d_positive)) (c : nat -> R),
+  collocation T c N /\ distinct (stages T) c /\ forall i, i < stages T -> (0 <= c i <= 1)%R.
+Proof.
+  exact (collocation_exists nodes_of_the_method).
+Qed.
+
 Print Assumptions order_of_the_method.
 End Method.

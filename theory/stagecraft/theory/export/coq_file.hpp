@@ -35,7 +35,7 @@ inline std::string coq_theorems(const coq_method& m, const coq_words& words) {
     body += coq::structure_theorems(m, proved);
     if (words.nodes) {
         proved.push_back("nodes real, distinct and in [0, 1]");
-        body += coq::nodes_theorem(*words.nodes);
+        body += coq::nodes_theorems(m, *words.nodes);
     }
     for (const auto& word : proved) head += (&word == &proved.front() ? "" : ", ") + word;
     return head + ". *)\n\nModule Method.\n\n" + coq::definitions(m) + body +

@@ -115,17 +115,23 @@ inline std::vector<std::array<tableaux::rational, 2>> brackets(const tableaux::n
     }
 }
 
-/// That x^s - N has s different zeros in [0, 1].
-inline std::string nodes_theorem(const tableaux::nodal_polynomial& w) {
+/// That x^s - N has s different zeros in [0, 1], and that a method with these nodes exists.
+inline std::string nodes_theorems(const coq_method& m, const tableaux::nodal_polynomial& w) {
     std::vector<std::string> items;
     for (const auto& [low, high] : brackets(w)) items.push_back("(" + text(low) + ", " + text(high) + ")");
-    return "(** The nodes are real, distinct, and in [0, 1]: each in one of these brackets. *)\nDefinition "
-           "node_brackets : list "
-           "(Q * Q) :=\n  " +
-           list(items, "  ") +
-           "%Q.\nTheorem nodes_of_the_method : has_nodes d_positive N.\nProof.\n  apply (nodes_are_checked "
-           "d_positive N "
-           "node_brackets).\n  vm_cast_no_check (eq_refl true).\nQed.\n\n";
+    const bool collocation = m.which == coq_method::kind::collocation;
+    return "(** The nodes are real, distinct, and in [0, 1]: each in one of these brackets. *)\n"
+           "Definition node_brackets : list (Q * Q) :=\n  " +
+           list(items, "  ") + "%Q.\n" +
+           proof("nodes_of_the_method", "has_nodes d_positive N",
+                 "apply (nodes_are_checked d_positive N node_brackets).") +
+           "(** So what is said here of every such method is said of one. *)\n"
+           "Theorem there_is_such_a_method : exists (T : tableau (reals d_positive)) (c : nat -> R),\n  " +
+           hypothesis(m) +
+           " /\\ distinct (stages T) c /\\ forall i, i < stages T -> (0 <= c i <= 1)%R.\nProof.\n  " +
+           (collocation ? "exact (collocation_exists nodes_of_the_method)."
+                        : "exact (acts_exists alpha beta nodes_of_the_method eq_refl).") +
+           "\nQed.\n\n";
 }
 
 }  // namespace stagecraft::theory::coq
