@@ -13,17 +13,25 @@ namespace stagecraft::tool {
 
 namespace {
 
-/// The file is there whole or not at all: it is written beside, then renamed.
+bool written(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream out(path, std::ios::binary);
+    return out << text && out.flush();
+}
+
+/// The file is there whole or not at all: it is written beside, then renamed. What is no file, a device or a pipe, is
+/// written to and stays what it is.
 void write_whole(const std::filesystem::path& path, const std::string& text) {
+    const std::invalid_argument cannot("coq: cannot write " + path.string());
+    std::error_code failed;
+    if (std::filesystem::exists(path, failed) && !std::filesystem::is_regular_file(path, failed)) {
+        if (!written(path, text)) throw cannot;
+        return;
+    }
     auto beside = path;
     beside += ".part";
-    std::error_code failed;
-    {
-        std::ofstream out(beside, std::ios::binary);
-        if (!(out << text) || !out.flush()) {
-            std::filesystem::remove(beside, failed);
-            throw std::invalid_argument("coq: cannot write " + path.string());
-        }
+    if (!written(beside, text)) {
+        std::filesystem::remove(beside, failed);
+        throw cannot;
     }
     std::filesystem::rename(beside, path, failed);
     if (!failed) return;
