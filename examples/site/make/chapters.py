@@ -1,8 +1,11 @@
 """A page for each program of the examples that draws, as far as it is built: what it prints and its pictures. Whoever built it
-waits for it to run; nobody has to build it for the site.
+waits for it to run, once: what it made is kept as long as the program is the same. Nobody has to build it for the site.
 """
+import hashlib
 import re
 import shutil
+
+import pictures
 
 PROGRAMS = {  # target, arguments, heading
     "rolling_disc": ("--report {}", "The rolling disc"),
@@ -19,19 +22,32 @@ def title_of(svg, name):
     return re.sub(r"[_\[\]]", " ", text)
 
 
-def page(site, target, heading, arguments):
-    folder = site.work / f"drawn_{target}"
+def made(site, target, arguments):
+    """The folder with the program's pictures and what it printed, `printed.txt`."""
     program = site.command.parent / target
-    folder.mkdir(exist_ok=True)
-    printed = site.call(f"{program} {arguments.format(folder)}")
+    folder = site.cache / f"{target}_{hashlib.sha256(program.read_bytes()).hexdigest()[:16]}"
+    if not folder.exists():
+        part = site.work / f"drawn_{target}"
+        shutil.rmtree(part, ignore_errors=True)
+        part.mkdir()
+        printed = site.call(f"{program} {arguments.format(part)}").stdout
+        (part / "printed.txt").write_text("\n".join(line for line in printed.split("\n") if str(part) not in line))
+        shutil.move(part, folder)
+    return folder
+
+
+def page(site, target, heading, arguments):
+    folder = made(site, target, arguments)
     text = [f"---\norphan: true\n---\n# {heading}\n", "[Gallery](../index.md)\n",
             f"By `cmake --build build --target {target}`, then `build/{target} {arguments.format('DIR')}`.\n"]
-    (site.out / "pictures" / target).mkdir(parents=True, exist_ok=True)
-    for svg in sorted(folder.rglob("*.svg")):
-        shutil.copy(svg, site.out / "pictures" / target / svg.name)
-        text.append(f"![{title_of(svg.read_text(), svg.stem)}](../../pictures/{target}/{svg.name})\n")
-    lines = "\n".join(line for line in printed.stdout.split("\n") if str(folder) not in line)
-    text.append(f"## What it prints\n\n````text\n{lines.strip()}\n````\n")
+    drawn = site.out / "pictures" / target
+    drawn.mkdir(parents=True, exist_ok=True)
+    for path in sorted(folder.rglob("*.svg")):
+        svg = path.read_text()
+        title = title_of(svg, path.stem)
+        (drawn / path.name).write_text(pictures.slim(svg, title) if "GNUPLOT" in svg else svg)
+        text.append(f"![{title}](../../pictures/{target}/{path.name})\n")
+    text.append(f"## What it prints\n\n````text\n{(folder / 'printed.txt').read_text().strip()}\n````\n")
     site.write(f"gallery/chapters/{target}.md", "\n".join(text))
 
 

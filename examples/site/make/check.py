@@ -3,7 +3,7 @@
 - No link is dead, anchors included, and no page loads anything from elsewhere.
 - Each header that include/README.md names has a page.
 - Each want of SOURCES/wants.txt leads from the front page to its answer in at most two clicks.
-- Pictures have an alternative text. All is at most 40 MB, of which the playground and the pictures of the chapters are a third.
+- Pictures have an alternative text. All is at most 30 MB.
 """
 import html.parser
 import os
@@ -97,8 +97,8 @@ def main():
             wrong.append(f"want '{want}': {answer} does not say '{words}'")
 
     size = sum(p.stat().st_size for p in site.rglob("*") if p.is_file())
-    if size > 40e6:
-        wrong.append(f"the site has {size / 1e6:.1f} MB, more than 40")
+    if size > 30e6:
+        wrong.append(f"the site has {size / 1e6:.1f} MB, more than 30")
     print("\n".join(wrong), file=sys.stderr) if wrong else \
         print(f"{len(pages)} pages, {size / 1e6:.1f} MB, {len(wants)} wants answered: no dead link, nothing from elsewhere")
     sys.exit(bool(wrong))

@@ -7,7 +7,7 @@ import pictures
 
 HEADER = ("set terminal svg size 760,480 font 'sans,13' background 'white' dynamic\nset logscale xy\nset format '10^{%L}'\n"
           "set grid lc rgb '#dddddd'\nset key outside right\n")
-COLOURS = ["#4c78a8", "#f58518", "#54a24b", "#e45756", "#72b7b2", "#b279a2", "#9d755d", "#333333"]
+COLOURS = ["#4c78a8", "#f58518", "#54a24b", "#e45756", "#72b7b2", "#b279a2", "#9d755d", "#333333", "#bab0ac"]
 
 
 def read(site, path):

@@ -74,6 +74,8 @@ class Site:
         self.work.mkdir(parents=True, exist_ok=True)
         self.cache = self.out.parent / "site-cache"
         self.cache.mkdir(exist_ok=True)
+        self.drawn = self.cache / hashlib.sha256(pathlib.Path(pictures.__file__).read_bytes()).hexdigest()[:24]
+        self.drawn.mkdir(exist_ok=True)  # pictures, as this make of pictures.py leaves them
         self.repository = REPOSITORY
         self.identity = hashlib.sha256(self.command.read_bytes()).digest()
         for name in ("tableaux", "examples", "tests", "include", "theory"):
@@ -111,7 +113,7 @@ class Site:
     def picture(self, line, title):
         """The page's name of the picture that the command writes by -o; empty where it has none to draw."""
         name = self.key(line) + ".svg"
-        kept, refused = self.cache / name, self.cache / (name + ".none")
+        kept, refused = self.drawn / name, self.drawn / (name + ".none")
         if not kept.exists() and not refused.exists():
             part = self.work / ("part_" + name)
             done = self.call(re.sub(r"-o \S+", f"-o {part}", line))

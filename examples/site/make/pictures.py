@@ -66,15 +66,8 @@ def chains(rows):
     return done + open_chains
 
 
-def shaded(m):
-    """The bars that fill an area, as polygons."""
-    bars, fill = {}, BAR.search(m.group()).group(1)
-    for _, text in BAR.findall(m.group()):
-        corners = [tuple(map(float, c.split(","))) for c in text.split()]
-        xs, ys = {x for x, _ in corners}, {y for _, y in corners}
-        if len(xs) != 2 or len(ys) != 2:
-            return m.group()
-        bars.setdefault(max(ys), []).append((min(xs), max(xs), max(ys), min(ys)))
+def area(bars):
+    """The outline of bars {top: [(left, right, top, bottom)]} as the data of a path."""
     text = ""
     for chain in chains([bars[y] for y in sorted(bars, reverse=True)]):
         sides = []
@@ -83,11 +76,56 @@ def shaded(m):
             sides.append([(chain[0][side], chain[0][2])] + simplified(ends, 0.6) + [(chain[-1][side], chain[-1][3])])
         around = sides[0] + sides[1][::-1]
         text += "M" + "L".join(f"{number(x)},{number(y)}" for x, y in around) + "Z"
-    return f"<path fill='{fill}' stroke='none' d='{text}'/>"
+    return text
+
+
+def shaded(m):
+    """The bars that fill areas, as one path for each colour; a line of that colour hides the seam to the next."""
+    colours = {}
+    for fill, text in BAR.findall(m.group()):
+        corners = [tuple(map(float, c.split(","))) for c in text.split()]
+        xs, ys = {x for x, _ in corners}, {y for _, y in corners}
+        if len(xs) != 2 or len(ys) != 2:
+            return m.group()
+        colours.setdefault(fill, {}).setdefault(max(ys), []).append((min(xs), max(xs), max(ys), min(ys)))
+    stroke = {fill: fill if len(colours) > 1 else "none" for fill in colours}
+    return "".join(f"<path fill='{fill}' stroke='{stroke[fill]}' d='{area(bars)}'/>" for fill, bars in colours.items())
+
+
+GRID = re.compile(r"<g ([^>]*)>\s*<path ([^>]*class=\"gridline\") *d='([^']*)'/>\s*</g>\s*")
+TICK = re.compile(r"<g ([^>]*)>\s*<path (stroke='[^']*') *d='([^']*)'/>\s*<g transform=\"translate\(([^,]*),([^)]*)\)\" ([^>]*)>"
+                  r"\s*<text(>[^<]*</text>)\s*</g>\s*</g>\s*")
+
+
+def together(ticks):
+    """Ticks of one style: a path, and a group of numbers."""
+    style, stroke, said = ticks[0].group(1, 2, 6)
+    drawn = "".join(t.group(3) for t in ticks)
+    numbers = "".join(f"<text x='{number(float(t.group(4)))}' y='{number(float(t.group(5)))}'{t.group(7)}" for t in ticks)
+    return f"<g {style}><path {stroke} d='{drawn}'/></g><g {said}>{numbers}</g>\n"
+
+
+def axes(svg):
+    """Lines of the grid as one path, neighbouring ticks of one style together."""
+    lines = list(GRID.finditer(svg))
+    if lines:
+        drawn = "".join(m.group(3) for m in lines)
+        merged = f"<g {lines[0].group(1)}><path {lines[0].group(2)} d='{drawn}'/></g>\n"
+        svg = svg[:lines[0].start()] + merged + GRID.sub("", svg[lines[0].start():])
+    runs = []
+    for m in TICK.finditer(svg):
+        if runs and runs[-1][-1].end() == m.start() and runs[-1][0].group(1, 2, 6) == m.group(1, 2, 6):
+            runs[-1].append(m)
+        else:
+            runs.append([m])
+    for run in reversed(runs):
+        svg = svg[:run[0].start()] + together(run) + svg[run[-1].end():]
+    return svg
 
 
 def slim(svg, title):
-    svg = re.sub(r"<title>[^<]*</title>", f"<title>{html.escape(title)}</title>", svg)
+    svg = re.sub(r"<title>[^<]*</title>", "", svg)
+    svg = re.sub(r"<svg[^>]*>", lambda m: f"{m.group()}\n<title>{html.escape(title)}</title>", svg, count=1)
     svg = re.sub(r"<desc>.*?</desc>", "", svg, flags=re.S)
     svg = re.sub(r' stroke-linecap="butt"| stroke-linejoin="miter"| font-family="Helvetica"(?= *>)', "", svg)  # said above
     svg = re.sub(r"<tspan *>([^<]*)</tspan>", r"\1", svg)
@@ -98,6 +136,7 @@ def slim(svg, title):
     svg = re.sub(r"(?:" + BAR.pattern.replace("([^']*)", "[^']*") + "){2,}", shaded, svg)
     svg = re.sub(r"(\bd=)'([^']*)'", path, svg)
     svg = re.sub(r"(\bpoints ?= ?)'([^']*)'", points, svg)
+    svg = axes(svg)
     before = None
     while before != svg:
         before, svg = svg, re.sub(r"<g [^>]*>\s*</g>\s*", "", svg)
