@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <tuple>
 #include <utility>
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/program_calls.hpp"
+#include "stagecraft/tableaux/token_cursor.hpp"
 
 namespace stagecraft::tableaux::program_text {
 
@@ -20,27 +20,16 @@ STAGECRAFT_INLINE std::string_view last_part(std::string_view name) {
 }
 
 /// Reads a value by recursive descent.
-class value_parser {
+class value_parser : public token_cursor {
   public:
     value_parser(const std::vector<token>& tokens, std::size_t begin, std::size_t end, const lookup& known)
-        : tokens_(tokens), at_(begin), end_(end), known_(known) {}
+        : token_cursor(tokens, begin, end), known_(known) {}
 
     value run() {
         value v = sum();
         skip_lines();
         if (at_ < end_) fail("'" + tokens_[at_].text + "' beside it");
         return v;
-    }
-
-    /// What `parse` returns; where it does not understand something, the line is told.
-    template <class Parse>
-    value located(Parse parse) {
-        try {
-            return parse();
-        } catch (not_understood& e) {
-            if (e.line == 0) e.line = tokens_[std::min(at_, tokens_.size() - 1)].line;
-            throw;
-        }
     }
 
     value run_list() {
@@ -62,41 +51,6 @@ class value_parser {
     }
 
   private:
-    [[noreturn]] void fail(const std::string& what) const {
-        const auto& t = tokens_[std::min(at_, tokens_.size() - 1)];
-        throw not_understood{what.substr(0, 60), t.line};
-    }
-
-    bool more() const { return at_ < end_; }
-    const token& here() const { return tokens_[at_]; }
-    bool sign(std::string_view text) const { return more() && is_sign(here(), text); }
-    bool accept(std::string_view text) {
-        if (!sign(text)) return false;
-        ++at_;
-        return true;
-    }
-    void skip_lines() {
-        while (more() && here().is == token::kind::line_end) ++at_;
-    }
-
-    /// In rows of numbers that blanks separate "1 -2" are two numbers and "1 - 2" is one.
-    bool separates(const token& sign) const {
-        return context_.blanks_separate && sign.blank_before && at_ + 1 < end_ &&
-               !tokens_[at_ + 1].blank_before;
-    }
-
-    /// Outside square and curly brackets an expression may go on with an operator in the next line.
-    /// In them, where commas separate the numbers, only with one that stands alone, as Python allows: "-1" is a new row.
-    void skip_lines_before_operator() {
-        if (!more() || here().is != token::kind::line_end || context_.blanks_separate) return;
-        auto next = at_;
-        while (next < end_ && tokens_[next].is == token::kind::line_end) ++next;
-        static constexpr std::string_view operators("+-*/.");
-        const bool is_operator = next + 1 < end_ && tokens_[next].is == token::kind::sign &&
-                                 operators.find(tokens_[next].text[0]) != operators.npos;
-        if (is_operator && (!context_.in_brackets || tokens_[next + 1].blank_before)) at_ = next;
-    }
-
     value sum() {
         if (++depth_ > 100) fail("more than 100 levels of brackets");
         value v = product();
@@ -172,12 +126,6 @@ class value_parser {
         if (method->second == call_does::by_rows) reshape(v, by_columns);
     }
 
-    std::size_t closing() const {
-        const auto close = here().partner;
-        if (close == nowhere || close >= end_) fail("the brackets are not closed");
-        return close;
-    }
-
     value primary() {
         skip_lines();
         if (!more()) fail("it ends too early");
@@ -208,21 +156,6 @@ class value_parser {
             fail("\"" + text + "\"");
         ++at_;
         return number_value(operand(text), line);
-    }
-
-    /// Where blanks and lines separate numbers, and where the brackets at work end.
-    struct context {
-        bool blanks_separate = false, in_brackets = false;
-    };
-
-    /// Goes into the brackets that are here, up to `end`, and returns what to leave them with.
-    std::pair<std::size_t, context> enter(std::size_t end, context inside) {
-        ++at_;
-        return {std::exchange(end_, end), std::exchange(context_, inside)};
-    }
-    void leave(const std::pair<std::size_t, context>& outer, std::size_t close) {
-        std::tie(end_, context_) = outer;
-        at_ = close + 1;
     }
 
     /// A number in parentheses, or a tuple.
@@ -396,11 +329,8 @@ class value_parser {
         return v;
     }
 
-    const std::vector<token>& tokens_;
-    std::size_t at_, end_;
     const lookup& known_;
     int depth_ = 0;
-    context context_;
 };
 
 STAGECRAFT_INLINE value value_of(const std::vector<token>& tokens, std::size_t begin, std::size_t end,
