@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE read
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/reading.hpp>
+#include <stagecraft/theory/judging/resolution.hpp>
+#include <string>
+#include <utility>
+
+#include "../checked.hpp"
 
 using namespace stagecraft::tableaux;
 
@@ -94,4 +101,54 @@ BOOST_AUTO_TEST_CASE(unusable_input_names_line_and_entry) {
     BOOST_TEST(begins(complaint("{\"A\":\"\xff\"}"), 16) == "line 1: not JSON");
     BOOST_TEST(begins(complaint(std::string(1000000, '[')), 16) == "line 1: not JSON");
     BOOST_CHECK_THROW(read_tableau_file("/no/such/file.json"), unusable_input);
+}
+
+BOOST_AUTO_TEST_CASE(quotients_are_judged_as_what_they_round_and_every_change_beyond_the_resolution_shows) {
+    // gamma = 1 - 1/sqrt(2), L-stable of order 2, as Kennedy and Carpenter print such numbers.
+    const std::string gamma = "1513744654945/5168247530883", other = "3654502875938/5168247530883";
+    const std::string text = R"({"A":[[")" + gamma + R"(","0"],[")" + other + R"(",")" + gamma +
+                             R"("]],"b":[")" + other + R"(",")" + gamma + R"("],"c":[")" + gamma +
+                             R"(","1"],"claims":{"order":2,"L_stable":true}})";
+    const auto c = checked::certify(text);
+    BOOST_TEST(c.exit_code() == 0);
+    BOOST_TEST(c.verdict_in_words() == "consistent up to 1.87e-26 (quotients of 13 digits)");
+    const auto file = rounded_quotients(read_tableau(text));
+    const auto r = stagecraft::theory::resolution_of(file);
+    BOOST_REQUIRE(c.taken_as);
+    BOOST_TEST(c.taken_as->resolution == r.size);
+    BOOST_TEST(r.unseen.empty());
+    const rational size = read_entry(r.size).enclosure.upper;
+    BOOST_TEST((size < rational(1) / rational(pow(integer(10), 24))));  // a change of 1 in p makes 2e-13
+    int hidden = 0;
+    for (const auto& [part, change] : {std::pair('A', size), std::pair('A', -size), std::pair('b', size),
+                                       std::pair('b', -size), std::pair('c', size)}) {
+        auto moved = file;
+        const auto shift = [&, part = part](const rational& x) {
+            auto& e = part == 'A' ? moved.A[1][1] : part == 'b' ? moved.b[0] : moved.c[0];
+            e.enclosure = {e.enclosure.lower + x, e.enclosure.upper + x};
+        };
+        shift(change);
+        BOOST_TEST(stagecraft::theory::certify(moved).exit_code() == 1);
+        shift(change * rational(-15, 16));
+        hidden += stagecraft::theory::certify(moved).exit_code() == 0 ? 1 : 0;
+    }
+    BOOST_TEST(hidden > 0);
+    auto misprint = nlohmann::json::parse(text);
+    misprint["A"][1][0] = "3654502875983/5168247530883";
+    const auto found = checked::certify(misprint.dump());
+    BOOST_TEST(found.exit_code() == 1);
+    BOOST_REQUIRE(!found.suspects.empty());
+    BOOST_TEST(found.suspects.front().entry == "A[2][1]");
+    BOOST_TEST(found.suspects.front().suggest == other);
+}
+
+BOOST_AUTO_TEST_CASE(digits_that_a_table_has_too_many_of_for_doubles_are_held_to_half_a_unit) {
+    // 30 digits are no computed doubles: the sum of a row that is off by two of its last digit is refuted as before.
+    auto t =
+        nlohmann::json::parse(text_of_file(STAGECRAFT_SOURCE_DIR "/tableaux/catalogue/kvaerno_3_2.json"));
+    BOOST_TEST(checked::certify(t.dump()).exit_code() == 0);
+    BOOST_REQUIRE(t["c"][1] == "0.871733043016917998832038902387");
+    t["c"][1] = "0.871733043016917998832038902386";
+    BOOST_TEST(checked::certify(t.dump()).exit_code() == 1);
+    BOOST_TEST(!checked::certify(t.dump()).taken_as.has_value());
 }

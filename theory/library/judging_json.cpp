@@ -12,6 +12,8 @@
 #include "stagecraft/theory/judging/junit-inl.hpp"
 #include "stagecraft/theory/judging/method_table-inl.hpp"
 #include "stagecraft/theory/judging/nearest_family-inl.hpp"
+#include "stagecraft/theory/judging/other_readings-inl.hpp"
+#include "stagecraft/theory/judging/resolution-inl.hpp"
 #include "stagecraft/theory/judging/spectrum_json-inl.hpp"
 #include "stagecraft/theory/judging/suspects-inl.hpp"
 #include "stagecraft/theory/judging/verdict_json-inl.hpp"

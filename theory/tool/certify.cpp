@@ -14,6 +14,7 @@
 #include "command.hpp"
 #include "export_coq.hpp"
 #include "method_argument.hpp"
+#include "reading_options.hpp"
 
 namespace {
 
@@ -21,24 +22,12 @@ using namespace stagecraft;
 
 struct options {
     std::vector<std::string> methods;
-    std::string decimals = "auto", ulps = "1/2", tolerance = "0", from = "json";
+    std::string from = "json";
+    tool::reading_options entries;
     std::optional<bool> strict;
     tool::certify_options files;
     tool::coq_options coq;
 };
-
-tableaux::rational number(const char* argument, const std::string& text) {
-    const std::invalid_argument refused(std::string(argument) + ": '" + text +
-                                        "', allowed: a number that is not negative");
-    try {
-        const auto e = tableaux::read_entry(text, tableaux::exact_decimals::all());
-        if (e.exact && e.exact->is_rational() && e.exact->rational_part() >= 0)
-            return e.exact->rational_part();
-    } catch (const std::invalid_argument&) {
-        throw refused;
-    }
-    throw refused;
-}
 
 void certify_family(const options& o) {
     if (o.methods.size() > 2) throw std::invalid_argument("stages: more than one number after a family");
@@ -98,8 +87,7 @@ void run(options o) {
         throw std::invalid_argument("from: '" + o.from + "', allowed: json, text");
     o.files.from_text = o.from == "text";
     o.files.strict = o.strict.value_or(!o.files.junit.empty() || in_continuous_integration());
-    o.files.how = {tableaux::decimals_from_name(o.decimals), number("ulps", o.ulps),
-                   number("tolerance", o.tolerance)};
+    o.files.how = o.entries.reading();
     if (!o.coq.path.empty()) {
         if (o.methods.size() != 1 || o.methods.front() == "-")
             throw std::invalid_argument(
@@ -128,11 +116,7 @@ const tool::command certify{[](CLI::App& app) {
         "(default with --junit, and where CI is set)");
     sub->add_flag_callback(
         "--no-strict", [] { o.strict = false; }, "with --from text: what is not used is told, no error");
-    sub->add_option("--decimals", o.decimals,
-                    "exact, rounded, or auto (default): rounded, but exact where much shorter than usual");
-    sub->add_option("--ulps", o.ulps,
-                    "units of its last digit that a rounded entry may be off (default 1/2)");
-    sub->add_option("--tolerance", o.tolerance, "absolute error that every entry but whole numbers may have");
+    o.entries.add_to(*sub);
     sub->add_option("--junit", o.files.junit, "write a JUnit report to this file");
     sub->add_option("--coq", o.coq.path,
                     "write what is proved as theorems to this file, which `coqc FILE.v` checks");

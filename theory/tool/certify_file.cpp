@@ -165,9 +165,9 @@ int certify_files(const std::vector<std::string>& paths, const certify_options& 
 
 void print_unusable(const std::string& what) { std::cout << line_of(unusable_json(what)); }
 
-int diff_files(const std::string& first, const std::string& second) {
-    const auto read = [](const std::string& path) {
-        const auto file = tableaux::read_tableau_file(path);
+int diff_files(const std::string& first, const std::string& second, const tableaux::reading& how) {
+    const auto read = [&](const std::string& path) {
+        const auto file = tableaux::read_tableau_file(path, how);
         return theory::certified_file{file, theory::certify(file)};
     };
     const auto x = read(first), y = read(second);
@@ -180,10 +180,10 @@ int diff_files(const std::string& first, const std::string& second) {
     return lines.empty() ? 0 : 1;
 }
 
-void print_method_table(const std::vector<std::string>& paths) {
+void print_method_table(const std::vector<std::string>& paths, const tableaux::reading& how) {
     std::string table = theory::method_table_head();
     for (const std::string& path : with_folders_opened(paths))
-        table += theory::method_row(theory::certify(tableaux::read_tableau_file(path)));
+        table += theory::method_row(theory::certify(tableaux::read_tableau_file(path, how)));
     std::cout << table;
 }
 

@@ -29,9 +29,9 @@ int certify_files(const std::vector<std::string>& paths, const certify_options& 
 void print_unusable(const std::string& what);
 
 /// Prints what differs between two tableau files; 0 nothing, 1 something. Throws tableaux::unusable_input.
-int diff_files(const std::string& first, const std::string& second);
+int diff_files(const std::string& first, const std::string& second, const tableaux::reading& how);
 
 /// Prints a Markdown table of what the tableaux in these files and folders are.
-void print_method_table(const std::vector<std::string>& paths);
+void print_method_table(const std::vector<std::string>& paths, const tableaux::reading& how);
 
 }  // namespace stagecraft::tool

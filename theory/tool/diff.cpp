@@ -5,6 +5,7 @@
 
 #include "certify_file.hpp"
 #include "command.hpp"
+#include "reading_options.hpp"
 
 namespace {
 
@@ -12,11 +13,14 @@ const stagecraft::tool::command diff{[](CLI::App& app) {
     auto* sub =
         app.add_subcommand("diff", "Which entries, orders and properties of two tableau files differ");
     const auto files = std::make_shared<std::pair<std::string, std::string>>();
+    const auto entries = std::make_shared<stagecraft::tool::reading_options>();
     sub->add_option("FIRST", files->first, "tableau file")->required();
     sub->add_option("SECOND", files->second, "tableau file")->required();
+    entries->add_to(*sub);
     sub->footer("Exit code: 0 they agree; 1 they differ; 2 unusable input.");
-    sub->callback([files] {
-        if (const int code = stagecraft::tool::diff_files(files->first, files->second); code != 0)
+    sub->callback([files, entries] {
+        if (const int code = stagecraft::tool::diff_files(files->first, files->second, entries->reading());
+            code != 0)
             throw CLI::RuntimeError(code);
     });
 }};

@@ -20,6 +20,7 @@
 #include "command.hpp"
 #include "error_picture.hpp"
 #include "method_argument.hpp"
+#include "reading_options.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ struct arguments {
     std::vector<std::string> methods;
     std::vector<double> window;
     std::optional<double> implicit;
+    tool::reading_options entries;
     bool script_only = false;
 };
 
@@ -75,7 +77,7 @@ plot::script picture_of_family(const arguments& a) {
 
 plot::script picture_of_file(const arguments& a) {
     tool::require_no_stages(a.stages);
-    const auto file = tableaux::read_method_file(a.method);
+    const auto file = tableaux::read_method_file(a.method, a.entries.reading());
     if (const auto* several = std::get_if<tableaux::partitioned_file>(&file))
         return coupled_picture(a, *several);
     return picture_of(a, plot::subject_of_file(std::get<tableaux::tableau_file>(file)));
@@ -143,6 +145,7 @@ const tool::command plot_command{[](CLI::App& app) {
     sub->add_option("-w,--window", a->window, "LEFT,RIGHT,BOTTOM,TOP in the complex plane")->delimiter(',');
     sub->add_option("--implicit", a->implicit,
                     "of an additive pair: where on the real axis the implicit part is (default 0)");
+    a->entries.add_to(*sub);
     sub->add_flag("--script", a->script_only, "write the gnuplot script instead of the picture");
     sub->callback([a] { run(*a); });
 }};

@@ -9,6 +9,7 @@
 #include "clock.hpp"
 #include "command.hpp"
 #include "method_argument.hpp"
+#include "reading_options.hpp"
 #include "stability_json.hpp"
 
 namespace {
@@ -17,6 +18,7 @@ using namespace stagecraft;
 
 struct stability_request {
     std::string method, stages;
+    tool::reading_options entries;
     bool json = false;
 };
 
@@ -35,7 +37,7 @@ void run(const stability_request& r) {
                      {});
     }
     tool::require_no_stages(r.stages);
-    const auto file = tableaux::read_tableau_file(r.method);
+    const auto file = tableaux::read_tableau_file(r.method, r.entries.reading());
     const tableaux::time_share share(tool::seconds_for_decisions());
     print(file.name, tool::stability_report(file), r.json, tableaux::to_json(file));
 }
@@ -49,6 +51,7 @@ const tool::command stability{[](CLI::App& app) {
     command->add_option("METHOD", request->method, "a family (see `families`) or a tableau file (JSON)")
         ->required();
     command->add_option("S", request->stages, "number of stages of the family's member, at most 30");
+    request->entries.add_to(*command);
     command->add_flag("--json", request->json, "Print JSON instead of text");
     command->callback([request] { run(*request); });
 }};

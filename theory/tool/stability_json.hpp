@@ -14,13 +14,14 @@ namespace stagecraft::tool {
 /// What `stability` says of a tableau file: decisions on exact data, enclosures of others, and of exact data whose
 /// decisions would take more than half of the time that is left.
 inline std::vector<theory::report_section> stability_report(const tableaux::tableau_file& file) {
+    const auto enclosed = theory::make_subject<tableaux::ball>(
+        file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); });
     if (file.kind() <= tableaux::number_kind::quadratic) try {
             const tableaux::time_share share(tableaux::time_share::left() / 2);
             return theory::stability_report(tableaux::to_quadratic(file));
         } catch (const tableaux::out_of_time&) {
         }
-    return theory::enclosed_stability_report(theory::make_subject<tableaux::ball>(
-        file, [](const tableaux::entry& e) { return theory::to_ball(e.enclosure); }));
+    return theory::enclosed_stability_report(enclosed);
 }
 
 /// What `stability --json` prints; the tableau of a file, or null.

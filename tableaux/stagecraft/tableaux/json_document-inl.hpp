@@ -265,6 +265,22 @@ STAGECRAFT_INLINE std::string text_field(const document& d, const char* key) {
     return d.root[key].get<std::string>();
 }
 
+STAGECRAFT_INLINE reading with_tolerance_of(const document& d, reading how) {
+    if (!d.root.contains("tolerance")) return how;
+    const json& given = d.root["tolerance"];
+    try {
+        if (!given.is_string() && !given.is_number()) throw std::invalid_argument("no number");
+        const auto e =
+            read_entry(given.is_string() ? given.get<std::string>() : given.dump(), exact_decimals::all());
+        if (!e.exact || !e.exact->is_rational() || e.exact->rational_part() < 0)
+            throw std::invalid_argument("no number");
+        how.tolerance = std::max(how.tolerance, e.exact->rational_part());
+    } catch (const std::invalid_argument&) {
+        reject(d, "/tolerance", "tolerance", "must be a number that is not negative");
+    }
+    return how;
+}
+
 }  // namespace json_reader
 
 }  // namespace stagecraft::tableaux

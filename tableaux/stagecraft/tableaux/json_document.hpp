@@ -57,6 +57,9 @@ std::vector<std::vector<entry>> polynomials(const document& d, std::size_t s);
 
 std::string text_field(const document& d, const char* key);
 
+/// The reading with the larger of its tolerance and the document's, "tolerance": "1e-12".
+reading with_tolerance_of(const document& d, reading how);
+
 }  // namespace json_reader
 
 }  // namespace stagecraft::tableaux

@@ -64,8 +64,9 @@ STAGECRAFT_INLINE tableau_file tableau(const document& d, const reading& how) {
         file.claims = read_claims(d);
         return file;
     }
-    static const std::set<std::string> known{"name",       "source",  "note",   "A",      "b",      "c",
-                                             "b_embedded", "b_theta", "claims", "family", "stages", "digits"};
+    static const std::set<std::string> known{"name",   "source",     "note",     "A",      "b",
+                                             "c",      "b_embedded", "b_theta",  "claims", "family",
+                                             "stages", "digits",     "tolerance"};
     require_keys(d, known, {"A", "b"});
 
     tableau_file file;
@@ -89,7 +90,7 @@ STAGECRAFT_INLINE tableau_file tableau(const document& d, const reading& how) {
         reject(d, "/claims/dense_smoothness", "claims.dense_smoothness", "must be 0 or 1");
     if (file.claims.embedded_order && file.b_embedded.empty())
         reject(d, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
-    apply(how, file);
+    apply(with_tolerance_of(d, how), file);
     return file;
 }
 

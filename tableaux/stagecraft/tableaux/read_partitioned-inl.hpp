@@ -52,9 +52,9 @@ STAGECRAFT_INLINE claims coupled_claims(const document& d, int largest) {
 }
 
 STAGECRAFT_INLINE void read_nystrom(const document& d, const reading& how, partitioned_file& file) {
-    static const std::set<std::string> known{"name", "source", "note",       "form",
-                                             "c",    "A_bar",  "b_bar",      "A",
-                                             "b",    "claims", "b_embedded", "b_bar_embedded"};
+    static const std::set<std::string> known{"name",       "source",         "note",     "form", "c",
+                                             "A_bar",      "b_bar",          "A",        "b",    "claims",
+                                             "b_embedded", "b_bar_embedded", "tolerance"};
     require_keys(d, known, {"c", "A_bar", "b_bar", "b"});
     tableau_file position, velocity;
     velocity.b = weights(d);
@@ -76,7 +76,7 @@ STAGECRAFT_INLINE void read_nystrom(const document& d, const reading& how, parti
 
 STAGECRAFT_INLINE void read_partners(const document& d, const reading& how,
                                      const std::filesystem::path& folder, partitioned_file& file) {
-    require_keys(d, {"name", "source", "note", "form", "partners", "claims"}, {"partners"});
+    require_keys(d, {"name", "source", "note", "form", "partners", "claims", "tolerance"}, {"partners"});
     const json& partners = d.root["partners"];
     const bool pair = file.coupling != coupling::additive;
     if (!partners.is_array() || partners.size() < 2 || partners.size() > (pair ? 2 : most_partners))
@@ -110,10 +110,11 @@ STAGECRAFT_INLINE partitioned_file partitioned(const document& d, const reading&
     file.name = text_field(d, "name");
     file.source = text_field(d, "source");
     const bool nystrom = file.coupling == coupling::nystrom;
+    const reading with_its_own = with_tolerance_of(d, how);
     if (nystrom)
-        read_nystrom(d, how, file);
+        read_nystrom(d, with_its_own, file);
     else
-        read_partners(d, how, folder, file);
+        read_partners(d, with_its_own, folder, file);
     file.claims = coupled_claims(d, nystrom ? largest_nystrom_order : largest_coupled_order);
     const bool embedded = std::all_of(file.partners.begin(), file.partners.end(),
                                       [](const auto& p) { return !p.b_embedded.empty(); });

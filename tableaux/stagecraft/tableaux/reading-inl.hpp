@@ -80,26 +80,100 @@ STAGECRAFT_INLINE void apply(const reading& how, tableau_file& file) {
     });
 }
 
-STAGECRAFT_INLINE tableau_file cut_off(tableau_file file) {
-    if (file.form) {  // its own decimals are, not what was computed from them
-        tableau_file given;
-        given.A = file.form->rows;
-        try {
-            tableau_file cut = expanded({file.form->which, cut_off(std::move(given)).A});
-            file.A = std::move(cut.A);
-            file.b = std::move(cut.b);
-            file.form = std::move(cut.form);
-        } catch (const std::invalid_argument&) {  // rows of alpha sum to 1 as rounded only
-        }
+namespace detail {
+
+/// The file with its entries changed; where it gives a form, the form's entries and what is computed from them.
+template <class Change>
+tableau_file with_entries_changed(tableau_file file, Change change) {
+    if (!file.form) {
+        file.for_each_entry(change);
         return file;
     }
-    file.for_each_entry([](entry& e) {
+    auto rows = file.form->rows;
+    for (auto& row : rows)
+        for (auto& e : row) change(e);
+    try {
+        tableau_file changed = expanded({file.form->which, std::move(rows)});
+        file.A = std::move(changed.A);
+        file.b = std::move(changed.b);
+        file.form = std::move(changed.form);
+    } catch (const std::invalid_argument&) {  // rows of alpha sum to 1 as given only
+    }
+    return file;
+}
+
+inline bool is_long_quotient(const entry& e) {
+    return e.exact && e.exact->is_rational() &&
+           e.exact->rational_part().denominator() > largest_exact_denominator &&
+           abs(e.exact->rational_part()) * rational(e.exact->rational_part().denominator()) >
+               rational(largest_exact_numerator);
+}
+
+inline bool is_printed_double(const entry& e) {
+    return e.rounded && e.digits >= fewest_digits_of_double && e.digits <= most_digits_of_double;
+}
+
+/// Calls `visit` with each entry that the file gives: of its form, where it has one.
+template <class Visit>
+void for_each_given(const tableau_file& file, Visit visit) {
+    if (!file.form) return file.for_each_entry(visit);
+    for (const auto& row : file.form->rows)
+        for (const entry& e : row) visit(e);
+}
+
+}  // namespace detail
+
+STAGECRAFT_INLINE tableau_file cut_off(tableau_file file) {
+    return detail::with_entries_changed(std::move(file), [](entry& e) {
         if (!e.rounded || !(read_entry(e.text).enclosure == e.enclosure)) return;
         const rational half = e.uncertainty();
         const rational by = e.enclosure.middle() < 0 ? -half : half;
         e.enclosure = {e.enclosure.lower + by, e.enclosure.upper + by};
     });
-    return file;
+}
+
+STAGECRAFT_INLINE bool has_rounded_fractions(const tableau_file& file) {
+    int fractions = 0, enormous = 0;
+    detail::for_each_given(file, [&](const entry& e) {
+        if (!e.exact || !e.exact->is_rational()) return;
+        fractions += e.exact->rational_part().denominator() > 1 ? 1 : 0;
+        enormous += detail::is_long_quotient(e) ? 1 : 0;
+    });
+    return 2 * enormous > fractions;
+}
+
+STAGECRAFT_INLINE bool has_computed_doubles(const tableau_file& file) {
+    int decimals = 0, doubles = 0;
+    detail::for_each_given(file, [&](const entry& e) {
+        decimals += e.rounded && e.digits > 2 ? 1 : 0;
+        doubles += detail::is_printed_double(e) ? 1 : 0;
+    });
+    return 2 * doubles > decimals;
+}
+
+STAGECRAFT_INLINE tableau_file rounded_quotients(tableau_file file) {
+    return detail::with_entries_changed(std::move(file), [](entry& e) {
+        if (!detail::is_long_quotient(e)) return;
+        const rational q(e.exact->rational_part().denominator());
+        e.enclosure = detail::widened(e.enclosure, rational(1) / (q * q));
+        e.exact.reset();
+        e.rounded = true;
+    });
+}
+
+STAGECRAFT_INLINE tableau_file computed(tableau_file file, int units) {
+    return detail::with_entries_changed(std::move(file), [units](entry& e) {
+        if (!detail::is_printed_double(e)) return;
+        const rational middle = e.enclosure.middle(), written = e.enclosure.width();
+        const rational unit = middle == 0 ? written : scaled(rational(1), binary_exponent(middle) - 52);
+        e.enclosure = detail::widened({middle, middle}, std::max(written, unit * rational(units)));
+    });
+}
+
+STAGECRAFT_INLINE rational largest_uncertainty(const tableau_file& file) {
+    rational most(0);
+    detail::for_each_given(file, [&](const entry& e) { most = std::max(most, e.uncertainty()); });
+    return most;
 }
 
 }  // namespace stagecraft::tableaux

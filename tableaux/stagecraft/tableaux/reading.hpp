@@ -52,6 +52,28 @@ void apply(const reading& how, tableau_file& file);
 /// and so does a form whose rows do not sum to 1 then.
 tableau_file cut_off(tableau_file file);
 
+/// Beyond this a denominator, and beyond the second its numerator, are no exact numbers where most of a file's are.
+inline constexpr int largest_exact_denominator = 1000000, largest_exact_numerator = 1000;
+
+/// Whether the file's fractions are rounded numbers in disguise: more than half of them have denominators beyond
+/// largest_exact_denominator.
+bool has_rounded_fractions(const tableau_file& file);
+
+/// The same file with its long quotients p/q understood as rounded: within 1/q^2 of the number that is meant, as the
+/// convergents of its continued fraction are. Less than a change of 1 in p or q would make.
+tableau_file rounded_quotients(tableau_file file);
+
+/// Whether most of the file's decimals have the digits of a printed double: fewest_digits_of_double to 18.
+bool has_computed_doubles(const tableau_file& file);
+inline constexpr int fewest_digits_of_double = 14, most_digits_of_double = 18;
+
+/// The same file with those decimals understood as computed: off by so many units in the last place of a double, and by a
+/// unit of their last digit where that is more.
+tableau_file computed(tableau_file file, int units);
+
+/// The largest uncertainty of an entry: of the entries that a form gives where it does.
+rational largest_uncertainty(const tableau_file& file);
+
 }  // namespace stagecraft::tableaux
 
 #ifndef STAGECRAFT_COMPILED

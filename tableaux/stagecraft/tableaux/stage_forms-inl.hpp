@@ -71,7 +71,7 @@ STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading&
     const kind which = form == "shu-osher" ? kind::shu_osher
                        : form == "2N"      ? kind::williamson
                                            : kind::ketcheson;
-    std::set<std::string> known{"name", "source", "note", "form", "claims"};
+    std::set<std::string> known{"name", "source", "note", "form", "claims", "tolerance"};
     for (const std::string& name : stage_form::names(which)) known.insert(name);
     require_keys(d, known, {});
     for (const std::string& name : stage_form::names(which)) require_keys(d, known, {name.c_str()});
@@ -82,7 +82,7 @@ STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading&
         for (const std::string& name : stage_form::names(which))
             given.A.push_back(one_for_each_stage(d, name, given.A.empty() ? 0 : given.A.front().size()));
     }
-    apply(how, given);
+    apply(with_tolerance_of(d, how), given);
     try {
         tableau_file file = expanded({which, std::move(given.A)});
         file.short_decimals = given.short_decimals;

@@ -3,6 +3,7 @@
 
 #include "stagecraft/theory/judging/certify_file.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,8 @@
 #include "stagecraft/theory/judging/judge_claims.hpp"
 #include "stagecraft/theory/judging/judge_dense.hpp"
 #include "stagecraft/theory/judging/nearest_family.hpp"
+#include "stagecraft/theory/judging/other_readings.hpp"
+#include "stagecraft/theory/judging/resolution.hpp"
 #include "stagecraft/theory/judging/subject.hpp"
 #include "stagecraft/theory/judging/subject_spectrum.hpp"
 #include "stagecraft/theory/judging/two_faults.hpp"
@@ -71,24 +74,60 @@ STAGECRAFT_INLINE std::size_t certainly_failing_sums(const tableaux::tableau_fil
     return failing_sums(enclosed_subject(file), file.claims).size();
 }
 
-/// What the decimals, cut off and not rounded, would make of a refuted certificate, or the suspects.
-STAGECRAFT_INLINE file_certificate explained(const tableaux::tableau_file& file,
-                                             file_certificate certificate) {
-    if (file.kind() != tableaux::number_kind::rounded) {
-        find_suspects(file, certificate);
+/// Whether something is refuted, or an order that nobody claims holds up to small residuals only.
+STAGECRAFT_INLINE bool fails_as_written(const file_certificate& c) {
+    return c.overall() == standing::refuted ||
+           std::any_of(c.findings.begin(), c.findings.end(),
+                       [](const finding& f) { return f.numerical && !f.claimed; });
+}
+
+/// The file with the orders claimed that a certificate found.
+STAGECRAFT_INLINE tableaux::tableau_file with_orders_of(tableaux::tableau_file file,
+                                                        const file_certificate& c) {
+    if (const auto* f = c.find("order"); f && f->value && !file.claims.order) file.claims.order = f->value;
+    if (const auto* f = c.find("embedded_order"); f && f->value && !file.claims.embedded_order)
+        file.claims.embedded_order = f->value;
+    return file;
+}
+
+/// The certificate of the first reading as which nothing fails, or nothing.
+STAGECRAFT_INLINE std::optional<file_certificate> judged_otherwise(const std::vector<other_reading>& readings,
+                                                                   const file_certificate& written) {
+    for (const auto& [file, what, rule] : readings) {
+        const auto subject = enclosed_subject(file);
+        if (refutes_a_claim(subject, file.claims, mostly_row_sums(subject))) continue;
+        auto certificate = judged(file);
+        if (fails_as_written(certificate)) continue;
+        describe(what, rule, resolution_of(with_orders_of(file, certificate)), written, certificate);
         return certificate;
     }
-    const auto cut = tableaux::cut_off(file);
-    const auto subject = enclosed_subject(cut);
-    if (!refutes_a_claim(subject, cut.claims, mostly_row_sums(subject))) {
-        auto other = judged(cut);
-        if (other.overall() != standing::refuted) {
-            other.notes.insert(other.notes.begin(), "decimals cut off, not rounded: refuted otherwise");
-            return other;
-        }
+    return std::nullopt;
+}
+
+/// What the data can be meant as, or suspects, of a certificate that fails. A misprint stands out of the noise of
+/// rounding: the readings with the fewest failing sums are searched, the narrowest first.
+STAGECRAFT_INLINE file_certificate explained(const tableaux::tableau_file& file,
+                                             file_certificate certificate) {
+    const auto readings = other_readings(file);
+    if (auto other = judged_otherwise(readings, certificate)) return *std::move(other);
+    if (certificate.overall() != standing::refuted) return certificate;
+    std::vector<const tableaux::tableau_file*> ranked;
+    for (const auto& r : readings) ranked.push_back(&r.file);
+    // As written first, but not where its quotients are rounded: what restores the claims exactly is not what is meant.
+    ranked.insert(tableaux::has_rounded_fractions(file) ? ranked.end() : ranked.begin(), &file);
+    std::vector<std::size_t> failing;
+    for (const auto* f : ranked) failing.push_back(certainly_failing_sums(*f));
+    const auto least = *std::min_element(failing.begin(), failing.end());
+    std::string first_note;
+    for (std::size_t k = 0; k < ranked.size(); ++k) {
+        if (failing[k] != least) continue;
+        certificate.suspects_note.clear();
+        find_suspects(*ranked[k], certificate);
+        if (first_note.empty()) first_note = certificate.suspects_note;
+        const bool mixed_up = certificate.suspects_note.find(undone) != std::string::npos;
+        if (!certificate.suspects.empty() || mixed_up) return certificate;
     }
-    const bool cut_fits = certainly_failing_sums(cut) < certainly_failing_sums(file);
-    find_suspects(cut_fits ? cut : file, certificate);
+    certificate.suspects_note = first_note;
     return certificate;
 }
 
@@ -97,11 +136,12 @@ STAGECRAFT_INLINE file_certificate explained(const tableaux::tableau_file& file,
 STAGECRAFT_INLINE file_certificate certify(const tableaux::tableau_file& file) {
     auto certificate = detail::judged(file);
     const bool explained = !certificate.suspects.empty() || !certificate.suspects_note.empty();
-    if (certificate.overall() != standing::refuted || explained) return certificate;
+    if (explained || !detail::fails_as_written(certificate)) return certificate;
     try {
         return detail::explained(file, certificate);
     } catch (const tableaux::out_of_time&) {
-        certificate.suspects_note = detail::no_time_for_suspects;
+        if (certificate.overall() == standing::refuted)
+            certificate.suspects_note = detail::no_time_for_suspects;
         return certificate;
     }
 }

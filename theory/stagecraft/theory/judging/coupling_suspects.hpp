@@ -140,10 +140,38 @@ bool refutes_a_coupled_claim(const coupled_subject<K>& s, const coupled_trees_cl
     return false;
 }
 
+/// "implicit part: entries A[5][4] and A[5][5] are exchanged" where undoing that restores every claim: two entries of a
+/// row of A or of the weights of one tableau, of up to 16 stages.
+template <class K>
+std::string find_coupled_exchange(const coupled_subject<K>& s, const coupled_trees_claimed& trees) {
+    const auto& file = *s.file;
+    if (s.stages() > 16) return {};
+    const auto all = coupled_places(file);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto &p = all[i], &q = all[k];
+            const bool together = p.partner == q.partner && p.place.part == q.place.part &&
+                                  (p.place.part != part::A || p.place.row == q.place.row) &&
+                                  p.place.part != part::c;
+            if (!together) continue;
+            tableaux::time_share::check_now();
+            const K x = value_at(s.partners[p.partner], p.place),
+                    y = value_at(s.partners[q.partner], q.place);
+            if (!certainly_nonzero(K(x - y))) continue;
+            coupled_subject<K> changed = s;
+            put(changed, p, y);
+            put(changed, q, x);
+            if (!refutes_a_coupled_claim(changed, trees))
+                return "entries " + name(q, file) + " and " + p.place.name() + " are exchanged" + undone;
+        }
+    return {};
+}
+
 }  // namespace detail
 
-/// Names the single entries whose change restores every claim on the tableaux together. The first condition that is
-/// affine in the entry leaves one value possible; it is looked for modulo 2^61 - 1, or in enclosures of few digits.
+/// Names the single entries whose change restores every claim on the tableaux together, else two that are exchanged. The
+/// first condition that is affine in the entry leaves one value possible; it is looked for modulo 2^61 - 1, or in enclosures
+/// of few digits.
 template <class K>
 void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certificate) {
     using namespace detail;
@@ -172,6 +200,7 @@ void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certi
         search(detail::mapped<tableaux::rough_ball>(s, [](const K& x) { return tableaux::rough_ball(x); }));
     }
     rank(certificate.suspects);
+    if (certificate.suspects.empty()) certificate.suspects_note = find_coupled_exchange(s, trees);
 }
 
 }  // namespace stagecraft::theory

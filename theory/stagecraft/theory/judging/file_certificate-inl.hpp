@@ -37,6 +37,10 @@ STAGECRAFT_INLINE std::string file_certificate::verdict() const {
     return nothing_claimed() ? "nothing claimed" : std::string(theory::name(overall()));
 }
 
+STAGECRAFT_INLINE std::string file_certificate::verdict_in_words() const {
+    return verdict() + (taken_as ? " up to " + taken_as->residual + " (" + taken_as->what + ")" : "");
+}
+
 STAGECRAFT_INLINE int file_certificate::exit_code() const {
     const standing s = overall();
     return s == standing::refuted ? 1 : s == standing::inconclusive ? 3 : 0;
@@ -82,6 +86,10 @@ STAGECRAFT_INLINE nlohmann::ordered_json to_json(const file_certificate& c) {
         j["suspects"].push_back({{"entry", s.entry}, {"written", s.written}, {"suggest", s.suggest}});
     if (!c.suspects_note.empty()) j["suspects_note"] = c.suspects_note;
     if (!c.notes.empty()) j["notes"] = c.notes;
+    if (c.taken_as)
+        j["taken_as"] = {{"what", c.taken_as->what},
+                         {"residual", c.taken_as->residual},
+                         {"resolution", c.taken_as->resolution}};
     if (c.nearest)
         j["nearest"] = {{"family", c.nearest->family},
                         {"stages", c.nearest->stages},
@@ -157,7 +165,7 @@ STAGECRAFT_INLINE std::string to_text(const file_certificate& c) {
                ", largest error " + c.nearest->error +
                (c.nearest->entry.empty() ? "" : " at " + c.nearest->entry) + "\n";
     for (const file_certificate& p : c.partners) out += detail::indented(to_text(p));
-    return out + "  verdict: " + c.verdict() + "\n";
+    return out + "  verdict: " + c.verdict_in_words() + "\n";
 }
 
 }  // namespace stagecraft::theory

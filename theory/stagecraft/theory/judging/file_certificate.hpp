@@ -65,6 +65,13 @@ struct nearest_family {
     std::string entry;  ///< where it occurs
 };
 
+/// Exact or rounded data that the claims refute as they are written, and keep as what they are meant for.
+struct taken_as {
+    std::string what;        ///< "quotients of 13 digits", "doubles computed to 4 units in the last place"
+    std::string residual;    ///< the largest of the orders
+    std::string resolution;  ///< a larger change of one entry shows, but of those that no claim sees
+};
+
 /// The outcome for a tableau file.
 struct file_certificate {
     std::string name;
@@ -78,6 +85,7 @@ struct file_certificate {
     std::string suspects_note;
     std::vector<std::string> notes;  ///< how the file was read, and what is remarkable
     std::optional<nearest_family> nearest;
+    std::optional<theory::taken_as> taken_as;
     theory::spectra spectra;
     tableaux::tableau_file file;             ///< what was judged, where it is a single tableau
     nlohmann::ordered_json tableau;          ///< what was judged, as JSON that the command reads
@@ -89,6 +97,8 @@ struct file_certificate {
     bool nothing_claimed() const;
     /// The verdict in words: name(overall()), or that nothing was claimed.
     std::string verdict() const;
+    /// The same with how the data were taken: "consistent up to 1.7e-26 (quotients of 13 digits)".
+    std::string verdict_in_words() const;
     /// 0 nothing claimed is refuted, 1 something is, 3 something could not be tested (2 is unusable input).
     int exit_code() const;
 

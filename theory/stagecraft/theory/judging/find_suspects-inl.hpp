@@ -273,7 +273,7 @@ STAGECRAFT_INLINE void find_suspects(const tableaux::tableau_file& file, file_ce
         for (const bool structured : {true, false}) {
             note = find_mix_up(s, file.claims, structured);
             if (!note.empty()) {
-                note += ": undone, every claim is restored";
+                note += undone;
                 return;
             }
             if (structured &&

@@ -123,8 +123,7 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
         note = only_rounding_fails;
     else if (certificate.suspects.empty()) {
         note = find_exchanged(form, values, file.claims, candidates);
-        note = note.empty() ? "no change of a single coefficient restores every claim"
-                            : note + ": undone, every claim is restored";
+        note = note.empty() ? "no change of a single coefficient restores every claim" : note + undone;
     }
 }
 

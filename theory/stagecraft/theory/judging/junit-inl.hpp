@@ -11,7 +11,7 @@
 namespace stagecraft::theory {
 
 STAGECRAFT_INLINE std::string one_line(const file_certificate& c) {
-    std::string line = c.verdict();
+    std::string line = c.verdict_in_words();
     for (const finding& f : c.findings) {
         if (f.value && f.name != "stage_order") line += ", " + f.name + " " + std::to_string(*f.value);
         if (f.judgement && f.judgement->standing() == c.overall() &&

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "stagecraft/compiled.hpp"
+#include "stagecraft/tableaux/entry.hpp"
 #include "stagecraft/tableaux/exact_tableau.hpp"
 
 namespace stagecraft::theory {
@@ -39,8 +40,29 @@ STAGECRAFT_INLINE tableaux::rational decimal_value(const tableaux::rational& x, 
 /// Digits after the point that a repair shows at most: those of the enclosures.
 inline constexpr int most_digits = 110;
 
+/// "p/q" with another numerator or another denominator that lies in r; empty where the text is no quotient or there is none.
+STAGECRAFT_INLINE std::string quotient_in(const tableaux::range& r, const std::string& text) {
+    const auto slash = text.find('/');
+    if (slash == text.npos || text.find_first_not_of("+-0123456789./ ") != text.npos || r.contains(0))
+        return {};
+    const auto part = [&](std::size_t from, std::size_t to) {
+        const auto e = tableaux::read_entry(text.substr(from, to - from), tableaux::exact_decimals::all());
+        return e.exact->rational_part();
+    };
+    const auto p = part(0, slash), q = part(slash + 1, text.size());
+    const auto nearest = [](const tableaux::rational& v) {
+        return tableaux::rational(floor(v + tableaux::rational(1, 2)));
+    };
+    const auto top = nearest(r.middle() * q);
+    if (r.contains(top / q)) return top.str() + "/" + q.str();
+    const auto bottom = nearest(p / r.middle());
+    if (bottom > 0 && r.contains(p / bottom)) return p.str() + "/" + bottom.str();
+    return {};
+}
+
 STAGECRAFT_INLINE std::string suggestion(const tableaux::ball& x, const tableaux::entry& old) {
     const tableaux::range r = to_range(x);
+    if (auto quotient = quotient_in(r, old.text); old.rounded && !quotient.empty()) return quotient;
     int digits = 0;
     if (!old.rounded) {
         const auto simple = simplest_in(r);
@@ -76,17 +98,6 @@ STAGECRAFT_INLINE int misprint_distance(const std::string& x, const std::string&
 
 /// Changes of so many units of the last digit are corrections of rounding, not of misprints.
 inline constexpr int units_of_rounding = 4;
-
-STAGECRAFT_INLINE bool has_rounded_fractions(const tableaux::tableau_file& file) {
-    int fractions = 0, enormous = 0;
-    file.for_each_entry([&](const tableaux::entry& e) {
-        if (!e.exact || !e.exact->is_rational()) return;
-        const auto d = e.exact->rational_part().denominator();
-        fractions += d > 1 ? 1 : 0;
-        enormous += d > 1000000 ? 1 : 0;
-    });
-    return 2 * enormous > fractions;
-}
 
 /// What rounding leaves uncertain of the sum that the entry belongs to, its row of A with c or the weights: the most
 /// that it leaves of one of them.

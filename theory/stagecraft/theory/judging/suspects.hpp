@@ -187,10 +187,6 @@ std::string suggestion(const tableaux::ball& x, const tableaux::entry& old);
 /// Edit distance with a swap of neighbours counting one: how a misprint differs from what it should be.
 int misprint_distance(const std::string& x, const std::string& y);
 
-/// Whether the file's fractions are rounded numbers in disguise: more than half of them have denominators
-/// beyond 10^6.
-bool has_rounded_fractions(const tableaux::tableau_file& file);
-
 /// Whether the change from the entry to `value` is at the level of rounding.
 bool only_rounding(const tableaux::tableau_file& file, const place& p, const tableaux::range& value,
                    bool rounded_fractions);
@@ -201,7 +197,7 @@ inline tableaux::range range_of(const tableaux::quadratic& x) { return tableaux:
 template <class K>
 bool append_suspects(const tableaux::tableau_file& file, const std::vector<repair<K>>& repairs,
                      std::vector<suspect>& suspects) {
-    const bool rounded_fractions = has_rounded_fractions(file);
+    const bool rounded_fractions = tableaux::has_rounded_fractions(file);
     bool dropped = false;
     for (const auto& [p, value] : repairs) {
         const auto& old = entry_at(file, p);
@@ -238,6 +234,7 @@ bool keeps_claims(const subject<K>& changed, const tableaux::claims& claims) {
 /// What is said of several single faults, each of which explains everything, and of none but rounding.
 inline constexpr const char* several_repairs =
     "any one of these changes restores every claim; the claims do not tell which is meant";
+inline constexpr const char* undone = ": undone, every claim is restored";
 inline const std::string only_rounding_fails =
     std::string("what fails is at the level of rounding: no entry is suspected; ") + larger_errors;
 

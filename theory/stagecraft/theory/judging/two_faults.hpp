@@ -179,7 +179,7 @@ bool find_two_in_sums(const subject<K>& s, const tableaux::tableau_file& file,
         const auto& old = entry_at(file, r.place);
         return suspect{r.place.name(), old.text, suggestion(r.value, old)};
     };
-    const bool fractions = has_rounded_fractions(file);
+    const bool fractions = tableaux::has_rounded_fractions(file);
     const auto rounding = [&](const repair<K>& r) {
         return only_rounding(file, r.place, range_of(r.value), fractions);
     };
