@@ -8,6 +8,7 @@
 
 #include <stagecraft/judge/judge.hpp>
 #include <stagecraft/judge/unsolved.hpp>
+#include <stagecraft/run/across_kink.hpp>
 #include <stagecraft/run/attempts.hpp>
 #include <stagecraft/run/newton_room.hpp>
 #include <stagecraft/run/step_plan.hpp>
@@ -242,6 +243,20 @@ BOOST_AUTO_TEST_CASE(of_what_may_help_the_cheapest_is_tried_first) {
     BOOST_TEST((remedy({.finite_stages = false, .unsolved_linear = true, .new_border = true}) ==
                 sc::remedy::shorter_step));
     BOOST_TEST((remedy({.fixed = true, .noisy_guess = true}) == sc::remedy::none));
+}
+
+BOOST_AUTO_TEST_CASE(a_contraction_that_no_shorter_step_makes_faster_is_that_of_a_kink) {
+    BOOST_TEST(sc::contracts_alike(3.0, 3.0));
+    BOOST_TEST(sc::contracts_alike(0.9, 1.0));
+    BOOST_TEST(!sc::contracts_alike(1.0, 2.0));  // O(h)
+    BOOST_TEST(!sc::contracts_alike(0.4, 0.4));  // it is small enough
+    BOOST_TEST(!sc::contracts_alike(3.0, 0.0));  // there is none to compare with
+    sc::attempts<double> tries;
+    BOOST_TEST(tries.theta_of_longer() == 0);
+    tries.shortened(2);
+    BOOST_TEST(tries.theta_of_longer() == 2);
+    tries.begin();
+    BOOST_TEST(tries.theta_of_longer() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(attempts_count_what_was_refused_and_keep_what_ends_the_run) {

@@ -35,9 +35,10 @@ struct accepted_step {
 template <class Scalar>
 struct step_facts {
     Scalar t{0}, h{1}, t_next{0};
-    bool first = false;     ///< of the run
-    bool smallest = false;  ///< t resolves no smaller step
-    int method = 0;         ///< its number
+    bool first = false;        ///< of the run
+    bool smallest = false;     ///< t resolves no smaller step
+    bool across_kink = false;  ///< where its estimate, of whatever order, stands for itself
+    int method = 0;            ///< its number
     int stages = 1;
     int power = 1;  ///< the estimate is O(h^power)
     int index = 1;  ///< the largest index of a component

@@ -65,7 +65,7 @@ class judge {
 
     template <class Step>
     verdict<Scalar> operator()(Step& step) {
-        step.smooth = step.ratio = smooth_ratio(step.method);
+        step.smooth = step.ratio = step.across_kink ? Scalar(1) : smooth_ratio(step.method);
         step.last = last_;
         const Scalar error = error_of(step);
         if (error < Scalar(1) || (step.smallest && passes(step, error))) return accept(step, error);

@@ -35,6 +35,10 @@ class attempts {
         ++refused_.all;
         ++refused_.by_newton;
     }
+    /// A shorter step is to be tried, as the iteration of this one contracted by theta.
+    void shortened(const Scalar& theta) { theta_ = theta; }
+    /// How the iteration of a longer step did; 0 where there was none.
+    const Scalar& theta_of_longer() const { return theta_; }
     /// The error of an attempt at a step of h is not finite.
     void not_finite(status why, report<Scalar>& counts) {
         obstacle_ = why;
@@ -53,6 +57,7 @@ class attempts {
 
   private:
     refusals<Scalar> refused_;
+    Scalar theta_{0};
     status obstacle_ = status::step_underflow;
 };
 

@@ -12,6 +12,7 @@
 #include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/across_kink.hpp>
 #include <stagecraft/run/attempts.hpp>
 #include <stagecraft/run/complete_step.hpp>
 #include <stagecraft/run/constraints_determine.hpp>
@@ -170,7 +171,7 @@ class step_loop {
         const linear_state linear = linearise(method, plan.h);
         if (linear == linear_state::forbidden) return refuse_forbidden(plan);
         const newton_outcome<scalar> newton = solve(method, plan.h, linear, now);
-        if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton.end);
+        if (newton.end != newton_end::converged) return refuse_unsolved(method, plan, linear, newton);
         method.advance(y_, now, y1_);
         if constexpr (requires { method.part_taken(); })
             plan = plan_.ended_after(plan, t_, method.part_taken());
@@ -193,6 +194,7 @@ class step_loop {
         measured.begins(t_, plan, judge_.method(), refused(), first());
         measured.iterations = newton.iterations;
         measured.theta = linear_.theta();
+        measured.across_kink = across_kink_;
         if (method.implicit()) measured.hold = linear_.hold();
         if constexpr (!system_type::mass_type::identity)
             if (watched_.any()) measured.watch(watched_);
@@ -228,12 +230,14 @@ class step_loop {
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
-    /// step, which cannot be repeated with a smaller one, by homotopy where that fails.
+    /// step, which cannot be repeated with a smaller one, by homotopy where that fails; along secants where the rate is
+    /// that of a kink.
     template <class Step>
     [[gnu::always_inline]] newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear,
                                                         output_type& now) {
         newton_outcome<scalar> newton;
         newton_limits<scalar> limits{};
+        across_kink_ = false;
         if (method.iterates()) {
             const bool affine =
                 !first() && linear_.constant(system_) && linear_.factored_within(h, options_.rtol / 100);
@@ -247,6 +251,15 @@ class step_loop {
         if (plan_.fixed() && linear_.fresh() && newton.end != newton_end::converged)
             if (solve_by_homotopy(method, system_, t_, y_, h, norm_, limits, now, report_, newton))
                 linear_.factored_for(h, judge_.method());
+        if constexpr (meets_kinks<Step, system_type>)
+            if (newton.end == newton_end::diverged && linear == linear_state::factored && linear_.fresh())
+                if (plan_.fixed() || contracts_alike(newton.theta, attempts_.theta_of_longer()))
+                    [[unlikely]] {
+                    newton = solve_across_kink(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h,
+                                               norm_, limits, now, report_);
+                    across_kink_ = newton.end == newton_end::converged;
+                    linear_.tried_elsewhere(across_kink_, h, judge_.method());
+                }
         if (newton.end == newton_end::converged && method.iterates())
             linear_.solved(newton, factorisation_cost(method, system_), first());
         return newton;
@@ -277,8 +290,9 @@ class step_loop {
     /// The stage equations could not be solved: the cheapest change that may help (judge/unsolved.hpp), and again.
     template <class Step>
     [[gnu::noinline, gnu::cold]] progress refuse_unsolved(Step& method, const planned_step<scalar>& plan,
-                                                          linear_state linear, newton_end end) {
-        const bool singular = linear == linear_state::singular, finite = end != newton_end::non_finite;
+                                                          linear_state linear,
+                                                          const newton_outcome<scalar>& newton) {
+        const bool singular = linear == linear_state::singular, finite = newton.end != newton_end::non_finite;
         const unsolved_attempt failed{
             .singular = singular,
             .finite_data =
@@ -303,6 +317,7 @@ class step_loop {
                 return progress::again;
             case remedy::shorter_step:
                 linear_.stay_behind();
+                attempts_.shortened(newton.theta);
                 judge_.unsolved(refused().all >
                                 (system_.rough_stages() ? 2 : 1));  // one of two from a constant
                 return shorten(plan, plan.h / 2);
@@ -358,6 +373,8 @@ class step_loop {
         method.accepted();
         f_.stepped();
         extrapolation_.stepped();
+        if constexpr (meets_kinks<Step, system_type>)
+            if (across_kink_) extrapolation_.failed();
         linear_.stepped(system_);
         report_.count_step(abs(plan.h), method.count());
         std::swap(output_, tried_);
@@ -374,7 +391,7 @@ class step_loop {
 
     /// The polynomial of the last step is to start the iteration.
     bool extrapolates() const {
-        return has_output_ && (system_.rough_stages() ? extrapolation_.trusted() : refused().all < 2);
+        return has_output_ && extrapolation_.trusted() && (system_.rough_stages() || refused().all < 2);
     }
 
     [[no_unique_address]] joint_start<scalar, typename system_type::sums_type> start_;
@@ -399,6 +416,7 @@ class step_loop {
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
     attempts<scalar> attempts_;
     bool keeps_output_, started_ = false, may_move_start_ = true, has_output_ = false;
+    bool across_kink_ = false;  // the present attempt leads there
     stagecraft::status status_ = status::success;
 };
 

@@ -44,6 +44,8 @@ class transformed_stages {
   public:
     using vector = Vector;
     using tableau_type = transformed_tableau<Scalar, Stages>;
+    /// solve() goes on from whatever is in Z: an iteration may be led from outside.
+    static constexpr bool iterates_on_increments = true;
 
     [[gnu::cold]] transformed_stages(const tableau_type& method, int n)
         : method_(method),
