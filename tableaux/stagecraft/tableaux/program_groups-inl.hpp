@@ -156,7 +156,7 @@ class grouping {
         return owner.empty() || name.empty() ? owner + name : owner + " " + name;
     }
 
-    /// c and the embedded weights; by their bare words too where the run has one tableau.
+    /// c, the embedded weights and the diagonal; by their bare words too where the run has one tableau.
     void take_more(group& g, const dialect& d, const std::map<std::string, std::size_t>& names, bool only) {
         const auto& a = at(g.arrays.at("A"));
         const auto take = [&](const char* key, std::string_view words) {
@@ -173,6 +173,7 @@ class grouping {
         };
         take("c", d.c);
         take("b_embedded", d.embedded);
+        take("diagonal", d.diagonal);
     }
 
     /// E, e and d have other meanings too: they must be as long as b, or longer by one.

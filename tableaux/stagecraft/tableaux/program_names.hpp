@@ -16,6 +16,7 @@ namespace stagecraft::tableaux::program_text {
 /// belong to one tableau where what stands before and behind these words is the same: "heun_A" and "heun_b", "At" and "bt".
 struct dialect {
     std::string_view A, b, c, embedded;
+    std::string_view diagonal{};  ///< of A, where it has an array of its own
 };
 
 inline constexpr std::string_view embedded_words =
@@ -27,10 +28,10 @@ inline constexpr std::array<dialect, 8> dialects{{
     {"A a", "b B", "c C", embedded_words},
     {"A a", "\xCE\xB1", "c",
      "\xCE\xB1"
-     "EEst \xCE\xB1_EEst"},                             // Julia: DiffEqDevTools
-    {"A a", "alpha", "c", "alphaEEst alpha_embedded"},  // the same in ASCII
-    {"beta", "c_sol", "alpha", "c_error"},              // torchdiffeq
-    {"a_lower", "b_sol", "c", "b_error"},               // diffrax
+     "EEst \xCE\xB1_EEst"},                              // Julia: DiffEqDevTools
+    {"A a", "alpha", "c", "alphaEEst alpha_embedded"},   // the same in ASCII
+    {"beta", "c_sol", "alpha", "c_error"},               // torchdiffeq
+    {"a_lower", "b_sol", "c", "b_error", "a_diagonal"},  // diffrax
     {"A a", "b_sol w weights", "c nodes", embedded_words},
     {"matrix", "weights", "nodes abscissae", "embedded_weights weights_embedded"},
     {"alpha", "b beta", "c gamma", "b_hat bhat"},

@@ -96,6 +96,9 @@ STAGECRAFT_INLINE parts parts_of(const group& g, const variables& v) {
     t.c = list("c");
     t.embedded = list("b_embedded");
     t.A = matrix_of(v.all[g.arrays.at("A")], t.b.size());
+    const cells diagonal = list("diagonal");
+    for (std::size_t i = 0; i < std::min(diagonal.size(), t.A.size()); ++i)
+        if (i < t.A[i].size()) t.A[i][i] = diagonal[i];
     if (t.c.size() + 1 == t.b.size() && !t.c.empty()) t.c.insert(t.c.begin(), {"0", t.c.front().line});
     if (t.embedded.size() == t.b.size() + 1 && t.A.size() == t.b.size()) add_last_stage(t);
     if (t.embedded.size() == t.b.size() &&
