@@ -230,6 +230,24 @@ BOOST_AUTO_TEST_CASE(mesh_judge_begins_again_where_newtons_iteration_fails_and_s
     BOOST_CHECK(judge(good({{evaluable, 0}}), h).status == bvp_status::non_finite);
 }
 
+BOOST_AUTO_TEST_CASE(mesh_judge_leaves_a_guess_for_others_after_three_failures_or_too_much_work) {
+    evidence e = failed(nonlinear_problem());
+    e.other_guesses = 2;
+    history h;
+    for (int k = 0; k < mesh_judge<double>::failures_of_guess; ++k) BOOST_CHECK(follow(h, e) == finer_guess);
+    BOOST_CHECK(follow(h, e) == other_guess);
+    e.other_guesses = 0;
+    BOOST_CHECK(follow(h, e) == finer_guess);
+    e.dear = true;
+    BOOST_CHECK(judge(e, h).status == bvp_status::newton_failed);
+    e.other_guesses = 2;
+    BOOST_CHECK(judge(e, history{}).act == other_guess);
+    // From a solution that is good to a digit the mesh is halved, whatever f has cost.
+    history solved;
+    follow(solved, good({{error, 1e-3}}));
+    BOOST_CHECK(judge(e, solved).act == halve_last);
+}
+
 BOOST_AUTO_TEST_CASE(mesh_judge_keeps_max_intervals_whatever_mesh_comes_next) {
     const int most = limits.max_intervals;
     const double more = most + 1;

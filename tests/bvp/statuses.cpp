@@ -223,6 +223,31 @@ BOOST_AUTO_TEST_CASE(newtons_iteration_gets_past_singular_iterates) {
     }
 }
 
+// Falkner and Skan's boundary layer from a constant guess beyond an iterate at which M is singular; f''(0) is published.
+BOOST_AUTO_TEST_CASE(other_guesses_are_tried_where_newtons_iteration_fails_from_the_users) {
+    const auto ends = [](const auto& a, const auto& b, auto& r) {
+        r[0] = a[0], r[1] = a[1], r[2] = b[1] - 1;
+    };
+    struct flow {
+        double beta, length, guess, shear;
+    };
+    for (const flow& of : {flow{0.5, 6, 1, 0.927680}, flow{1, 10, 1.2, 1.2325877}}) {
+        const auto f = [=](const auto&, const auto& y, auto& d) {
+            d[0] = y[1], d[1] = y[2], d[2] = -y[0] * y[2] - of.beta * (1 - y[1] * y[1]);
+        };
+        const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, ends), 0.0, of.length,
+                                     Eigen::Vector3d(0, 0, of.guess), {.rtol = 1e-6});
+        BOOST_TEST(r.ok());
+        BOOST_TEST(std::abs(r.y(0.0)[2] - of.shear) < 1e-5);
+        BOOST_TEST(r.report.f < 200000);
+    }
+    // Bratu's problem beyond its fold has no solution, which is not known after many more evaluations either.
+    const auto none = solve(1, {0, 0}, 7, {.rtol = 1e-6});
+    BOOST_TEST(sc::name(none.status) == std::string("newton_failed"));
+    BOOST_TEST(none.message.find("continuation()") != std::string::npos);
+    BOOST_TEST(none.report.f < 500000);
+}
+
 // v = u'/e is of size 1e14 and as exact as u.
 BOOST_AUTO_TEST_CASE(large_components_are_not_singular) {
     const auto f = [](const auto&, const auto& y, auto& out) {

@@ -72,6 +72,8 @@ struct call_of_solve_bvp {
 /// problem  two_point(f, r), problem/two_point.hpp. Where f has a domain (y > 0, say) it should write NaN outside:
 ///          Newton's iteration then keeps inside, where else it may be caught on the other side.
 /// guess    For y: a vector, a function of t, or a solution, which is asked for derivative(t) as well.
+///          Where Newton's iteration fails from it on four meshes, it begins at y = 0 (unless that solves the problem) and
+///          on the trajectory from guess(a), before finer meshes; whatever it finds is a solution.
 /// p        A guess for the unknown parameters; n + n_p conditions then.
 /// Conditions inside [a, b], jumps of y, integrals and an unknown b are said in bvp/multipoint.hpp.
 ///

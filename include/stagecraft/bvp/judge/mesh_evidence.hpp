@@ -63,6 +63,8 @@ struct mesh_evidence {
     bool converged = true;  ///< still so after the iterations that the error estimate asked for
     Scalar remainder{0};    ///< what Newton's iteration has left, relative
     int intervals = 1;
+    int other_guesses = 0;     ///< that have not been tried yet
+    bool dear = false;         ///< more evaluations of f than finer meshes for the same guess are worth
     int guess_intervals = 1;   ///< of the mesh on which the guess was last taken, halved for the next time
     int unknowns = 2;          ///< the size of y and p together
     bool trial = false;        ///< is this the first, coarse mesh, on which nothing is refused?
@@ -121,6 +123,7 @@ enum class mesh_act {
     finish,       ///< the run ends, with `status`
     usual_mesh,   ///< begin again at the guess, on the usual first mesh
     finer_guess,  ///< begin again at the guess, on its mesh halved
+    other_guess,  ///< begin at another guess than the user's
     halve_last,   ///< Newton's iteration has failed: from the solution before it, on this mesh halved
     straight,     ///< f could not be evaluated between mesh points: from their values on a spread mesh
     resolve,      ///< a mesh halved, with points where modes have layers

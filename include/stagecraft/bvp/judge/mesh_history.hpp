@@ -43,7 +43,7 @@ struct mesh_history {
         if (e.knows(quantity::kappa) && !e.trial) look_at(e[quantity::kappa], v.unsettled);
         if (v.act == mesh_act::finer_guess || v.act == mesh_act::halve_last || v.act == mesh_act::straight)
             ++failures;
-        if (v.act == mesh_act::finer_guess || v.act == mesh_act::usual_mesh)
+        if (v.act == mesh_act::finer_guess || v.act == mesh_act::usual_mesh || v.act == mesh_act::other_guess)
             least = std::numeric_limits<Scalar>::infinity(), idle = 0;
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <stagecraft/bvp/judge/mesh_history.hpp>
@@ -19,6 +20,10 @@ class mesh_judge {
 
     /// Newton's iteration begins again so often: from the guess's mesh up to 64 times as fine.
     static constexpr int most_failures = 6;
+    /// And so often before other guesses than the user's are tried.
+    static constexpr int failures_of_guess = 3;
+    /// With more evaluations of f than this for an interval of the first mesh finer meshes for the guess are not tried.
+    static constexpr long most_work = 25000;
     /// A condition number that is not more than so many times another stays; with singular ends 1/h enters it, which
     /// doubles with every mesh.
     static constexpr double stays = 2, stays_at_singular_end = 4;
@@ -114,10 +119,15 @@ class mesh_judge {
             if (const auto end = singularity.hopeless(r->remainder)) return *end;
         verdict v = verdict::end(bvp_status::newton_failed, "Newton's iteration found no decrease");
         if (finite) v = singularity.because(v);
-        if (h.failures >= most_failures || 2 * r->intervals > limits_.max_intervals || !limits_.adapt)
-            return finite ? v : not_finite();
+        if (!limits_.adapt) return finite ? v : not_finite();
         const bool again = !h.solved || rough(h.error) || !finite;
-        if (again && 2 * r->guess_intervals > limits_.max_intervals) return finite ? v : not_finite();
+        if (again && r->other_guesses > 0 && (h.failures >= failures_of_guess || r->dear)) {
+            v.act = mesh_act::other_guess;
+            return v;
+        }
+        const int next = 2 * (again ? std::max(r->intervals, r->guess_intervals) : r->intervals);
+        if (h.failures >= most_failures || next > limits_.max_intervals || (again && r->dear))
+            return finite ? v : not_finite();
         v.act = again ? mesh_act::finer_guess : mesh_act::halve_last;
         return v;
     }

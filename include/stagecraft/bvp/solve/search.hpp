@@ -10,6 +10,7 @@
 
 #include <stagecraft/bvp/equations/collocation_equations.hpp>
 #include <stagecraft/bvp/equations/guess.hpp>
+#include <stagecraft/bvp/equations/trajectory.hpp>
 #include <stagecraft/bvp/judge/mesh_judge.hpp>
 #include <stagecraft/bvp/judge/mesh_points.hpp>
 #include <stagecraft/bvp/measure/error_estimate.hpp>
@@ -68,11 +69,18 @@ class bvp_solver {
         }  // run() says what is wrong with f
     }
     bool of_second_order() const { return equations_.positions() > 0; }
+    /// Where Newton's iteration fails from the guess, it begins at zero and on a trajectory as well. Not for orbits, whose
+    /// guess is not to be left for a point.
+    void try_other_guesses() { other_guesses_ = guesses_elsewhere; }
+    /// Has it evaluated f more often than further trials are worth?
+    bool dear() const {
+        return system_.counts().f > mesh_judge<Scalar>::most_work * static_cast<long>(other_mesh_.size() - 1);
+    }
     /// Adds the work of another solver of the same problem, which was given up.
     void count_work_of(const bvp_solver& other) { result_.report = other.result_.report; }
 
     result_type run(const guess_type& guess, const Scalar& a, const Scalar& b) {
-        guess_mesh_ = first_mesh(o_, a, b, usual_intervals);
+        guess_mesh_ = other_mesh_ = first_mesh(o_, a, b, usual_intervals);
         trial_ = o_.intervals == 0 && o_.mesh.empty() && o_.adapt;
         begin(guess, trial_ ? first_mesh(o_, a, b, trial_intervals) : guess_mesh_);
         try {
@@ -110,6 +118,8 @@ class bvp_solver {
   private:
     /// Without fast modes the intervals of the trial are mostly enough; where they are not, they cost little.
     static constexpr int usual_intervals = 10, trial_intervals = 6;
+    /// Zero and a trajectory, on two meshes.
+    static constexpr int guesses_elsewhere = 4;
 
     /// Newton on meshes that follow the error, coarse first.
     void search(const guess_type& guess) {
@@ -129,6 +139,8 @@ class bvp_solver {
             begin(guess, guess_mesh_);
         else if (v.act == mesh_act::finer_guess)
             begin(guess, guess_mesh_ = halved(guess_mesh_));
+        else if (v.act == mesh_act::other_guess)
+            begin_elsewhere(guess);
         else if (v.act == mesh_act::straight)
             begin(straight_between<Vector>(x_), next_), from_guess_ = false;
         else
@@ -137,18 +149,47 @@ class bvp_solver {
     }
 
     void begin(const guess_type& guess, const std::vector<Scalar>& mesh) {
-        from_guess_ = true;
+        from_guess_ = true, at_zero_ = false;
         x_.t = mesh;
         take_guess(guess, system_.size(), equations_.method().c, x_);
         guess_size_ = threshold_ + x_.y.cwiseAbs().maxCoeff();
     }
 
+    /// At zero with bold steps and the user's p, unless that is the guess or solves the problem; on the trajectory from the
+    /// guess at a; then both on a mesh twice as fine.
+    void begin_elsewhere(const guess_type& guess) {
+        const int round = (guesses_elsewhere - other_guesses_) / 2;
+        auto mesh = other_mesh_;
+        for (int k = 0; k <= round && 2 * static_cast<int>(mesh.size() - 1) <= o_.max_intervals; ++k)
+            mesh = halved(mesh);
+        begin(guess, mesh);
+        from_guess_ = false, tried_elsewhere_ = true;
+        if (other_guesses_-- % 2 == 0) {
+            at_zero_ = begin_at_zero();
+            if (at_zero_) return;
+            --other_guesses_;
+        }
+        follow_trajectory<Vector>(system_, equations_.s(), x_);
+    }
+    bool begin_at_zero() {
+        using std::sqrt;
+        if (x_.y.isZero(0)) return false;
+        before_ = x_;
+        x_.y.setZero(), x_.Z.setZero();
+        equations_.resize(x_);
+        if (equations_.residual(x_) &&
+            equations_.residual_size() > sqrt(std::numeric_limits<Scalar>::epsilon()) * guess_size_)
+            return true;
+        x_ = before_;
+        return false;
+    }
+
+    bool bold() const { return tried_elsewhere_ && !from_guess_ ? at_zero_ : judge_.bold(history_); }
     bool converged() const { return outcome_.end == damped_newton_end::converged; }
     evidence iterate_on_mesh() {
         ++result_.report.meshes;
         measured_.forget();
-        outcome_ =
-            newton_.run(x_, judge_.newton_target(history_), o_.newton_iterations, judge_.bold(history_));
+        outcome_ = newton_.run(x_, judge_.newton_target(history_), o_.newton_iterations, bold());
         remainder_ = outcome_.remainder;
         evidence e;
         e.newton = outcome_.end, e.converged = converged();
@@ -157,6 +198,8 @@ class bvp_solver {
         e.guess_intervals = static_cast<int>(guess_mesh_.size()) - 1;
         e.intervals = x_.intervals(), e.unknowns = equations_.n() + equations_.np();
         e.trial = std::exchange(trial_, false), e.from_guess = from_guess_, e.guess_size = guess_size_;
+        e.other_guesses = other_guesses_;
+        e.dear = dear();
         e.differences = system_.differences, e.no_mass = mass_.identity();
         return e;
     }
@@ -275,6 +318,10 @@ class bvp_solver {
     }
     void finish_with(const verdict& v) {
         end(v.status, v.at_place ? where_not_finite() : words_of(v));
+        if (v.status == bvp_status::newton_failed && tried_elsewhere_)
+            result_.message +=
+                "; nor from zero or a trajectory: try a guess nearer to the solution, shooting(), or "
+                "continuation() from a problem that is solved";
         if (!v.family) return;
         if (!converged()) x_ = full_;
         equations_type own(equations_.method(), system_, mass_, equations_.positions());
@@ -334,7 +381,9 @@ class bvp_solver {
     damped_newton<equations_type> newton_;
     iterate x_, before_, full_;
     measurements<equations_type> measured_;
-    std::vector<Scalar> guess_mesh_, next_;
+    std::vector<Scalar> guess_mesh_, other_mesh_, next_;
+    int other_guesses_ = 0;
+    bool at_zero_ = false, tried_elsewhere_ = false;
     damped_newton_outcome<Scalar> outcome_{damped_newton_end::failed, Scalar(0)};
     Scalar error_{std::numeric_limits<Scalar>::infinity()}, remainder_{0}, guess_size_{1};
     bool trial_ = false, from_guess_ = true;

@@ -18,11 +18,12 @@ bvp_result<Vector, Parameters> solve_functions(const tableau<typename Vector::Sc
     using solver = bvp_solver<S, Vector, Parameters>;
     const bool declared = positions >= 0;
     solver first(method, problem, p, o, declared ? positions : 0);
+    first.try_other_guesses();
     if (!declared) first.look_for_second_order(guess, a, b);
     try {
         auto result = first.run(guess, a, b);
-        const bool failed =
-            result.status == bvp_status::newton_failed || result.status == bvp_status::non_finite;
+        const bool failed = result.status == bvp_status::non_finite ||
+                            (result.status == bvp_status::newton_failed && !first.dear());
         if (declared || !failed || !first.of_second_order()) return result;
     } catch (const not_of_second_order&) {
         if (declared)
@@ -30,6 +31,7 @@ bvp_result<Vector, Parameters> solve_functions(const tableau<typename Vector::Sc
     }
     solver again(method, problem, p, o);
     again.count_work_of(first);
+    again.try_other_guesses();
     return again.run(guess, a, b);
 }
 
