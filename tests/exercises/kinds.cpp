@@ -6,7 +6,9 @@
 #include <set>
 #include <stagecraft/theory/exercises/kinds.hpp>
 #include <stagecraft/theory/exercises/methods.hpp>
+#include <stagecraft/theory/exercises/sheet.hpp>
 #include <string>
+#include <vector>
 
 #include "../message.hpp"
 
@@ -31,6 +33,25 @@ bool is_balanced(const std::string& latex) {
            count("\\[") == count("\\]");
 }
 
+/// Every tag is closed, in order, and no LaTeX is left outside of tags.
+bool is_well_formed(const std::string& html) {
+    std::vector<std::string> open;
+    for (auto at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
+        const auto end = html.find('>', at);
+        if (end == std::string::npos) return false;
+        const bool closes = html[at + 1] == '/';
+        const auto begin = at + (closes ? 2 : 1);
+        const auto name = html.substr(begin, html.find_first_of(" >", begin) - begin);
+        if (!closes)
+            open.push_back(name);
+        else if (open.empty() || open.back() != name)
+            return false;
+        else
+            open.pop_back();
+    }
+    return open.empty() && html.find_first_of("\\$^{}") == std::string::npos;
+}
+
 tableau<rational> euler() {
     auto t = exercise_methods::with_nodes({0});
     t.b[0] = 1;
@@ -49,7 +70,11 @@ BOOST_AUTO_TEST_CASE(a_thousand_seeds_of_each_of_twelve_kinds_give_certified_exe
             certified += e.certified() ? 1 : 0;
             refuted_ones += e.certificate.front().verdict.is_refuted() ? 1 : 0;
             const std::string text = to_text(e), latex = to_latex(e);
-            well_formed += text.find_first_of("\\${}") == std::string::npos && is_balanced(latex) ? 1 : 0;
+            const std::string html = to_html(e.question) + to_html(e.solution);
+            well_formed +=
+                text.find_first_of("\\${}") == std::string::npos && is_balanced(latex) && is_well_formed(html)
+                    ? 1
+                    : 0;
             questions.insert(to_text(e.question));
         }
         BOOST_TEST(certified == 1000, kind.name);
@@ -127,4 +152,33 @@ BOOST_AUTO_TEST_CASE(an_unknown_kind_is_named_with_those_that_exist) {
     const auto text = message([] { make_exercise("quiz", 1); });
     BOOST_TEST(text.starts_with("kind: unknown name 'quiz', allowed: missing-entry, order, "));
     BOOST_TEST(text.ends_with("root-condition"));
+}
+
+BOOST_AUTO_TEST_CASE(formulas_are_written_as_mathml) {
+    BOOST_TEST(html("a < b~c") == "a &lt; b&nbsp;c");
+    BOOST_TEST(html("$x_1^{2}$") ==
+               "<math><mrow><msubsup><mi>x</mi><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></msubsup></"
+               "mrow></math>");
+    BOOST_TEST(html("$-\\frac{1}{3} \\lambda$") ==
+               "<math><mrow><mo>&minus;</mo><mfrac><mrow><mn>1</mn></mrow><mrow><mn>3</mn></mrow></mfrac>"
+               "<mi>&lambda;</mi></mrow></math>");
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_has_different_exercises_and_its_solutions_last) {
+    const auto sheet = make_sheet("order", 10, 3);
+    std::set<std::string> questions;
+    for (const auto& e : sheet.exercises) {
+        BOOST_TEST(e.kind == "order");
+        BOOST_TEST(e.certified());
+        questions.insert(to_text(e.question));
+    }
+    BOOST_TEST(questions.size() == 10u);
+    BOOST_TEST(sheet.exercises.front().seed == 3u);
+    const std::string latex = to_latex(sheet);
+    BOOST_TEST(is_balanced(latex));
+    const auto solutions = latex.find("Solutions");
+    BOOST_TEST(latex.find("subsection*{10. order") < solutions);
+    BOOST_TEST(latex.find("paragraph*{1. order") > solutions);
+    BOOST_TEST(to_html(make_sheet("", 12, 1, false)).find("Solutions") == std::string::npos);
+    BOOST_TEST(message([] { make_sheet("quiz", 1, 1); }).find("quiz") != std::string::npos);
 }

@@ -114,6 +114,24 @@ BOOST_AUTO_TEST_CASE(exercise_lists_twelve_kinds_and_prints_text_latex_and_json)
     BOOST_TEST(text.output.find(j["solution"].get<std::string>()) != std::string::npos);
     refused("exercise ghosts --seed -1",
             "stagecraft: --seed: '-1' is not a whole number from 0 to 2147483647");
-    refused("exercise ghosts --json --latex", "stagecraft: exercise: give --latex or --json, not both");
+    refused("exercise ghosts --json --latex", "stagecraft: exercise: give one of --latex, --html and --json");
     BOOST_TEST(run("exercise quiz").status == 2);
+}
+
+BOOST_AUTO_TEST_CASE(exercise_prints_sheets_for_a_class_with_and_without_solutions) {
+    const result sheet = run("exercise --sheet 13 --seed 5");
+    BOOST_TEST(sheet.status == 0);
+    BOOST_TEST(sheet.output.starts_with("1. missing-entry, seed 5\n"));
+    BOOST_TEST(sheet.output.find("\n13. missing-entry, seed ") !=
+               std::string::npos);  // all twelve, and again
+    BOOST_TEST(sheet.output.find("\nSolutions\n\n1. missing-entry") != std::string::npos);
+    const result asked = run("exercise collocation --sheet 3 --no-solution --html");
+    BOOST_TEST(asked.output.starts_with("<!DOCTYPE html>"));
+    BOOST_TEST(asked.output.find("3. collocation") != std::string::npos);
+    BOOST_TEST(asked.output.find("Solutions") == std::string::npos);
+    BOOST_TEST(run("exercise order --no-solution").output.find("Certified") == std::string::npos);
+    refused("exercise order --sheet 0", "stagecraft: --sheet: '0' is not a whole number from 1 to 100");
+    refused("exercise order --sheet 2 --json",
+            "stagecraft: exercise: --json prints one exercise, no --sheet");
+    BOOST_TEST(run("exercise quiz --sheet 2").status == 2);
 }
