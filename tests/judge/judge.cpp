@@ -246,11 +246,12 @@ BOOST_AUTO_TEST_CASE(of_what_may_help_the_cheapest_is_tried_first) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contraction_that_no_shorter_step_makes_faster_is_that_of_a_kink) {
-    BOOST_TEST(sc::contracts_alike(3.0, 3.0));
-    BOOST_TEST(sc::contracts_alike(0.9, 1.0));
-    BOOST_TEST(!sc::contracts_alike(1.0, 2.0));  // O(h)
-    BOOST_TEST(!sc::contracts_alike(0.4, 0.4));  // it is small enough
-    BOOST_TEST(!sc::contracts_alike(3.0, 0.0));  // there is none to compare with
+    BOOST_TEST(sc::meets_a_kink(3.0, 3.0, 3));
+    BOOST_TEST(sc::meets_a_kink(0.9, 1.0, 3));
+    BOOST_TEST(!sc::meets_a_kink(1.0, 2.0, 3));  // O(h)
+    BOOST_TEST(!sc::meets_a_kink(0.4, 0.4, 3));  // it is small enough
+    BOOST_TEST(!sc::meets_a_kink(3.0, 0.0, 3));  // there is none to compare with
+    BOOST_TEST(!sc::meets_a_kink(3.0, 3.0, 2));  // shorter steps may help yet
     sc::attempts<double> tries;
     BOOST_TEST(tries.theta_of_longer() == 0);
     tries.shortened(2);

@@ -10,12 +10,14 @@
 
 namespace stagecraft {
 
-/// Whether an iteration has contracted no faster than the one before, at a longer step. Where f is smooth theta is O(h), or
-/// falls with what J changes over the step. Across a kink of an algebraic equation it is the quotient of two slopes less
-/// one, whatever h is.
+/// Whether an iteration that has failed `failures` times in this step contracts no faster than the one before, at a longer step.
+/// Where f is smooth theta is O(h), or falls with what J changes over the step. Across a kink of an algebraic equation it is
+/// the quotient of two slopes less one, whatever h is. Strong nonlinearities contract alike for some halvings as well, and
+/// secants may lead to another solution there (the transistor amplifier at 1e-2): so three attempts fail first.
 template <class Scalar>
-bool contracts_alike(const Scalar& theta, const Scalar& theta_of_longer) {
-    return theta_of_longer > Scalar(0) && theta > Scalar(1) / 2 && theta > theta_of_longer * Scalar(4) / 5;
+bool meets_a_kink(const Scalar& theta, const Scalar& theta_of_longer, int failures) {
+    return failures >= 3 && theta_of_longer > Scalar(0) && theta > Scalar(1) / 2 &&
+           theta > theta_of_longer * Scalar(4) / 5;
 }
 
 /// Stage equations may have kinks that no shorter step takes away where M may be singular; the methods that can be led across
@@ -69,11 +71,10 @@ newton_outcome<Scalar> solve_by_secants(Step& method, System& system, const Scal
 
 /// Solves the stage equations of a step h from (t, y) that Newton's iteration could not solve with a Jacobian of the left end,
 /// at a rate that no shorter step makes better: beyond a kink of an algebraic equation the slope is another one. Secants lead
-/// the iteration, with that Jacobian, then with that of the end which the step `before` predicts (null: at y). The factors
-/// are those of the left end again afterwards, for the estimate.
+/// the iteration, with that Jacobian, then with that of the end which the step `before` predicts (null: at y). Jacobian and
+/// factors are those of the left end again afterwards, for the estimate, or for a shorter step.
 ///
-/// At most 40 iterations and three factorisations; storage for five stage matrices, where it is called. Returns diverged,
-/// with any factors, where the equations are not solved.
+/// At most 40 iterations and three factorisations; storage for five stage matrices, where it is called.
 template <class Step, class System, class Scalar, class Vector, class Norm>
 [[gnu::noinline, gnu::cold]] newton_outcome<Scalar> solve_across_kink(
     Step& method, System& system, const typename Step::output* before, const Scalar& t, const Vector& y,
@@ -95,10 +96,9 @@ template <class Step, class System, class Scalar, class Vector, class Norm>
     newton_outcome<Scalar> newton = solve();
     if (newton.end == newton_end::converged) return newton;
     if (before != nullptr) before->evaluate(t + h, point);
-    if (!factor_at(t + h)) return newton;
-    newton = solve();
+    if (factor_at(t + h)) newton = solve();
     point = y;
-    if (newton.end == newton_end::converged && !factor_at(t)) newton.end = newton_end::diverged;
+    if (!factor_at(t)) newton.end = newton_end::diverged;
     return newton;
 }
 

@@ -160,10 +160,11 @@ class linearisation {
     void rejected(System& system) {
         if (!serves_well()) renew(system);
     }
-    /// Jacobians of other places have been tried for a step of h with method number k; it is `back` at the left end.
-    void tried_elsewhere(bool back, const scalar& h, int k) {
-        ahead_ = !back;
-        factored_for(back ? h : scalar(0), k);
+    /// Jacobians of other places have been tried for a step of h with method number k; it is back at the left end, and
+    /// `factored` there.
+    void tried_elsewhere(bool factored, const scalar& h, int k) {
+        ahead_ = false;
+        factored_for(factored ? h : scalar(0), k);
     }
     /// Where the extrapolation went astray the Jacobian did: true if it is wanted at the left end now.
     bool stay_behind() {

@@ -253,11 +253,13 @@ class step_loop {
                 linear_.factored_for(h, judge_.method());
         if constexpr (meets_kinks<Step, system_type>)
             if (newton.end == newton_end::diverged && linear == linear_state::factored && linear_.fresh())
-                if (plan_.fixed() || contracts_alike(newton.theta, attempts_.theta_of_longer()))
-                    [[unlikely]] {
-                    newton = solve_across_kink(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h,
-                                               norm_, limits, now, report_);
-                    across_kink_ = newton.end == newton_end::converged;
+                if (plan_.fixed() || meets_a_kink(newton.theta, attempts_.theta_of_longer(),
+                                                  refused().by_newton)) [[unlikely]] {
+                    const newton_outcome<scalar> led =
+                        solve_across_kink(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h,
+                                          norm_, limits, now, report_);
+                    across_kink_ = led.end == newton_end::converged;
+                    if (across_kink_) newton = led;
                     linear_.tried_elsewhere(across_kink_, h, judge_.method());
                 }
         if (newton.end == newton_end::converged && method.iterates())
