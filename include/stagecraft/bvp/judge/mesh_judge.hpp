@@ -23,7 +23,7 @@ class mesh_judge {
     /// And so often before other guesses than the user's are tried.
     static constexpr int failures_of_guess = 3;
     /// With more evaluations of f than this for an interval of the first mesh finer meshes for the guess are not tried.
-    static constexpr long most_work = 25000;
+    static constexpr long most_work = 50000;
     /// A condition number that is not more than so many times another stays; with singular ends 1/h enters it, which
     /// doubles with every mesh.
     static constexpr double stays = 2, stays_at_singular_end = 4;
