@@ -37,6 +37,11 @@ try {
     .getImageData(${x} * document.getElementById("region").width, ${y} * document.getElementById("region").height, 1, 1).data[0]`);
   assert.notEqual(await grey(0.4, 0.45), await grey(0.05, 0.05));  // inside the region of RK4, and outside
 
+  await click("[data-star]");  // the order star
+  assert.match(await evaluate("document.getElementById('region-caption').textContent"), /\|R\(z\)\| > \|eᶻ\|/);
+  assert.notEqual(await grey(0.1, 0.45), await grey(0.95, 0.45));  // |R| > |e^z| on the left, < on the right
+  await click("[data-star]");
+
   // An entry is mistyped: refused at its field and kept; then wrong: the tree and the repair; repaired: proved.
   await type('[data-entry="A[4][3]"]', "1/0");
   await until(`document.querySelector('[data-entry="A[4][3]"]').getAttribute("aria-invalid") === "true"`);
@@ -115,6 +120,11 @@ try {
   await browser.go(address + fragment({view: "exercise", kind: "a-stability", seed: "3"}));
   assert.match(await until("document.getElementById('question').textContent"), /Is this method A-stable/);
   assert.match(await evaluate("document.getElementById('solution').textContent"), /not A-stable/);
+  assert.ok(await evaluate("document.querySelectorAll('#question mtable mtr').length") >= 2);
+  await evaluate("window.open = () => ({document: {write(text) { window.sheet = text; }, close() {}}})");
+  await click("[data-sheet=no]");
+  assert.match(await until("window.sheet"), /10\. a-stability/);
+  assert.doesNotMatch(await evaluate("window.sheet"), /Solutions/);
   await until("document.getElementById('asks').textContent === 'decide A- and L-stability, with the reason'");
   assert.equal(await evaluate("document.getElementById('kind').value"), "a-stability");
   await click("#next");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <stagecraft/theory/exercises/html.hpp>
 #include <stagecraft/theory/exercises/kinds.hpp>
 #include <string>
 
@@ -15,6 +16,8 @@ inline nlohmann::ordered_json to_json(const theory::exercise& e) {
                                {"solution", to_text(e.solution)},
                                {"question_latex", to_latex(e.question)},
                                {"solution_latex", to_latex(e.solution)},
+                               {"question_html", to_html(e.question)},
+                               {"solution_html", to_html(e.solution)},
                                {"certificate", nlohmann::ordered_json::array()}};
     for (const auto& c : e.certificate)
         out["certificate"].push_back({{"statement", c.statement},

@@ -13,6 +13,7 @@
 #include <stagecraft/tableaux/program_text.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/exercises/kinds.hpp>
+#include <stagecraft/theory/exercises/sheet.hpp>
 #include <stagecraft/theory/judging/certify.hpp>
 #include <stagecraft/theory/judging/certify_partitioned.hpp>
 #include <stagecraft/theory/stability/stability_function.hpp>
@@ -158,6 +159,15 @@ const char* stagecraft_exercise(const char* kind, const char* seed) {
     return answered([&] {
         const auto n = static_cast<std::uint64_t>(tool::whole_number("seed", seed, 0, 2'147'483'647));
         return tool::to_json(theory::make_exercise(kind, n));
+    });
+}
+
+/// `exercise KIND --sheet 10 --seed N --html`, with `--no-solution` where solutions is "no".
+const char* stagecraft_sheet(const char* kind, const char* seed, const char* solutions) {
+    return answered([&] {
+        const auto n = static_cast<std::uint64_t>(tool::whole_number("seed", seed, 0, 2'147'483'647));
+        const bool wanted = std::string_view(solutions) != "no";
+        return json{{"html", to_html(theory::make_sheet(kind, 10, n, wanted))}};
     });
 }
 

@@ -123,5 +123,7 @@ export function exercise(kind: string, seed?: number): Promise<{
   solution: string;
   question_latex: string;
   solution_latex: string;
+  question_html: string;  // formulas as MathML
+  solution_html: string;
   certificate: Statement[];
 }>;

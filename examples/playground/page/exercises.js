@@ -18,8 +18,8 @@ const exercises_view = (() => {
     $("seed").setAttribute("aria-invalid", String(Boolean(answer.error?.startsWith("seed"))));
     if (answer.error) return;
     name_kind();
-    $("question").textContent = answer.question;
-    $("solution").textContent = answer.solution;
+    $("question").innerHTML = answer.question_html;  // the engine's own
+    $("solution").innerHTML = answer.solution_html;
     $("question-latex").textContent = answer.question_latex;
     $("solution-latex").textContent = answer.solution_latex;
     $("answer").replaceChildren(claims_table(answer.certificate));
@@ -33,8 +33,19 @@ const exercises_view = (() => {
     make();
   }
 
+  /// A page of its own, which the browser prints.
+  async function sheet(solutions) {
+    const page = window.open("", "_blank");  // now, as browsers open none later
+    const answer = await engine.ask("sheet", "sheet", state.kind, state.seed, solutions);
+    if (!answer || answer.error || !page) return page?.close();
+    page.document.write(answer.html);
+    page.document.close();
+  }
+
   return {
     listen() {
+      for (const button of document.querySelectorAll("[data-sheet]"))
+        button.addEventListener("click", () => sheet(button.dataset.sheet));
       $("kind").addEventListener("change", () => choose(state.seed));
       $("seed").addEventListener("input", () => choose($("seed").value));
       $("next").addEventListener("click", () => choose(`${(Number(state.seed) + 1) % 2147483648}`));

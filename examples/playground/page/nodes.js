@@ -121,6 +121,7 @@ const nodes_view = (() => {
       $("node-text").addEventListener("input", () => { state.nodes = $("node-text").value; draw(); judge(); });
       for (const button of $("node-region").parentNode.querySelectorAll("[data-zoom]"))
         button.addEventListener("click", () => { zoom *= Number(button.dataset.zoom); redraw(); });
+      $("node-region").parentNode.querySelector("[data-star]").addEventListener("change", redraw);
       $("add-node").addEventListener("click", add);
       $("drop-node").addEventListener("click", () => { if (list().length > 1) set(list().slice(0, -1)); });
       $("node-family").addEventListener("change", take_family);

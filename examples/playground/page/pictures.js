@@ -76,10 +76,11 @@ function tick_step(length, parts) {
   return power * ([1, 2, 5].find((k) => k * power >= rough) ?? 10);
 }
 
-/// The region |R| <= 1 shaded, with axes; poles as crosses.
+/// The region |R| <= 1 shaded, with axes; poles as crosses. Where it is asked for, the order star |R(z)| > |e^z| in its place.
 function draw_region(canvas, caption, r, half, poles) {
-  caption.textContent = "shaded: |R(z)| ≤ 1" + (poles.length ? "; × poles of R" : "");
-  canvas.setAttribute("aria-label", `stability region, ${half.toPrecision(3)} around 0 in each direction`);
+  const star = canvas.parentNode.querySelector("[data-star]").checked;
+  caption.textContent = (star ? "shaded: |R(z)| > |eᶻ|" : "shaded: |R(z)| ≤ 1") + (poles.length ? "; × poles of R" : "");
+  canvas.setAttribute("aria-label", `${star ? "order star" : "stability region"}, ${half.toPrecision(3)} around 0 in each direction`);
   const scale = window.devicePixelRatio || 1, width = canvas.clientWidth || 360;
   const n = canvas.width = canvas.height = Math.round(width * scale);
   const style = getComputedStyle(canvas), colour = (name) => style.getPropertyValue(name).trim();
@@ -88,7 +89,7 @@ function draw_region(canvas, caption, r, half, poles) {
   for (let row = 0; row < n; ++row)
     for (let column = 0; column < n; ++column) {
       const x = (column + 0.5 - n / 2) * pixel, y = (n / 2 - row - 0.5) * pixel;
-      const c = size_squared(r, x, y) <= 1 ? inside : outside;
+      const size = size_squared(r, x, y), c = (star ? size > Math.exp(2 * x) : size <= 1) ? inside : outside;
       image.data.set(c, 4 * (row * n + column));
     }
   outline(image, n, inside, rgb(colour("--edge")));

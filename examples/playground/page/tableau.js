@@ -237,6 +237,7 @@ const tableau_view = (() => {
     $("stability-box").addEventListener("toggle", () => { if ($("stability-box").open) stability(); });
     for (const button of $("region").parentNode.querySelectorAll("[data-zoom]"))
       button.addEventListener("click", () => { last_half = view.half *= Number(button.dataset.zoom); redraw(); });
+    $("region").parentNode.querySelector("[data-star]").addEventListener("change", redraw);
   }
 
   function redraw() {
