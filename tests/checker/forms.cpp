@@ -145,10 +145,8 @@ BOOST_AUTO_TEST_CASE(shu_osher_and_low_storage_forms_are_the_tableaux_that_they_
              "-3550918686646/2091501179385","-1275806237668/842570457699"],
         "B":["1432997174477/9575080441755","5161836677717/13612068292357","1720146321549/2090206949498",
              "3134564353537/4481467310338","2277821191437/14882151754819"],"claims":{"order":4}})");
-    BOOST_TEST(kennedy.exit_code() == 1);
-    BOOST_REQUIRE(kennedy.find("order")->numerical.has_value());
-    BOOST_TEST(kennedy.find("order")->numerical->order == 4);
-    BOOST_TEST(kennedy.find("order")->numerical->digits >= 23);
+    BOOST_TEST((kennedy.overall() == theory::standing::consistent));
+    BOOST_TEST(kennedy.find("order")->value.value() == 4);
     const auto complaint = [](const std::string& text) -> std::string {
         try {
             tableaux::read_tableau(text);

@@ -75,6 +75,7 @@ STAGECRAFT_INLINE void describe(const std::string& what, const std::string& rule
         if (size > most) residual = v->residual();
         most = std::max(most, size);
     }
+    if (written.nearest) other.nearest = written.nearest;  // in units of the digits given
     other.taken_as = {what, residual, resolved.entry.empty() ? "none" : resolved.size};
 }
 
