@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <set>
+#include <stagecraft/theory/exercises/html.hpp>
 #include <stagecraft/theory/exercises/kinds.hpp>
 #include <stagecraft/theory/exercises/methods.hpp>
 #include <stagecraft/theory/exercises/sheet.hpp>
