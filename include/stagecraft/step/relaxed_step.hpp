@@ -94,7 +94,7 @@ class relaxed_step : public tableau_step<static_cast<int>(Tableau::vector::RowsA
         if (!kept_) eta_before_ = value_at_start(y);
         const Scalar made = production(y), from = eta_before_;
         using std::abs;
-        gamma_ = relaxation_factor(Scalar(abs(from) + abs(Scalar(eta_(y1)))), [&](const Scalar& gamma) {
+        gamma_ = relaxation_factor(Scalar(abs(from) + abs(from + made)), [&](const Scalar& gamma) {
             point_ = y + gamma * d_;
             return Scalar(Scalar(eta_(point_)) - from - gamma * made);
         });
@@ -142,7 +142,6 @@ class relaxed_step : public tableau_step<static_cast<int>(Tableau::vector::RowsA
             moving_state moving(y.size());
             for (int i = 0; i < m.stages(); ++i) {
                 if (m.b[i] == Scalar(0)) continue;
-                point_.setZero();
                 this->v_.combine([&](int j) { return m.A(i, j); }, m.stages(), this->h_, point_);
                 for (Eigen::Index k = 0; k < y.size(); ++k) {
                     moving[k] = dual(y[k] + point_[k]);
