@@ -5,11 +5,14 @@
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <stagecraft/theory/exercises/html_escaped.hpp>
 #include <stdexcept>
 
 namespace rolling_disc {
 
 namespace {
+
+using stagecraft::theory::html_escaped;
 
 std::string read(const std::string& file) {
     std::ifstream in(file);
@@ -17,21 +20,6 @@ std::string read(const std::string& file) {
     std::ostringstream all;
     all << in.rdbuf();
     return all.str();
-}
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else
-            out += c;
-    }
-    return out;
 }
 
 // An argument of a shell command.
@@ -87,11 +75,11 @@ void write_page(const std::string& directory, const std::string& methods, const 
     std::ofstream page(directory + "/index.html");
     page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-         << escaped(title) << "</title>\n<style>" << style << "</style>\n</head>\n<body>\n<h1>"
-         << escaped(title) << "</h1>\n<p>" << escaped(introduction) << "</p>\n<pre>" << escaped(text)
-         << "</pre>\n";
+         << html_escaped(title) << "</title>\n<style>" << style << "</style>\n</head>\n<body>\n<h1>"
+         << html_escaped(title) << "</h1>\n<p>" << html_escaped(introduction) << "</p>\n<pre>"
+         << html_escaped(text) << "</pre>\n";
     for (const auto& p : pictures)
-        page << "<h2>" << escaped(p.heading) << "</h2>\n<p class=\"caption\">" << escaped(p.caption)
+        page << "<h2>" << html_escaped(p.heading) << "</h2>\n<p class=\"caption\">" << html_escaped(p.caption)
              << "</p>\n"
              << inlined(directory, p.name) << '\n';
     page << "</body>\n</html>\n";

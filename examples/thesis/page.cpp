@@ -9,23 +9,19 @@
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <stagecraft/theory/exercises/html_escaped.hpp>
 #include <stdexcept>
 
 namespace thesis {
 
 namespace {
 
+using stagecraft::theory::html_escaped;
+
 std::string formatted(const char* format, double x) {
     char text[40];
     std::snprintf(text, sizeof text, format, x);
     return text;
-}
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
 }
 
 const char* const prologue = R"(set encoding utf8
@@ -240,18 +236,18 @@ void write_pages(const std::string& directory, const std::vector<outcome>& outco
             "img{width:100%}</style>\n</head>\n<body>\n<h1>The rolling disc: numerical experiments</h1>\n";
     std::vector<finding> all;
     for (const auto& o : outcomes) {
-        page << "<h2>" << escaped(o.title) << "</h2>\n<pre>" << escaped(o.text) << "</pre>\n";
+        page << "<h2>" << html_escaped(o.title) << "</h2>\n<pre>" << html_escaped(o.text) << "</pre>\n";
         for (const auto& d : o.drawings) {
             std::ofstream file(directory + "/" + d.name + ".svg");
             file << d.svg;
             if (!file.flush()) throw std::runtime_error("cannot write " + directory + "/" + d.name + ".svg");
-            page << "<img src=\"" << d.name << ".svg\" alt=\"" << escaped(d.title) << "\">\n";
+            page << "<img src=\"" << d.name << ".svg\" alt=\"" << html_escaped(d.title) << "\">\n";
         }
         for (const auto& f : o.figures)
-            page << "<img src=\"" << f.name << ".svg\" alt=\"" << escaped(f.title) << "\">\n";
+            page << "<img src=\"" << f.name << ".svg\" alt=\"" << html_escaped(f.title) << "\">\n";
         all.insert(all.end(), o.findings.begin(), o.findings.end());
     }
-    page << "<h2>Summary</h2>\n<pre>" << escaped(table(all)) << "</pre>\n</body>\n</html>\n";
+    page << "<h2>Summary</h2>\n<pre>" << html_escaped(table(all)) << "</pre>\n</body>\n</html>\n";
     if (!page.flush()) throw std::runtime_error("cannot write " + directory + "/index.html");
 }
 

@@ -113,14 +113,6 @@ inline bool is_printed_double(const entry& e) {
     return e.rounded && e.digits >= fewest_digits_of_double && e.digits <= most_digits_of_double;
 }
 
-/// Calls `visit` with each entry that the file gives: of its form, where it has one.
-template <class Visit>
-void for_each_given(const tableau_file& file, Visit visit) {
-    if (!file.form) return file.for_each_entry(visit);
-    for (const auto& row : file.form->rows)
-        for (const entry& e : row) visit(e);
-}
-
 }  // namespace detail
 
 STAGECRAFT_INLINE tableau_file cut_off(tableau_file file) {
@@ -134,7 +126,7 @@ STAGECRAFT_INLINE tableau_file cut_off(tableau_file file) {
 
 STAGECRAFT_INLINE bool has_rounded_fractions(const tableau_file& file) {
     int fractions = 0, enormous = 0;
-    detail::for_each_given(file, [&](const entry& e) {
+    for_each_given(file, [&](const entry& e) {
         if (!e.exact || !e.exact->is_rational()) return;
         fractions += e.exact->rational_part().denominator() > 1 ? 1 : 0;
         enormous += detail::is_long_quotient(e) ? 1 : 0;
@@ -144,7 +136,7 @@ STAGECRAFT_INLINE bool has_rounded_fractions(const tableau_file& file) {
 
 STAGECRAFT_INLINE bool has_computed_doubles(const tableau_file& file) {
     int decimals = 0, doubles = 0;
-    detail::for_each_given(file, [&](const entry& e) {
+    for_each_given(file, [&](const entry& e) {
         decimals += e.rounded && e.digits > 2 ? 1 : 0;
         doubles += detail::is_printed_double(e) ? 1 : 0;
     });
@@ -172,7 +164,7 @@ STAGECRAFT_INLINE tableau_file computed(tableau_file file, int units) {
 
 STAGECRAFT_INLINE rational largest_uncertainty(const tableau_file& file) {
     rational most(0);
-    detail::for_each_given(file, [&](const entry& e) { most = std::max(most, e.uncertainty()); });
+    for_each_given(file, [&](const entry& e) { most = std::max(most, e.uncertainty()); });
     return most;
 }
 

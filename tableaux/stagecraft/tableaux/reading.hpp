@@ -71,6 +71,14 @@ inline constexpr int fewest_digits_of_double = 14, most_digits_of_double = 18;
 /// unit of their last digit where that is more.
 tableau_file computed(tableau_file file, int units);
 
+/// Calls `visit` with each entry that the file gives: of its form, where it has one.
+template <class Visit>
+void for_each_given(const tableau_file& file, Visit visit) {
+    if (!file.form) return file.for_each_entry(visit);
+    for (const auto& row : file.form->rows)
+        for (const entry& e : row) visit(e);
+}
+
 /// The largest uncertainty of an entry: of the entries that a form gives where it does.
 rational largest_uncertainty(const tableau_file& file);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "stagecraft/compiled.hpp"
+#include "stagecraft/theory/exercises/html_escaped.hpp"
 
 namespace stagecraft::theory {
 
@@ -22,21 +23,16 @@ inline std::string tagged(const std::string& tag, const std::string& inside) {
 /// A sign of the size of letters, a parenthesis too.
 inline std::string sign(const std::string& what) { return "<mo stretchy=\"false\">" + what + "</mo>"; }
 
-/// & < > as HTML writes them.
-STAGECRAFT_INLINE std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
-}
-
-/// What a command without arguments draws, by its name in HTML: \le is &le;. Empty for those that only give sizes.
+/// What a command without arguments draws: a sign, or a Greek letter, which HTML has by the same name.
 STAGECRAFT_INLINE std::string drawn(std::string_view name) {
     static constexpr std::array<std::string_view, 6> sizes{"left", "right", "bigl", "bigr", "quad", "mathrm"};
-    for (const auto size : sizes)
-        if (size == name) return {};
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> other{
-        {{"langle", "lang"},
+    if (std::find(sizes.begin(), sizes.end(), name) != sizes.end()) return {};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> signs{
+        {{"le", "le"},
+         {"ge", "ge"},
+         {"ne", "ne"},
+         {"sum", "sum"},
+         {"langle", "lang"},
          {"rangle", "rang"},
          {"cdot", "sdot"},
          {"infty", "infin"},
@@ -44,9 +40,9 @@ STAGECRAFT_INLINE std::string drawn(std::string_view name) {
          {"dots", "hellip"},
          {"pm", "plusmn"},
          {"implies", "rArr"}}};
-    for (const auto& [command, entity] : other)
-        if (command == name) return "&" + std::string(entity) + ";";
-    return "&" + std::string(name) + ";";
+    for (const auto& [command, entity] : signs)
+        if (command == name) return sign("&" + std::string(entity) + ";");
+    return tagged("mi", name == "det" ? "det" : "&" + std::string(name) + ";");
 }
 
 STAGECRAFT_INLINE std::string formula(std::string_view text);
@@ -58,7 +54,8 @@ STAGECRAFT_INLINE std::string formula_command(std::string_view text, std::size_t
     const auto name = text.substr(at, end - at);
     if (name.empty()) {  // \, \; \{
         const char next = at < text.size() ? text[at++] : ' ';
-        return next == ',' || next == ';' || next == '!' ? "" : tagged("mo", escaped(std::string(1, next)));
+        return next == ',' || next == ';' || next == '!' ? ""
+                                                         : tagged("mo", html_escaped(std::string(1, next)));
     }
     at = end;
     if (name == "frac" || name == "tfrac") {
@@ -72,12 +69,7 @@ STAGECRAFT_INLINE std::string formula_command(std::string_view text, std::size_t
         while (at < text.size() && text[at] == ' ') ++at;
         return tagged("mover", formula(argument(text, at)) + "<mo>&#775;</mo>");
     }
-    if (name == "det") return "<mi>det</mi>";
-    const bool letter = std::isalpha(static_cast<unsigned char>(name.front())) != 0 && name.size() > 2 &&
-                        name != "sum" && name != "cdot" && name != "langle" && name != "rangle" &&
-                        name != "infty";
-    const auto what = drawn(name);
-    return what.empty() ? what : letter ? tagged("mi", what) : sign(what);
+    return drawn(name);
 }
 
 /// The atom at position `at`, which moves behind it: a number, a letter, a group, a command.
@@ -97,7 +89,7 @@ STAGECRAFT_INLINE std::string formula_atom(std::string_view text, std::size_t& a
     if (std::isalpha(static_cast<unsigned char>(c)) != 0) return tagged("mi", std::string(1, c));
     if (c == '-') return "<mo>&minus;</mo>";
     if (c == '\'') return "<mo>&prime;</mo>";
-    return sign(escaped(std::string(1, c)));
+    return sign(html_escaped(std::string(1, c)));
 }
 
 /// A formula without its dollars, as one row of MathML.
@@ -143,7 +135,7 @@ STAGECRAFT_INLINE std::string html(std::string_view text) {
     for (std::size_t at = 0; at <= text.size();) {
         const auto begin = std::min(text.find('$', at), text.size());
         for (const char c : text.substr(at, begin - at))
-            out += c == '~' ? "&nbsp;" : detail::escaped(std::string(1, c));
+            out += c == '~' ? "&nbsp;" : html_escaped(std::string(1, c));
         if (begin == text.size()) break;
         const auto end = std::min(text.find('$', begin + 1), text.size());
         out += detail::tagged("math", detail::formula(text.substr(begin + 1, end - begin - 1)));

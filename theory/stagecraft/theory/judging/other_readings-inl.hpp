@@ -17,16 +17,11 @@ namespace detail {
 /// "quotients of 13 digits": those that the usual denominator has, of the long ones.
 STAGECRAFT_INLINE std::string quotient_words(const tableaux::tableau_file& file) {
     std::vector<std::size_t> digits;
-    const auto look = [&](const tableaux::entry& e) {
+    tableaux::for_each_given(file, [&](const tableaux::entry& e) {
         if (!e.exact || !e.exact->is_rational()) return;
         const tableaux::integer q = e.exact->rational_part().denominator();
         if (q > tableaux::largest_exact_denominator) digits.push_back(q.str().size());
-    };
-    if (!file.form)
-        file.for_each_entry(look);
-    else
-        for (const auto& row : file.form->rows)
-            for (const auto& e : row) look(e);
+    });
     const auto middle = digits.begin() + static_cast<std::ptrdiff_t>(digits.size() / 2);
     std::nth_element(digits.begin(), middle, digits.end());
     return "quotients of " + std::to_string(*middle) + " digits";
