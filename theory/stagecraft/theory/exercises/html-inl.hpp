@@ -45,7 +45,7 @@ STAGECRAFT_INLINE std::string drawn(std::string_view name) {
     return tagged("mi", name == "det" ? "det" : "&" + std::string(name) + ";");
 }
 
-STAGECRAFT_INLINE std::string formula(std::string_view text);
+STAGECRAFT_INLINE std::string mathml(std::string_view text);
 
 /// The command whose name begins at position `at`, with its arguments; `at` moves behind it.
 STAGECRAFT_INLINE std::string formula_command(std::string_view text, std::size_t& at) {
@@ -59,15 +59,15 @@ STAGECRAFT_INLINE std::string formula_command(std::string_view text, std::size_t
     }
     at = end;
     if (name == "frac" || name == "tfrac") {
-        const auto top = formula(argument(text, at)), bottom = formula(argument(text, at));
+        const auto top = mathml(argument(text, at)), bottom = mathml(argument(text, at));
         return tagged("mfrac", top + bottom);
     }
-    if (name == "sqrt") return tagged("msqrt", formula(argument(text, at)));
+    if (name == "sqrt") return tagged("msqrt", mathml(argument(text, at)));
     if (name == "mathbf")
-        return "<mstyle style=\"font-weight: bold\">" + formula(argument(text, at)) + "</mstyle>";
+        return "<mstyle style=\"font-weight: bold\">" + mathml(argument(text, at)) + "</mstyle>";
     if (name == "dot") {
         while (at < text.size() && text[at] == ' ') ++at;
-        return tagged("mover", formula(argument(text, at)) + "<mo>&#775;</mo>");
+        return tagged("mover", mathml(argument(text, at)) + "<mo>&#775;</mo>");
     }
     return drawn(name);
 }
@@ -82,7 +82,7 @@ STAGECRAFT_INLINE std::string formula_atom(std::string_view text, std::size_t& a
         while (digit(at)) ++at;
         return tagged("mn", std::string(text.substr(begin, at - begin)));
     }
-    if (text[at] == '{') return formula(argument(text, at));
+    if (text[at] == '{') return mathml(argument(text, at));
     const char c = text[at++];
     if (c == '\\') return formula_command(text, at);
     if (c == ' ' || c == '~' || c == '}') return {};
@@ -93,14 +93,14 @@ STAGECRAFT_INLINE std::string formula_atom(std::string_view text, std::size_t& a
 }
 
 /// A formula without its dollars, as one row of MathML.
-STAGECRAFT_INLINE std::string formula(std::string_view text) {
+STAGECRAFT_INLINE std::string mathml(std::string_view text) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const auto atom = formula_atom(text, at);
         std::string below, above;
         while (at < text.size() && (text[at] == '_' || text[at] == '^')) {
             auto& where = text[at++] == '_' ? below : above;
-            where = formula(argument(text, at));
+            where = mathml(argument(text, at));
         }
         if (below.empty() && above.empty())
             out += atom;
@@ -120,12 +120,12 @@ STAGECRAFT_INLINE std::string array_of(const text_block& block) {
     std::string rows;
     for (std::size_t i = 0; i < block.rows.size(); ++i) {
         std::string row = tableau && i + 1 == block.rows.size() ? "<mtd></mtd>" : "";
-        for (const auto& entry : block.rows[i]) row += tagged("mtd", formula(entry));
+        for (const auto& entry : block.rows[i]) row += tagged("mtd", mathml(entry));
         rows += tagged("mtr", row);
     }
     const auto table = tableau ? "<mtable class=\"tableau\">" + rows + "</mtable>"
                                : "<mo>(</mo>" + tagged("mtable", rows) + "<mo>)</mo>";
-    return "<math display=\"block\">" + formula(block.text) + table + "</math>\n";
+    return "<math display=\"block\">" + mathml(block.text) + table + "</math>\n";
 }
 
 }  // namespace detail
@@ -138,7 +138,7 @@ STAGECRAFT_INLINE std::string html(std::string_view text) {
             out += c == '~' ? "&nbsp;" : html_escaped(std::string(1, c));
         if (begin == text.size()) break;
         const auto end = std::min(text.find('$', begin + 1), text.size());
-        out += detail::tagged("math", detail::formula(text.substr(begin + 1, end - begin - 1)));
+        out += detail::tagged("math", detail::mathml(text.substr(begin + 1, end - begin - 1)));
         at = end + 1;
     }
     return out;

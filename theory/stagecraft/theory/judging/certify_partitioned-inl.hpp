@@ -45,7 +45,7 @@ STAGECRAFT_INLINE file_certificate judged(const tableaux::partitioned_file& file
     with_subject(file, by_enclosures, [&](const auto& s) { judge(s, certificate); });
     if (!judged_alone(file)) return certificate;
     for (std::size_t k = 0; k < file.partners.size(); ++k) {
-        certificate.partners.push_back(certify(partner_alone(file, k)));
+        certificate.partners.push_back(theory::certify(partner_alone(file, k)));
         if (file.claims.order && !file.partners[k].claims.order)
             certificate.partners.back().notes.push_back(
                 "judged by itself; the orders claimed are those of the whole method");
