@@ -159,10 +159,13 @@ bvp_result<Vector, Parameters> joined(bvp_result<Stacked, StackedParameters>& of
 /// reduce one to the other in this way). result.y is continuous from the right at a jump, y.before(t) from the left; indices
 /// of conditions in messages count those of r first; counts of f are those of all pieces together.
 template <class Scalar, int S, class Rhs, class Conditions, class... More, class Guess, class Parameters>
-requires requires(const Parameters& p) { p.size(); }
-auto solve_bvp(const tableau<Scalar, S>& method, multipoint_problem<Rhs, Conditions, More...> problem,
-               std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
-               const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
+requires(!(detail::reaches_infinity<More> || ...) &&
+         requires(const Parameters& p) {
+             p.size();
+         }) auto solve_bvp(const tableau<Scalar, S>& method,
+                           multipoint_problem<Rhs, Conditions, More...> problem,
+                           std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
+                           const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
     static_assert(
         detail::usable_guess<Guess, Scalar>,
         "solve_bvp: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "

@@ -91,6 +91,10 @@ struct multipoint_part<unknown_length> {
     static constexpr int conditions = -1;
 };
 
+/// A part that says that b is infinite; made by to_infinity().
+template <class Part>
+inline constexpr bool reaches_infinity = false;
+
 }  // namespace detail
 
 /// The problem of f and conditions r at the ends, as two_point(f, r), with any number of interior(), jump_at() and integral(),

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <stagecraft/bvp/multipoint.hpp>
+#include <stagecraft/bvp/options.hpp>
+#include <stagecraft/bvp/result.hpp>
+#include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/bvp/solve/limit_state.hpp>
+#include <stagecraft/problem/to_infinity.hpp>
+
+namespace stagecraft {
+
+namespace detail {
+
+/// The guess on [a, T]: the one given, or the solution on a shorter interval and how it decays beyond.
+template <class Guess, class Vector>
+struct lengthened_guess {
+    using scalar = typename Vector::Scalar;
+    const Guess& given;
+    const solution<Vector>* shorter;
+    Vector left;  ///< of y - limit, at the end of the shorter one
+    scalar rate;
+    std::function<Vector(const scalar&)> limit;
+
+    Vector operator()(const scalar& t) const {
+        using std::exp;
+        if (!shorter) return guess_value(given, t);
+        if (t <= shorter->t1()) return (*shorter)(t);
+        return limit(t) + exp(-rate * (t - shorter->t1())) * left;
+    }
+};
+
+/// Differences between the solutions on two intervals from a on, over the shorter of them.
+template <class Result>
+struct gap_between {
+    using scalar = typename Result::scalar;
+    scalar global{0};
+    Eigen::Matrix<scalar, Eigen::Dynamic, 1> components, parameters;
+
+    gap_between(const Result& shorter, const Result& longer, const scalar& floor)
+        : components(shorter.error.components.size()), parameters(shorter.p.size()) {
+        components.setZero();
+        for (std::size_t i = 0; i + 1 < shorter.mesh.size(); ++i)
+            for (const scalar& part : {scalar(0), scalar(1) / 2}) {
+                const scalar t = shorter.mesh[i] + part * (shorter.mesh[i + 1] - shorter.mesh[i]);
+                look(shorter.y(t), longer.y(t), components, floor);
+            }
+        parameters.setZero();
+        look(shorter.p, longer.p, parameters, floor);
+    }
+
+  private:
+    template <class A, class B>
+    void look(const A& a, const B& b, Eigen::Matrix<scalar, Eigen::Dynamic, 1>& largest,
+              const scalar& floor) {
+        using std::abs;
+        for (Eigen::Index c = 0; c < a.size(); ++c) {
+            const scalar d = abs(a[c] - b[c]);
+            largest[c] = std::max(largest[c], d);
+            global = std::max(global, scalar(d / (floor + abs(b[c]))));
+        }
+    }
+};
+
+inline void add_work(bvp_report& all, const bvp_report& one) {
+    all.meshes += one.meshes, all.intervals = one.intervals, all.newton_steps += one.newton_steps;
+    all.f += one.f, all.f_jacobian += one.f_jacobian, all.jacobians += one.jacobians;
+    all.factorisations += one.factorisations, all.solves += one.solves;
+    all.error_solves += one.error_solves, all.conditioning_solves += one.conditioning_solves;
+}
+
+/// The mesh of the solution on [a, T] carried on to `end` by intervals as long as the last of it, eight at most.
+template <class Scalar>
+std::vector<Scalar> lengthened_mesh(std::vector<Scalar> mesh, const Scalar& end, int most) {
+    const Scalar from = mesh.back(), last = from - mesh[mesh.size() - 2];
+    const int more = std::clamp(static_cast<int>((end - from) / last), 1, 8);
+    for (int k = 1; k < more; ++k) mesh.push_back(from + (end - from) * Scalar(k) / Scalar(more));
+    mesh.push_back(end);
+    if (static_cast<int>(mesh.size()) > most) mesh.clear();
+    return mesh;
+}
+
+/// One part of a problem as a tuple, to_infinity() as none.
+template <class Part>
+auto finite_part(const Part& part) {
+    if constexpr (reaches_infinity<Part>)
+        return std::tuple<>();
+    else
+        return std::tuple<Part>(part);
+}
+template <class Part>
+auto infinite_part(const Part& part) {
+    if constexpr (reaches_infinity<Part>)
+        return std::tuple<Part>(part);
+    else
+        return std::tuple<>();
+}
+
+/// r writes as many numbers as it has to, as far as its values at the guess tell.
+template <class Vector, class Conditions, class Parameters>
+void demand_all_written(Conditions& ends, const Vector& y, const Parameters& p) {
+    using scalar = typename Vector::Scalar;
+    Eigen::Matrix<scalar, Eigen::Dynamic, 1> out(ends.at_a + ends.away.rows());
+    if constexpr (Parameters::RowsAtCompileTime == 0)
+        ends(y, y, out);
+    else
+        ends(y, y, typename Parameters::PlainObject(p), out);
+    if (y.allFinite() && !out.head(ends.at_a).allFinite())
+        throw bad_problem("solve_bvp: the conditions must write " + ends.counted()() +
+                          "; at guess(a) one of them is "
+                          "missing or not finite");
+}
+
+/// f and conditions with the other parts, on a finite interval.
+template <class Rhs, class Conditions, class... More>
+auto finite_problem(const Rhs& f, Conditions r, const std::tuple<More...>& more) {
+    if constexpr (sizeof...(More) == 0)
+        return two_point_problem<Rhs, Conditions>{f, std::move(r)};
+    else
+        return multipoint_problem<Rhs, Conditions, More...>{f, std::move(r), more};
+}
+
+/// Solutions on longer and longer intervals, until what the next one changes is below the tolerance. `solve` solves on
+/// [a, end] with the conditions of `state` there.
+template <class Result, class Guess, class State, class Solve>
+class search_to_infinity {
+    using scalar = typename Result::scalar;
+    using vector = std::decay_t<decltype(std::declval<Result>().y(scalar(0)))>;
+    using parameters = decltype(Result::p);
+
+  public:
+    search_to_infinity(State& state, const Guess& guess, const scalar& a, const bvp_options<scalar>& o,
+                       const Solve& solve)
+        : state_(state), guess_(guess), a_(a), o_(o), solve_(solve) {}
+
+    /// From the first end on; where that leads to no solution which approaches the limit, from half the length, and again.
+    /// `coarse` is the tolerance up to the first end.
+    Result run(const parameters& p, scalar end, const scalar& coarse) {
+        constexpr int starts = 3;
+        for (int k = 1;; ++k) {
+            Result r = lengthen(p, end, coarse);
+            const bool elsewhere = r.status == bvp_status::newton_failed ||
+                                   r.status == bvp_status::singular ||
+                                   r.status == bvp_status::tolerance_not_met;
+            if (r.ok() || !elsewhere || k == starts) {
+                r.report = work_;
+                return r;
+            }
+            end = a_ + (end - a_) / 2;
+        }
+    }
+
+  private:
+    Result lengthen(parameters p, scalar end, const scalar& coarse) {
+        using std::log;
+        bvp_options<scalar> own = o_;
+        if (!own.mesh.empty() && own.mesh.back() != end) own.mesh.clear();
+        Result last;
+        lengthened_guess<Guess, vector> from{guess_, nullptr, vector(), scalar(0), {}};
+        int stays = 0;
+        for (int k = 0; k < 16 && stays < 2; ++k) {
+            state_.look(end, p);
+            set_tolerance(own, k == 0 ? coarse : scalar(0));
+            own.conditioning = o_.conditioning && k > 0;
+            Result now = solve_(end, from, p, own);
+            add_work(work_, now.report);
+            if (!now.ok()) {
+                now.message += up_to(end);
+                return now;
+            }
+            scalar digits = std::max(scalar(log(scalar(100))), scalar(-log(o_.rtol) / 2 - first_digits));
+            const vector left = now.y(end) - state_.limit(end, now.p);
+            if (k > 0) {
+                const scalar cut = count_what_is_cut_off(now, last, left.norm() / from.left.norm());
+                if (now.error.global <= o_.rtol) return now;
+                stays = cut < scalar(0) ? stays + 1 : 0;
+                digits = log(20 * std::abs(cut) / o_.rtol + 10);
+            }
+            last = std::move(now);
+            p = last.p;
+            from.shorter = &last.y, from.left = left, from.rate = state_.slowest;
+            from.limit = [this, p](const scalar& t) { return state_.limit(t, p); };
+            end += std::clamp(scalar(digits / state_.slowest), scalar((end - a_) / 4), scalar(end - a_));
+            own.mesh = lengthened_mesh(last.mesh, end, o_.max_intervals);
+        }
+        last.status = bvp_status::tolerance_not_met;
+        last.message = "the solution found on finite intervals does not approach limit as they grow" +
+                       up_to(last.mesh.back());
+        return last;
+    }
+    /// A fifth of the tolerance is left for what is cut off.
+    void set_tolerance(bvp_options<scalar>& own, const scalar& least) const {
+        own.rtol =
+            std::max({scalar(o_.rtol * 4 / 5), scalar(4 * std::numeric_limits<scalar>::epsilon()), least});
+        own.atol = o_.atol * own.rtol / o_.rtol;
+    }
+    /// Adds to the error what is left of the difference to the solution on the shorter interval, y - limit at the end having
+    /// fallen to this part. Returned is the largest of it, with a minus where that has not fallen to half.
+    scalar count_what_is_cut_off(Result& now, const Result& shorter, const scalar& part) const {
+        const gap_between<Result> gap(shorter, now,
+                                      o_.atol > scalar(0) ? scalar(o_.atol / o_.rtol) : scalar(1));
+        const bool falls = part <= scalar(0.5);
+        const scalar kept = part < scalar(0.9) ? scalar(part / (1 - part)) : scalar(10);
+        now.error.global += kept * gap.global;
+        now.error.components += kept * gap.components;
+        now.error.parameters += kept * gap.parameters;
+        return falls ? scalar(kept * gap.global) : scalar(-kept * gap.global);
+    }
+    static std::string up_to(const scalar& end) {
+        std::ostringstream text;
+        text << " (the interval was cut off at " << end << ')';
+        return text.str();
+    }
+
+    static constexpr double first_digits = 4.6;  // a hundredth
+    State& state_;
+    const Guess& guess_;
+    scalar a_;
+    const bvp_options<scalar>& o_;
+    const Solve& solve_;
+    bvp_report work_;
+};
+
+}  // namespace detail
+
+/// Solves a problem on [a, infinity) with y(t) - limit going to zero there; see to_infinity() in problem/to_infinity.hpp.
+///
+/// The interval is cut off at some T, where no part of y(T) - limit may be left in the directions that do not decay, which
+/// are those of the eigenvalues of f_y(T, limit) with real parts not below zero (Lentini-Keller 1980; de Hoog-Weiss 1980;
+/// Ascher-Mattheij-Russell). Each of these, k say, is one condition: r writes n + n_p - k numbers, less those
+/// of interior() and integral(), and its `out` has its size at run time, its `right` is y(T). b is the first T, or infinite:
+/// then it follows from the eigenvalues. T grows until the solutions on two intervals differ by less than the tolerance;
+/// result.error counts, beside what it always does, what of that difference is left, by how much y - limit has fallen
+/// meanwhile. result.y ends at T, where y may still be off limit by more than the tolerance.
+///
+/// std::invalid_argument, naming to_infinity(limit), is thrown where limit does not solve the equation, where no eigenvalue has
+/// a negative real part, a pair is on the imaginary axis, or rates fall like 1/t (powers of t solve the linearisation). An
+/// eigenvalue zero is one of those that do not decay, be it that limits of other p lie there, or solutions that approach
+/// limit like a power of t, which are not found. An r that writes another number of conditions is told how many they are.
+/// Costs some three runs of solve_bvp, all but the first from near guesses.
+template <class Scalar, int S, class Rhs, class Conditions, class... More, class Guess, class Parameters>
+requires((detail::reaches_infinity<More> || ...) &&
+         requires(const Parameters& p) {
+             p.size();
+         }) auto solve_bvp(const tableau<Scalar, S>& method,
+                           multipoint_problem<Rhs, Conditions, More...> problem,
+                           std::type_identity_t<Scalar> a, std::type_identity_t<Scalar> b, const Guess& guess,
+                           const Parameters& p, const bvp_options<std::type_identity_t<Scalar>>& o = {}) {
+    static_assert((detail::reaches_infinity<More> + ...) == 1, "solve_bvp: to_infinity() is given once");
+    static_assert(!(std::is_same_v<More, unknown_length> || ...),
+                  "solve_bvp: b is infinite with to_infinity(), free_length() makes no sense beside it");
+    static_assert(!has_mass<Rhs>, "solve_bvp: to_infinity() is for y' = f(t, y), without mass()");
+    static_assert(
+        detail::usable_guess<Guess, Scalar>,
+        "solve_bvp: guess must be a vector of Eigen's (Eigen::Vector2d(0, 1), say), a function of t "
+        "that returns one (no expression: write `-> Eigen::Vector2d` or .eval()), or a solution");
+    using vector = typename detail::vector_of_guess<Guess, Scalar>::type;
+    using parameters = typename Parameters::PlainObject;
+    constexpr int N = vector::RowsAtCompileTime, P = parameters::RowsAtCompileTime,
+                  fewer = (detail::multipoint_part<More>::conditions + ...);
+    auto others =
+        std::apply([](auto&... part) { return std::tuple_cat(detail::finite_part(part)...); }, problem.more);
+    auto infinite = std::get<0>(std::apply(
+        [](auto&... part) { return std::tuple_cat(detail::infinite_part(part)...); }, problem.more));
+    using limit = decltype(infinite.limit);
+    static_assert(detail::limit_with<limit, Scalar, vector, parameters>,
+                  "solve_bvp: to_infinity(limit): limit must be a vector of Eigen's or callable as "
+                  "limit(t, out), with a guess for parameters as limit(t, p, out)");
+    using conditions = detail::conditions_to_infinity<Conditions, limit, Scalar, N, P>;
+    using finite = decltype(detail::finite_problem(problem.f, std::declval<conditions>(), others));
+    using functions_type = two_point_system<two_point_problem<Rhs, conditions>, vector, parameters>;
+
+    const int n = static_cast<int>(detail::guess_value(guess, a).size()), np = static_cast<int>(p.size());
+    detail::demand_bvp(n > 0, "guess must have at least one component");
+    detail::validate(o, a, b > a && b - b != Scalar(0) ? Scalar(a + 1) : b);
+    report<Scalar> counts;
+    conditions ends{problem.r, infinite.limit, b, n + np - fewer, {}};
+    functions_type functions(problem.f, ends, n, np, counts);
+    detail::limit_state<vector, parameters, two_point_functions<Scalar, N, P>> state(
+        functions,
+        [&](const Scalar& t, const parameters& q) {
+            return detail::limit_at<vector>(infinite.limit, t, q, n);
+        },
+        a);
+    const auto at_end = [&](const Scalar& to) {
+        ends.end = to, ends.away = state.away;
+        ends.at_a = n + np - fewer - static_cast<int>(state.away.rows());
+        detail::demand_bvp(ends.at_a >= 0,
+                           "to_infinity(limit): near limit more directions do not decay than "
+                           "there are conditions to give");
+    };
+    Scalar end = b, coarse(0);
+    if (!(b - b == Scalar(0))) {
+        coarse = Scalar(1) / 10000;
+        end = a + state.first_length(p);
+        const auto beyond = [&](const auto& part) {
+            if constexpr (detail::multipoint_part<std::decay_t<decltype(part)>>::cuts)
+                end = std::max(end, Scalar(a + (Scalar(part.t) - a) * 5 / 4));
+        };
+        std::apply([&](const auto&... part) { (beyond(part), ...); }, problem.more);
+        for (const Scalar& t : o.fixed_points) end = std::max(end, Scalar(a + (t - a) * 5 / 4));
+    }
+    state.look(end, p), at_end(end);
+    detail::demand_all_written<vector>(ends, vector(detail::guess_value(guess, a)), p);
+    const auto solve = [&](const Scalar& to, const auto& from, const parameters& q,
+                           const bvp_options<Scalar>& own) {
+        at_end(to);
+        return solve_bvp(method, finite(detail::finite_problem(problem.f, ends, others)), a, to, from, q,
+                         own);
+    };
+    using result = decltype(solve(end, detail::lengthened_guess<Guess, vector>{guess}, p, o));
+    detail::search_to_infinity<result, Guess, decltype(state), decltype(solve)> search(state, guess, a, o,
+                                                                                       solve);
+    return search.run(p, end, coarse);
+}
+
+}  // namespace stagecraft

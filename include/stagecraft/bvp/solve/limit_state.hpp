@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <stagecraft/bvp/judge/limit_modes.hpp>
+#include <stagecraft/bvp/options.hpp>
+
+namespace stagecraft::detail {
+
+/// The equation near the limit that solutions approach, seen through f and its Jacobian. Functions is two_point_functions.
+template <class Vector, class Parameters, class Functions>
+class limit_state {
+  public:
+    using scalar = typename Vector::Scalar;
+    using dense = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    using spectrum = limit_spectrum<scalar>;
+    using limit_function = std::function<Vector(const scalar&, const Parameters&)>;
+
+    limit_state(Functions& functions, limit_function limit, const scalar& a)
+        : functions_(functions), limit_(std::move(limit)), a_(a), n_(functions.size()) {}
+
+    dense away;         ///< rows that vanish on what decays
+    dense decaying;     ///< the projection on what decays
+    scalar slowest{0};  ///< the rate at which it does, at least
+
+    Vector limit(const scalar& t, const Parameters& p) const { return limit_(t, p); }
+
+    /// Looks at the limit at t; throws where it is none.
+    void look(const scalar& t, const Parameters& p) {
+        const scalar length = t - a_, far = a_ + 16 * length, twice = a_ + 32 * length;
+        demand(limit_(t, p).allFinite(), "limit must be finite and write every component");
+        demand_solution(t, far, twice, p);
+        const dense A = linearisation(t, p);
+        const spectrum here(A);
+        const char* fault =
+            fault_of(here, spectrum(linearisation(far, p)), spectrum(linearisation(twice, p)));
+        demand(!fault, fault ? fault : "");
+        const dense others = projection_above(A, scalar(-here.slowest() / 2));
+        const int k = n_ - here.decaying;
+        away = range_of(dense(others.transpose()), k).transpose();
+        decaying = dense::Identity(n_, n_) - others;
+        slowest = here.slowest();
+    }
+    /// A length over which y - limit falls to a hundredth, by the eigenvalues at its end: the conditions there are wrong by the
+    /// square of what is left.
+    scalar first_length(const Parameters& p) {
+        scalar length(10);
+        for (int k = 0; k < 8; ++k) {
+            const spectrum at(linearisation(a_ + length, p));
+            if (!at.known || at.decaying == 0) break;
+            const scalar next = std::min(scalar(1000), scalar(scalar(4.6) / at.slowest()));
+            if (!(next > 0)) break;
+            length = (length + next) / 2;
+        }
+        return length;
+    }
+
+  private:
+    static void demand(bool good, const std::string& what) {
+        demand_bvp(good, ("to_infinity(limit): " + what).c_str());
+    }
+    Vector f(const scalar& t, const Vector& y, const Parameters& p) { return functions_.f(t, y, p).head(n_); }
+    dense linearisation(const scalar& t, const Parameters& p) {
+        const Vector y = limit_(t, p);
+        functions_.f(t, y, p);
+        return functions_.jacobian(t).topLeftCorner(n_, n_);
+    }
+    /// f(t, limit) - limit', relative to the sizes that cancel in it.
+    scalar defect(const scalar& t, const Parameters& p) {
+        using std::abs;
+        const scalar h = (1 + abs(t)) / 1000;
+        const Vector y = limit_(t, p);
+        const Vector slope = (limit_(scalar(t + h), p) - limit_(scalar(t - h), p)) / (2 * h);
+        const scalar size = linearisation(t, p).norm() * y.norm() + slope.norm();
+        return (f(t, y, p) - slope).norm() / (1 + size);
+    }
+    void demand_solution(const scalar& t, const scalar& far, const scalar& twice, const Parameters& p) {
+        scalar least = std::numeric_limits<scalar>::infinity();
+        for (const scalar& at : {t, far, twice}) {
+            const scalar d = defect(at, p);
+            if (d < least) least = d;
+        }
+        demand(least - least == scalar(0), "f or its Jacobian is not finite at limit");
+        std::ostringstream text;
+        text.precision(2);
+        text << "limit must be a solution of y' = f(t, y), an equilibrium if it is constant; f - limit' is "
+             << least << " beside the terms in f at t = " << t << " and beyond";
+        demand(least <= scalar(1e-6), text.str());
+    }
+    Functions& functions_;
+    limit_function limit_;
+    scalar a_;
+    int n_;
+};
+
+}  // namespace stagecraft::detail

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSL-1.0
+// Semi-infinite intervals, against closed forms and published values. All of one size of state, that is known at run time.
+#define BOOST_TEST_MODULE bvp_semi_infinite
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <stagecraft/bvp/semi_infinite.hpp>
+#include <stagecraft/coefficients/gauss.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sc = stagecraft;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class F>
+void refused(const std::string& what, F&& f) {
+    BOOST_CHECK_EXCEPTION(f(), std::invalid_argument, [&](const std::invalid_argument& e) {
+        return std::string(e.what()).find(what) != std::string::npos;
+    });
+}
+
+const auto first_is = [](double value) {
+    return [value](const auto& left, const auto&, auto& r) { r[0] = left[0] - value; };
+};
+
+/// y'' = g(t, y) as a system.
+template <class G>
+auto second_order(G g) {
+    return [g](const auto& t, const auto& y, auto& f) {
+        f[0] = y[1];
+        f[1] = g(t, y[0]);
+    };
+}
+
+/// u(0) is given, u goes to `limit`: u and the estimate of its error are right at all tolerances, and for every first end.
+template <class F, class U>
+void solves(const F& f, const U& u, double limit, const VectorXd& guess) {
+    const double h = 1e-6;  // conditions and guesses know u alone
+    for (const double b : {infinity, 2.0, 30.0})
+        for (const double rtol : {1e-4, 1e-7, 1e-10}) {
+            const auto r = sc::solve_bvp(
+                sc::gauss<5>(), sc::two_point(f, first_is(u(0.)), sc::to_infinity(Vector2d(limit, 0))), 0.0,
+                b, guess, {.rtol = rtol});
+            BOOST_TEST_CONTEXT("b = " << b << ", rtol = " << rtol << ": " << r.message) {
+                BOOST_TEST_REQUIRE(r.ok());
+                BOOST_TEST(r.error.global <= rtol);
+                double worst = 0;
+                for (int k = 0; k <= 200; ++k) {
+                    const double t = std::min(r.y.t1(), r.y.t1() * k / 200);
+                    worst = std::max(worst, std::abs(r.y(t)[0] - u(t)) / (1 + std::abs(u(t))));
+                }
+                BOOST_TEST(worst <= rtol);
+                BOOST_TEST(worst <= 2 * r.error.global + 1e-13);
+                BOOST_TEST(std::abs(r.y(1)[1] - (u(1 + h) - u(1 - h)) / (2 * h)) < rtol * 2 + 1e-9);
+            }
+        }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(closed_forms_on_the_half_line) {
+    using std::cosh;
+    using std::exp;
+    using std::tanh;
+    // A kink, a pulse from beside its top, an exponential that decays more slowly than the linearisation, and one with a
+    // coefficient that depends on t.
+    solves(
+        second_order([](const auto&, const auto& u) { return 2. * u * u * u - 2. * u; }),
+        [](double t) { return tanh(t + 0.3); }, 1, Vector2d(1, 0));
+    solves(
+        second_order([](const auto&, const auto& u) { return 4. * u - 6. * u * u; }),
+        [](double t) { return 1 / (cosh(t + 0.6) * cosh(t + 0.6)); }, 0, Vector2d(0, 0));
+    solves(
+        second_order([](const auto& t, const auto& u) {
+            using std::exp;
+            return 4. * u - 3. * exp(-t);
+        }),
+        [](double t) { return exp(-t); }, 0, Vector2d(0, 0));
+    solves(
+        second_order([](const auto& t, const auto& u) { return (1. + 2. / ((t + 1.) * (t + 1.))) * u; }),
+        [](double t) { return exp(-t) * (1 + 1 / (t + 1)); }, 0, Vector2d(0, 0));
+}
+
+BOOST_AUTO_TEST_CASE(boundary_layers_of_falkner_and_skan) {
+    // f''' + c f f'' + beta (1 - f'^2) = 0; f is t - p in the end with an unknown p. The guess is that of MATLAB's
+    // documentation, constant. f''(0): 0.332057336215196 (Blasius), 0.469599988361, 0.927680039836653, 1.232587656820.
+    struct layer {
+        double c, beta, wall;
+    };
+    for (const layer& l : {layer{0.5, 0, 0.332057336215196}, layer{1, 0, 0.469599988361},
+                           layer{1, 0.5, 0.927680039836653}, layer{1, 1, 1.232587656820}}) {
+        const auto f = [&l](const auto&, const auto& y, const auto&, auto& d) {
+            d[0] = y[1], d[1] = y[2];
+            d[2] = -l.c * y[0] * y[2] - l.beta * (1. - y[1] * y[1]);
+        };
+        const auto wall = [](const auto& y, const auto&, const auto&, auto& r) { r[0] = y[0], r[1] = y[1]; };
+        const auto stream = [](double t, const auto& p, auto& y) { y[0] = t - p[0], y[1] = 1, y[2] = 0; };
+        for (const double rtol : {1e-5, 1e-10}) {
+            const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, wall, sc::to_infinity(stream)), 0.0,
+                                         infinity, VectorXd(Eigen::Vector3d(0, 0, 1)),
+                                         VectorXd(VectorXd::Ones(1)), {.rtol = rtol});
+            BOOST_TEST_REQUIRE(r.ok(), r.message);
+            BOOST_TEST(std::abs(r.y(0)[2] - l.wall) <= rtol * (1 + l.wall));
+            // The displacement of Blasius, 1.7207876573 (Schlichting).
+            if (l.beta == 0 && l.c == 0.5) BOOST_TEST(std::abs(r.p[0] - 1.7207876573) <= 3 * rtol);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(limits_that_are_known_up_to_a_parameter) {
+    // The rotating disc (Rogers-Lance 1960): F'(0) = 0.51023, G'(0) = -0.61592, H goes to -0.88447.
+    const auto disc = [](const auto&, const auto& y, const auto&, auto& f) {
+        f[0] = y[1], f[1] = y[0] * y[0] - y[2] * y[2] + y[1] * y[4];
+        f[2] = y[3], f[3] = 2. * y[0] * y[2] + y[3] * y[4];
+        f[4] = -2. * y[0];
+    };
+    const auto surface = [](const auto& y, const auto&, const auto&, auto& r) {
+        r[0] = y[0], r[1] = y[2] - 1, r[2] = y[4];
+    };
+    const auto inflow = [](double, const auto& p, auto& y) {
+        for (int k = 0; k < 4; ++k) y[k] = 0;
+        y[4] = -p[0];
+    };
+    const auto guess = [](double t) -> VectorXd {
+        VectorXd y(5);
+        y << 0, 0, std::exp(-t), -std::exp(-t), -1;
+        return y;
+    };
+    const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(disc, surface, sc::to_infinity(inflow)), 0.0,
+                                 infinity, guess, VectorXd(VectorXd::Ones(1)), {.rtol = 1e-9});
+    BOOST_TEST_REQUIRE(r.ok(), r.message);
+    BOOST_TEST(std::abs(r.y(0)[1] - 0.51023) < 5e-6);
+    BOOST_TEST(std::abs(r.y(0)[3] + 0.61592) < 5e-6);
+    BOOST_TEST(std::abs(r.p[0] - 0.88447) < 5e-6);
+    // -u'' - 2 u/cosh^2 t = E u, even, u(0) = 1: E = -1, u = 1/cosh t. The decay depends on E.
+    const auto well = [](const auto& t, const auto& y, const auto& p, auto& f) {
+        using std::cosh;
+        f[0] = y[1], f[1] = (-p[0] - 2. / (cosh(t) * cosh(t))) * y[0];
+    };
+    const auto even = [](const auto& y, const auto&, const auto&, auto& r) { r[0] = y[0] - 1, r[1] = y[1]; };
+    const auto falling = [](double t) -> VectorXd { return Vector2d(std::exp(-t), 0); };
+    const auto e =
+        sc::solve_bvp(sc::gauss<5>(), sc::two_point(well, even, sc::to_infinity(VectorXd(VectorXd::Zero(2)))),
+                      0.0, infinity, falling, VectorXd(VectorXd::Constant(1, -0.5)), {.rtol = 1e-10});
+    BOOST_TEST_REQUIRE(e.ok(), e.message);
+    BOOST_TEST(std::abs(e.p[0] + 1) < 2e-10);
+    BOOST_TEST(std::abs(e.y(2)[0] - 1 / std::cosh(2.)) < 2e-10);
+}
+
+BOOST_AUTO_TEST_CASE(conditions_inside_and_on_integrals_beside_it) {
+    const auto f = second_order([](const auto&, const auto& u) { return 1. * u; });
+    const auto none = [](const auto&, const auto&, auto&) {};
+    const VectorXd zero = VectorXd::Zero(2);
+    const auto inside = sc::interior(2, [](const auto& y) { return y[0] - 1; });
+    const auto r = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, none, inside, sc::to_infinity(zero)), 0.0,
+                                 infinity, zero, {.rtol = 1e-9});
+    BOOST_TEST_REQUIRE(r.ok(), r.message);
+    BOOST_TEST(std::abs(r.y(0)[0] - std::exp(2.)) < 1e-8);
+    const auto area = sc::integral([](const auto&, const auto& y) { return y[0]; }, 1);
+    const auto q = sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, none, area, sc::to_infinity(zero)), 0.0,
+                                 infinity, zero, {.rtol = 1e-9});
+    BOOST_TEST_REQUIRE(q.ok(), q.message);
+    BOOST_TEST(std::abs(q.y(0)[0] - 1) < 2e-9);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_limit_is_refused) {
+    const auto solve = [](const auto& f, const VectorXd& limit, int conditions = 1, double b = infinity) {
+        const auto some = [conditions](const auto& left, const auto&, auto& r) {
+            for (int k = 0; k < conditions; ++k) r[k] = left[0] - 1;
+        };
+        const VectorXd guess = VectorXd::Zero(limit.size());
+        return sc::solve_bvp(sc::gauss<5>(), sc::two_point(f, some, sc::to_infinity(limit)), 1.0, b, guess);
+    };
+    const auto saddle = second_order([](const auto&, const auto& u) { return 1. * u; });
+    const VectorXd zero = VectorXd::Zero(2), one = VectorXd::Zero(1);
+    for (const double b : {infinity, 3.0}) {
+        refused("to_infinity(limit): limit must be a solution", [&] { solve(saddle, Vector2d(1, 0), 1, b); });
+        refused("must write 1 number(s) with to_infinity(limit)", [&] { solve(saddle, zero, 2, b); });
+        refused("must write 1 number(s) with to_infinity(limit)", [&] { solve(saddle, zero, 0, b); });
+        refused("to_infinity(limit): at limit f_y has eigenvalues on the imaginary axis",
+                [&] { solve(second_order([](const auto&, const auto& u) { return -u; }), zero, 1, b); });
+        // 1/t, 1/t^2, and by a linear equation.
+        const char* none = "to_infinity(limit): at limit f_y has no eigenvalue with a negative real part";
+        refused(none, [&] { solve([](auto&, auto& y, auto& f) { f[0] = -y[0] * y[0]; }, one, 1, b); });
+        refused(none, [&] { solve(second_order([](auto&, auto& u) { return 6. * u * u; }), zero, 1, b); });
+        refused("to_infinity(limit): near limit solutions decay no faster than a power of t",
+                [&] { solve([](auto& t, auto& y, auto& f) { f[0] = -y[0] / t; }, one, 1, b); });
+        refused("to_infinity(limit): limit must be a solution",
+                [&] { solve([](auto& t, auto& y, auto& f) { f[0] = -y[0] + 1. / (t * t); }, one, 1, b); });
+    }
+    refused("a and b", [&] { solve(saddle, zero, 1, std::nan("")); });
+    refused("a must be below b", [&] { solve(saddle, zero, 1, 0.5); });
+    refused("limit must be finite", [&] { solve(saddle, Vector2d(std::nan(""), 0)); });
+}
