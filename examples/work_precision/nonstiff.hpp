@@ -15,11 +15,13 @@ struct arenstorf {
     static constexpr double t0 = 0, t1 = 17.0652165601579625588917206249, atol_scale = 1;
     static vec<double, 4> initial() { return {0.994, 0, 0, -2.00158510637908252240537862224}; }
     void operator()(double, const vec<double, 4>& y, vec<double, 4>& f) const { slopes(y.data(), f.data()); }
-    static void slopes(const double* y, double* f) {
+    template <class S>
+    static void slopes(const S* y, S* f) {
+        using std::sqrt;
         constexpr double moon = 0.012277471, earth = 1 - moon;
-        const double from_earth = y[0] + moon, from_moon = y[0] - earth;
-        const double a = from_earth * from_earth + y[1] * y[1], b = from_moon * from_moon + y[1] * y[1];
-        const double pull_a = earth / (a * std::sqrt(a)), pull_b = moon / (b * std::sqrt(b));
+        const S from_earth = y[0] + moon, from_moon = y[0] - earth;
+        const S a = from_earth * from_earth + y[1] * y[1], b = from_moon * from_moon + y[1] * y[1];
+        const S pull_a = earth / (a * sqrt(a)), pull_b = moon / (b * sqrt(b));
         f[0] = y[2];
         f[1] = y[3];
         f[2] = y[0] + 2 * y[3] - pull_a * from_earth - pull_b * from_moon;
@@ -34,7 +36,8 @@ struct lorenz {
     static constexpr double t0 = 0, t1 = 10, atol_scale = 1;
     static vec<double, 3> initial() { return {10, 10, 27}; }
     void operator()(double, const vec<double, 3>& y, vec<double, 3>& f) const { slopes(y.data(), f.data()); }
-    static void slopes(const double* y, double* f) {
+    template <class S>
+    static void slopes(const S* y, S* f) {
         f[0] = 10 * (y[1] - y[0]);
         f[1] = y[0] * (28 - y[2]) - y[1];
         f[2] = y[0] * y[1] - 8.0 / 3 * y[2];

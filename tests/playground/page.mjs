@@ -116,6 +116,55 @@ try {
   await type("#node-text", "0,1/2,1");
   await until(`${facts}?.includes("order 4") && ${facts}.includes("symmetric yes")`);  // Lobatto IIIA
 
+  // A run: its curves and steps; another problem; a tolerance that is none; what takes too long can be cancelled.
+  const words = (id) => `document.getElementById("${id}").textContent`;
+  const charts = "document.querySelectorAll('#curves svg.chart').length";
+  await browser.go(address + fragment({view: "integrate"}));
+  await until(`${charts} === 2`);
+  assert.match(await evaluate(words("run-facts")), /ended.*at t = 4.*steps.*refused for the error/);
+  assert.equal(await evaluate("document.querySelectorAll('#curves path.refused').length"), 2);  // and in the legend
+  await type("#problem", "pendulum_3", "change");
+  await until(`${words("equations")}.includes("p·p") && document.querySelector("#curves h3").textContent === "p₂ against p₁"`);
+  await type("#tolerance", "0");
+  assert.match(await until("!document.getElementById('integrate-error').hidden && document.getElementById('integrate-error').textContent"), /tolerance: '0' is not/);
+  assert.equal(await evaluate("document.getElementById('tolerance').getAttribute('aria-invalid')"), "true");
+  await type("#tolerance", "1e-4");
+  await until("document.getElementById('integrate-error').hidden");
+  await type("#across", "t", "change");
+  await until("document.querySelector('#curves h3').textContent === 'Solution' && location.hash.includes('across=t')");
+  await evaluate("document.querySelector('#curves details').open = true");
+  assert.match(await until("document.querySelector('#curves pre').textContent"), /^t,p₁,p₂,v₁,v₂,λ\n0,1,0,0,0,0\n/);
+  await type("#method", "explicit_euler", "change");  // which no singular M allows
+  await until("!document.getElementById('integrate-error').hidden");
+
+  // Slopes: the order that is proved, and the errors that are measured.
+  await browser.go(address + fragment({view: "integrate", show: "errors", problem: "logistic", method: "classical_rk4"}));
+  await until("document.querySelectorAll('.slopes tbody tr').length >= 6");
+  assert.match(await evaluate(words("run-facts")), /order, proved4/);
+  assert.ok(Math.abs(await evaluate("Number(document.querySelector('.slopes tbody tr:nth-child(6)').cells[2].textContent)") - 4) < 0.3);
+
+  await type("#method", "radau_iia 3", "change");
+  await until(`/order, proved5/.test(${words("run-facts")}) && document.querySelector("#curves .legend").textContent.includes("h⁵")`);
+
+  // Ghosts: two of the explicit midpoint rule, of which the slider moves one; links carry the step size.
+  await browser.go(address + fragment({view: "integrate", show: "ghosts", method: "explicit_midpoint", h: "2.5"}));
+  await until(`/0\\.8ghost/.test(${words("run-facts")}) && ${words("run-facts")}.includes("these are all")`);
+  await type("#h", "1.6");
+  await until(`${words("run-facts")}.includes("1.25") && location.hash.includes("h=1.6")`);
+  await until("document.querySelector('#curves path.orbit').getAttribute('d').length > 20000");
+  await type("#h-text", "x");
+  assert.match(await until("!document.getElementById('integrate-error').hidden && document.getElementById('integrate-error').textContent"), /x/);
+  for (const [nonsense, said] of [["#view=integrate&h=two", /empty/], ["#view=integrate&across=-1", /empty/], ["#view=integrate&show=all", /empty/]]) {
+    await browser.go(address + nonsense);
+    assert.match(await until("!document.getElementById('notice').hidden && document.getElementById('notice').textContent"), said);
+  }
+  for (const [what, said] of [[{problem: "nothing"}, /problem: 'nothing' is none/], [{method: "nobody"}, /method: 'nobody' is none/],
+                              [{method: "own"}, /no tableau in the first view/]]) {
+    await browser.go(address + fragment({view: "integrate", ...what}));
+    assert.match(await until("!document.getElementById('integrate-error').hidden && document.getElementById('integrate-error').textContent"), said);
+    assert.equal(await evaluate(charts), 0);
+  }
+
   // Exercises.
   await browser.go(address + fragment({view: "exercise", kind: "a-stability", seed: "3"}));
   assert.match(await until("document.getElementById('question').textContent"), /Is this method A-stable/);
@@ -134,13 +183,15 @@ try {
     for (const width of [360, 1400]) {
       await size(width, dark);
       for (const [name, words] of Object.entries({tableau: {view: "tableau", text: misprint("radau_iia_2_lost_sign")},
-          nodes: {view: "nodes", nodes: "0,1/3,1"}, exercise: {view: "exercise", kind: "order", seed: "2"}})) {
+          nodes: {view: "nodes", nodes: "0,1/3,1"}, solution: {view: "integrate", problem: "van_der_pol"},
+          errors: {view: "integrate", show: "errors", problem: "index_two"}, robertson: {view: "integrate", problem: "robertson"},
+          ghosts: {view: "integrate", show: "ghosts", method: "classical_rk4", h: "3"}, exercise: {view: "exercise", kind: "order", seed: "2"}})) {
         await browser.go(address + fragment(words));
-        await until("document.querySelector('#certificate h2, #node-certificate .facts, #question:not(:empty)')");
+        await until("document.querySelector('#certificate h2, #node-certificate .facts, #run-facts tr, #question:not(:empty)')");
         assert.ok(await evaluate("document.documentElement.scrollWidth <= innerWidth"), `${name} is wider than ${width}`);
         if (!pictures) continue;
         mkdirSync(pictures, {recursive: true});
-        await new Promise((done) => setTimeout(done, 400));
+        await new Promise((done) => setTimeout(done, name === "ghosts" ? 6000 : 1000));
         const {data} = await browser.page("Page.captureScreenshot", {captureBeyondViewport: true});
         writeFileSync(`${pictures}/${name}_${width}${dark ? "_dark" : ""}.png`, Buffer.from(data, "base64"));
       }

@@ -4,12 +4,9 @@
 // that the command calls.
 #include <algorithm>
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/decimals.hpp>
 #include <stagecraft/tableaux/exact_tableau.hpp>
-#include <stagecraft/tableaux/precision.hpp>
 #include <stagecraft/tableaux/program_text.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <stagecraft/theory/exercises/kinds.hpp>
@@ -23,6 +20,7 @@
 #include <utility>
 #include <variant>
 
+#include "answer.hpp"
 #include "exercise_json.hpp"
 #include "given_nodes.hpp"
 #include "method_argument.hpp"
@@ -32,43 +30,7 @@
 namespace {
 
 using namespace stagecraft;
-using json = nlohmann::ordered_json;
-
-json refusal(int exit_code, std::string what) {
-    for (char& c : what)
-        if (c == '\n') c = ' ';
-    return {{"error", std::move(what)}, {"exit_code", exit_code}};
-}
-
-/// The JSON that `work` makes, or its exception as one line with the exit code that it has in the command. The text
-/// stays where it is until the next call.
-template <class Work>
-const char* answered(Work work) {
-    static std::string kept;
-    json answer;
-    try {
-        answer = work();
-    } catch (const std::invalid_argument& e) {
-        answer = refusal(2, e.what());
-    } catch (const tableaux::undecided& e) {
-        answer = refusal(3, std::string("not decided: ") + e.what());
-    } catch (const std::bad_alloc&) {
-        answer = refusal(3, "not decided: the memory of this page is used up");
-    } catch (const std::exception& e) {
-        answer = refusal(1, e.what());
-    }
-    kept = answer.dump(-1, ' ', false, json::error_handler_t::replace);
-    return kept.c_str();
-}
-
-/// How a text is read: `from` is "json", "text" or, by its first character, "auto".
-bool is_program_text(std::string_view text, std::string_view from) {
-    if (from == "text" || from == "json") return from == "text";
-    if (from != "auto")
-        throw std::invalid_argument("from: '" + std::string(from) + "', allowed: auto, json, text");
-    const auto first = text.find_first_not_of(" \t\r\n");
-    return first != text.npos && text[first] != '{';
-}
+using namespace playground;
 
 /// What is said of the tableaux of a program: the certificate of the only one, or of several {"methods": [...]}, with those
 /// that cannot be used; and in both cases what was not used.
@@ -89,19 +51,6 @@ json certify(std::string_view text, std::string_view from, std::string_view deci
     const tableaux::reading how{tableaux::decimals_from_name(decimals)};
     if (is_program_text(text, from)) return certify_program(tableaux::read_program_text(text, how));
     return theory::to_json(theory::certify(tableaux::read_method_text(text, how)));
-}
-
-/// The one tableau that a text holds.
-tableaux::tableau_file single(std::string_view text, std::string_view from, std::string_view decimals) {
-    const tableaux::reading how{tableaux::decimals_from_name(decimals)};
-    if (is_program_text(text, from)) {
-        auto program = tableaux::read_program_text(text, how);
-        if (program.tableaux.size() == 1) return std::move(program.tableaux.front());
-    } else {
-        const auto file = tableaux::read_method_text(text, how);
-        if (const auto* one = std::get_if<tableaux::tableau_file>(&file)) return *one;
-    }
-    throw std::invalid_argument("text: several tableaux; the stability of one is decided");
 }
 
 /// Numerator and denominator of R, constant terms first, in doubles: what a picture needs.
@@ -149,7 +98,7 @@ const char* stagecraft_tableau(const char* family, const char* stages, const cha
 /// `stability --json` of a file with this text.
 const char* stagecraft_stability(const char* text, const char* from, const char* decimals) {
     return answered([&] {
-        const auto file = single(text, from, decimals);
+        const auto file = only_tableau(text, from, decimals);
         return tool::to_json(file.name, tool::stability_report(file), tableaux::to_json(file));
     });
 }
@@ -192,7 +141,7 @@ const char* stagecraft_family(const char* family, const char* stages) {
 /// R of a file with this text; of rounded entries, of the numbers as written.
 const char* stagecraft_function(const char* text, const char* from, const char* decimals) {
     return answered([&] {
-        const auto file = single(text, from, decimals);
+        const auto file = only_tableau(text, from, decimals);
         const auto middle = [](const tableaux::entry& e) { return e.enclosure.middle(); };
         if (file.kind() == tableaux::number_kind::quadratic)
             return coefficients(theory::stability_function_of(tableaux::to_quadratic(file)));

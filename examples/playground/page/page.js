@@ -1,7 +1,7 @@
 "use strict";
 // What the views share: tabs, the bar of work, choices, the address.
 const methods = JSON.parse(document.getElementById("methods").textContent || "{}");
-const views = {tableau: tableau_view, nodes: nodes_view, exercise: exercises_view};
+const views = {tableau: tableau_view, nodes: nodes_view, integrate: integrate_view, exercise: exercises_view};
 
 /// Shows a view; `fill` instead of what it shows by itself.
 function open_view(name, fill = () => views[name].show()) {
@@ -73,6 +73,7 @@ function start() {
     fill_choices(choices);
     exercises_view.name_kind();
   });
+  engine.ask("problems", "problems").then((problems) => (problems.error ? notice(problems.error) : integrate_view.take(problems)));
 }
 
 function notice(line) {
@@ -84,7 +85,7 @@ function notice(line) {
 /// The page as its address says; an empty one, which says why, where the address makes no sense.
 function arrive() {
   const fault = read_state(location.hash);
-  if (fault) Object.assign(state, {view: "tableau", text: "", decimals: "auto"});
+  if (fault) Object.assign(state, {view: "tableau", text: "", decimals: "auto", parameter: "", end: "", tolerance: "1e-6", step: "", h: "2.2"});
   notice(fault && `${fault}; so this page is empty`);
   open_view(state.view, fault || location.hash ? undefined : () => tableau_view.open(methods.classical_rk4));
 }
