@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Sections 4.1, 4.2 and 4.4: linear problems, their condition numbers and dichotomies.
+#include "../lecture/portrait.hpp"
 #include "experiments.hpp"
 
 namespace boundary_values {
@@ -32,10 +33,10 @@ linear_conditions periodic(Eigen::Index n) {
 template <class F>
 lecture::picture plane(const std::string& name, const std::string& title, const F& f,
                        const std::vector<theory::state<double, 2>>& starts, double end,
-                       const plot::window& view) {
+                       const plot::window& view, const std::vector<plot::complex>& equilibria) {
     std::vector<plot::curve> all;
     for (const auto& x : starts) all.push_back(lecture::solution<2>(f, x, end, 400, 1e3, true));
-    return lecture::curves(name, title, all, view, "x_1", "x_2");
+    return lecture::portrait(name, title, all, view, equilibria);
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ chapter dichotomy() {
     };
     out.pictures.push_back(plane("p66_turning_point",
                                  "x_1' = -2 t x_1, x_2' = x_2 from t = -1: x_1 grows, then decays", turning,
-                                 {{1, 1}, {2, 1}, {3, 1}}, 2.5, {0, 9, 0, 10}));
+                                 {{1, 1}, {2, 1}, {3, 1}}, 2.5, {0, 9, 0, 10}, {{0, 0}}));
     return out;
 }
 
@@ -160,7 +161,7 @@ chapter forced_oscillation() {
         "p72_forced", "x' = x/4 + sin t from -3/2, -16/17 (periodic) and 0", all_forced, {0, 8, -8, 8}));
     const auto harmonic = [](const auto&, const auto& x, auto& f) { f[0] = x[1], f[1] = -x[0]; };
     out.pictures.push_back(plane("p73_harmonic", "x' = (x_2, -x_1): every solution is periodic", harmonic,
-                                 {{1, 0}, {2, 0}, {3, 0}}, 2 * pi, {-3.3, 3.3, -3.3, 3.3}));
+                                 {{1, 0}, {2, 0}, {3, 0}}, 2 * pi, {-3.3, 3.3, -3.3, 3.3}, {{0, 0}}));
     return out;
 }
 

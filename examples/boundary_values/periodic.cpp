@@ -6,6 +6,7 @@
 #include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/last_return.hpp>
 
+#include "../lecture/portrait.hpp"
 #include "experiments.hpp"
 
 namespace boundary_values {
@@ -45,8 +46,9 @@ chapter limit_cycle() {
         out.find("phase condition x_1(0) = " + number(alpha), alpha == 0 ? "alpha != 0" : "allowed",
                  name(r.status), alpha == 0 ? "success: f_1 = 1" : "not success: f_1 = 0", expected);
     }
-    out.pictures.push_back(lecture::curves("p74_limit_cycle", "from (1, 0), (2, 1) and (-1/10, 0)", orbits,
-                                           {-1.5, 2.2, -1.5, 1.5}, "x_1", "x_2"));
+    out.pictures.push_back(lecture::portrait("p74_limit_cycle",
+                                             "x_1' = x_2 + x_1 (1 - r^2), x_2' = -x_1 + x_2 (1 - r^2)",
+                                             orbits, {-1.5, 2.2, -1.5, 1.5}, {{0, 0}}));
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <stagecraft/theory/dynamics/lyapunov_function.hpp>
 
 #include "lecture.hpp"
+#include "portrait.hpp"
 
 namespace lecture {
 
@@ -43,14 +44,14 @@ void draw(chapter& out) {
     out.pictures.push_back(curves("p50_x_minus_cube",
                                   "x' = x - x^3: 1 and -1 are asymptotically stable, 0 is unstable", all,
                                   {0, 6, -1.2, 1.6}));
-    out.pictures.push_back(curves(
+    out.pictures.push_back(portrait(
         "p56_node", "x_1' = -x_1 - x_1 x_2, x_2' = -x_1 - 2 x_2 + x_1 x_2",
         orbits(node, {{-2, 2}, {-2, -2}, {-1, -2}, {2, 2}, {3, 1}, {3, 0.5}, {0.8, -2}, {0.5, -2}}, 12),
-        {-3, 3.5, -3, 3}, "x_1", "x_2"));
+        {-3, 3.5, -3, 3}, {{0, 0}, {1, -1}}));
     out.pictures.push_back(
-        curves("p57_centre", "x_1' = 2 x_2 - x_1 x_2, x_2' = -x_1/2 + x_1 x_2^2: a centre",
-               orbits(centre, {{-3, 1.5}, {-3, 0}, {-2, 0}, {-1, 0}, {-0.5, 0}, {1.5, -2}, {2.5, 0.5}}, 14),
-               {-4, 4, -2.5, 2.5}, "x_1", "x_2"));
+        portrait("p57_centre", "x_1' = 2 x_2 - x_1 x_2, x_2' = -x_1/2 + x_1 x_2^2: a centre at 0",
+                 orbits(centre, {{-3, 1.5}, {-3, 0}, {-2, 0}, {-1, 0}, {-0.5, 0}, {1.5, -2}, {2.5, 0.5}}, 14),
+                 {-4, 4, -2.5, 2.5}, {{0, 0}, {2, std::sqrt(0.5)}, {2, -std::sqrt(0.5)}}));
     out.pictures.push_back(curves("p57_routh_1", "Routh 1: x_2(t) grows",
                                   {solution<2>(routh_1, {0.1, 0}, 100, 8000, 40)}, {0, 100, -0.22, 0.22}, "t",
                                   "x_2"));
