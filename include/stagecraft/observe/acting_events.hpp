@@ -2,13 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +14,7 @@
 
 #include <stagecraft/observe/changed_state.hpp>
 #include <stagecraft/observe/event_watch.hpp>
+#include <stagecraft/observe/repeated_events.hpp>
 
 namespace stagecraft {
 
@@ -43,14 +42,12 @@ class acting_event_watch : public event_watch<Vector> {
 
     acting_event_watch(std::vector<event_function<function>> events,
                        std::vector<detail::action<Vector>> actions)
-        : base(cut_at_actions(events, actions)), actions_(std::move(actions)), last_times_(actions_.size()) {}
+        : base(cut_at_actions(events, actions)), actions_(std::move(actions)), repeated_(actions_.size()) {}
 
     void start(const scalar& t0, const Vector& y0, const scalar& t1) {
         base::start(t0, y0, t1);
-        t0_ = t0;
         acted_ = 0;
-        alternating_.clear();
-        for (auto& times : last_times_) times.fill(std::numeric_limits<scalar>::quiet_NaN());
+        repeated_.start(t0);
     }
     /// Does what is to be done at the events found last, which end at t.
     bool change(const scalar& t, Vector& y) {
@@ -78,13 +75,13 @@ class acting_event_watch : public event_watch<Vector> {
         acted_ = std::min(acted_, this->found().size());
     }
     /// The numbers of the events that alternate where the run has ended in status::chattering.
-    const std::vector<int>& alternating() const { return alternating_; }
+    const std::vector<int>& alternating() const { return repeated_.alternating(); }
 
     template <class Result>
     void conclude(Result& r) {
-        if (!alternating_.empty() && r.status == status::stopped) {
+        if (!alternating().empty() && r.status == status::stopped) {
             r.status = status::chattering;
-            r.exception = std::make_exception_ptr(std::runtime_error(described(r.t)));
+            r.exception = std::make_exception_ptr(std::runtime_error(repeated_.described(r.t)));
             this->go_on();
         }
         base::conclude(r);
@@ -102,40 +99,14 @@ class acting_event_watch : public event_watch<Vector> {
         using std::abs;
         return !(abs(u - t) > 16 * std::numeric_limits<scalar>::epsilon() * abs(u));
     }
-    /// True if one of the events has taken place `bound` times in a moment, this time included.
-    bool chatters(const scalar& t, const std::vector<char>& now) {
-        using std::abs;
-        const scalar moment = std::max<scalar>(abs(t), abs(t - t0_)) / scalar(100000000000);
-        bool too_often = false;
-        for (std::size_t e = 0; e < now.size(); ++e) {
-            if (!now[e] || !actions_[e]) continue;
-            auto& times = last_times_[e];
-            std::rotate(times.begin(), times.begin() + 1, times.end());
-            times.back() = t;
-            too_often = too_often || abs(t - times.front()) <= moment;
-        }
-        if (!too_often) return false;
-        for (std::size_t e = 0; e < now.size(); ++e)
-            if (abs(t - last_times_[e].back()) <= moment) alternating_.push_back(static_cast<int>(e));
-        return true;
-    }
-    std::string described(const scalar& t) const {
-        std::ostringstream text;
-        text.precision(std::numeric_limits<scalar>::max_digits10);
-        text << (alternating_.size() > 1 ? "events: events" : "events: event");
-        for (std::size_t k = 0; k < alternating_.size(); ++k)
-            text << (k == 0 ? " " : k + 1 < alternating_.size() ? ", " : " and ") << alternating_[k];
-        text << (alternating_.size() > 1 ? " take" : " takes") << " place again and again at t = " << t
-             << ": the solution slides along the zeros of g, or comes to rest there";
-        return text.str();
+    bool chatters(const scalar& t, std::vector<char> now) {
+        for (std::size_t e = 0; e < now.size(); ++e) now[e] = now[e] && actions_[e];
+        return repeated_.too_often(t, now);
     }
 
-    static constexpr std::size_t bound = 5;
     std::vector<detail::action<Vector>> actions_;
-    std::vector<std::array<scalar, bound>> last_times_;
-    std::vector<int> alternating_;
+    repeated_events<scalar> repeated_;
     std::size_t acted_ = 0;  // of found(), those behind which y has been changed
-    scalar t0_{0};
 };
 
 }  // namespace stagecraft
