@@ -45,6 +45,20 @@ class tape {
     }
     const S& adjoint(int variable) const { return adjoints_[static_cast<std::size_t>(variable)]; }
 
+    /// The other way: where the variables move as set by tangent(k), after clear_adjoints(), a result moves by what push()
+    /// leaves in tangent(result).
+    S& tangent(int variable) { return adjoints_[static_cast<std::size_t>(variable)]; }
+    void push() {
+        for (std::size_t k = static_cast<std::size_t>(variables_); k < entries_.size(); ++k) {
+            const entry& e = entries_[k];
+            const auto moves = [&](int operand, const S& slope) {
+                const S d = operand < 0 ? S(0) : adjoints_[static_cast<std::size_t>(operand)];
+                return d == S(0) ? d : S(d * slope);  // the slope by what stands still may not be finite
+            };
+            adjoints_[k] = moves(e.first, e.by_first) + moves(e.second, e.by_second);
+        }
+    }
+
   private:
     struct entry {
         int first = -1, second = -1;

@@ -22,6 +22,7 @@ class timed_action {
     }
     /// The run is to make steps end there.
     const break_times<Scalar>& break_points() const { return times_; }
+    const Action& action() const { return action_; }
     template <class Vector>
     void start(const Scalar& t0, const Vector&, const Scalar& t1) {
         times_.validate("at: times", t0, t1, true);
