@@ -65,10 +65,10 @@ struct call_of_adjoint_gradient {
 };
 
 /// The gradients of a tuple of functionals, one of end_value, data_sum or time_integral each.
-template <class Method, class Problem, class Vector, class Parameters, class... Functionals>
+template <class Method, class Problem, class Vector, class Parameters, class Changes, class... Functionals>
 auto adjoint_gradients(const Method& method, const Problem& problem, const Vector& y0, const Parameters& p,
                        const typename Vector::Scalar& t0, const typename Vector::Scalar& t1,
-                       const std::tuple<Functionals...>& functionals,
+                       const std::tuple<Functionals...>& functionals, const Changes& changes,
                        const options<typename Vector::Scalar>& o, const gradient_options& g) {
     using scalar = typename Vector::Scalar;
     constexpr int K = sizeof...(Functionals);
@@ -79,11 +79,11 @@ auto adjoint_gradients(const Method& method, const Problem& problem, const Vecto
     r.dp.setZero(p.size(), K);
     r.dy0_error.setConstant(y0.size(), K, std::numeric_limits<scalar>::quiet_NaN());
     r.dp_error.setConstant(p.size(), K, std::numeric_limits<scalar>::quiet_NaN());
-    adjoint_run<Method, bound, Vector, std::tuple<Functionals...>> run(method, at_p, y0, t0, t1, functionals,
-                                                                       o, g.estimate);
+    adjoint_run<Method, bound, Vector, std::tuple<Functionals...>, Changes> run(
+        method, at_p, y0, t0, t1, functionals, changes, o, g.estimate);
     try {
         run.forward(r);
-        if (!r.ok() || !run.backward(r)) return r;
+        if (!(r.ok() || r.status == status::event) || !run.backward(r)) return r;
         const auto& coarse = run.states();
         const auto& fine = run.finer_states();
         for (int k = 0; k < K; ++k) {
@@ -102,6 +102,82 @@ auto adjoint_gradients(const Method& method, const Problem& problem, const Vecto
         r.exception = std::current_exception();
     }
     return r;
+}
+
+/// What is wrong with something that is to happen in a run forward and back is said here, at compile time.
+template <class One, class Problem, class Vector, class Parameters>
+constexpr bool adjoint_change() {
+    using call = call_derivatives<Vector, Parameters>;
+    constexpr bool usable = usable_change<One, Vector, Parameters>();
+    constexpr bool generic = [] {
+        if constexpr (usable && is_located<One>)
+            return call::template generic<decltype(behind(std::declval<const One&>()))> &&
+                   call::template generic<event_value<std::remove_cvref_t<decltype(One::g)>>>;
+        else if constexpr (usable)
+            return call::template generic<decltype(behind(std::declval<const One&>()))>;
+        else
+            return true;
+    }();
+    static_assert(
+        generic,
+        "adjoint_gradient_with_events: g and the action must be generic in y and p: [](const auto& t, "
+        "auto& y, const auto& p) { y[0] += p[0]; }");
+    constexpr bool plain = !is_located<One> || !has_mass<at_parameters<Problem, Parameters>>;
+    static_assert(plain,
+                  "adjoint_gradient_with_events: events of a problem with mass() are differentiated by "
+                  "sensitivities_with_events() alone; at(times, action) by both");
+    return usable && generic && plain;
+}
+
+/// adjoint_gradient() of a run with a tuple of changes.
+template <class Method, class Problem, class Vector, class Parameters, class Functional, class Changes>
+auto gradient_with(const Method& method, const Problem& problem, const Vector& y0, const Parameters& p,
+                   const typename Vector::Scalar& t0, const typename Vector::Scalar& t1, const Functional& g,
+                   const Changes& changes, const options<typename Vector::Scalar>& o,
+                   const gradient_options& more) {
+    using derivatives = parameter_derivatives<Problem, Vector, Parameters>;
+    constexpr bool whole = !in_parts<Problem>;
+    static_assert(whole,
+                  "adjoint_gradient: of the whole right-hand side: write the sum of the "
+                  "parts of split(f_explicit, f_implicit)");
+    constexpr bool differentiable = derivatives::exist || derivatives::adjoint_given;
+    static_assert(
+        differentiable,
+        "adjoint_gradient: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
+        "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F) or "
+        "parameter_adjoint(t, y, p, v, q)");
+    [[maybe_unused]] constexpr checked_outputs<Problem, Vector, Parameters> checked;
+    const auto list = [&] {
+        if constexpr (is_tuple<Functional>)
+            return std::apply([](const auto&... one) { return std::tuple(as_functional(one)...); }, g);
+        else
+            return std::tuple(as_functional(g));
+    }();
+    constexpr bool functional = []<class... G>(const std::tuple<G...>*) {
+        return (differentiable_functional<G, Vector, Parameters>() && ...);
+    }(static_cast<const std::remove_const_t<decltype(list)>*>(nullptr));
+    static_assert(functional,
+                  "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
+                  "and return a number, not a product of Eigen's: [](const auto& y) { return y.dot(y); }");
+    constexpr bool usable = []<class... One>(const std::tuple<One...>*) {
+        return (adjoint_change<One, Problem, Vector, Parameters>() && ...);
+    }(static_cast<const Changes*>(nullptr));
+    if constexpr (!whole || !differentiable || !functional || !usable) {
+        return gradient_result<Vector, Parameters>{};
+    } else {
+        auto all = adjoint_gradients(method, problem, y0, p, t0, t1, list, changes, o, more);
+        if constexpr (is_tuple<Functional>) {
+            return all;
+        } else {
+            return gradient_result<Vector, Parameters>{{all.t, all.y, all.status, all.report, all.exception},
+                                                       all.value[0],
+                                                       all.dy0,
+                                                       all.dp,
+                                                       all.dy0_error,
+                                                       all.dp_error,
+                                                       all.message};
+        }
+    }
 }
 
 }  // namespace detail
@@ -146,48 +222,43 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
                       const options<typename DerivedY::Scalar>& o = {}, const gradient_options& more = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
-    using derivatives = detail::parameter_derivatives<Problem, vector, parameters>;
-    constexpr bool whole = !in_parts<Problem>;
-    static_assert(whole,
-                  "adjoint_gradient: of the whole right-hand side: write the sum of the "
-                  "parts of split(f_explicit, f_implicit)");
-    constexpr bool differentiable = derivatives::exist || derivatives::adjoint_given;
+    return detail::gradient_with(method, problem, vector(y0), parameters(p), t0, t1, g, std::tuple<>(), o,
+                                 more);
+}
+
+/// The same across what changes the state on the way: `events` is at(times, action), event(g, options, action),
+/// sensitivity_event(g, options, jump, change), or a std::tuple of such, as for sensitivities_with_events(), of whose S this is
+/// the transposed. g and actions are generic in y and p.
+///
+/// On the way back no action is done: what f is before and behind one may differ by change(problem) of sensitivity_event()
+/// alone, or by t. An action that sets what f holds by reference is found out, and refused (std::domain_error,
+/// status::function_threw), as are several events at one time, and what sensitivities_with_events() refuses. With events
+/// errors are not estimated (NaN), with at() they are. Events of problems with mass() do not compile; with at() algebraic
+/// components of index 1 follow behind each change. A functional has the state behind a change at its time; at a terminal
+/// event, which ends the run with status::event, it is differentiated with the time of that. Costs beyond
+/// adjoint_gradient() a new start a change, and a copy of the problem.
+template <class Method, class Problem, class DerivedY, class DerivedP, class Events, class Functional>
+requires detail::run_with_parameters<Method, Problem, typename DerivedY::PlainObject,
+                                     typename DerivedP::PlainObject>
+auto adjoint_gradient_with_events(const Method& method, const Problem& problem,
+                                  const Eigen::MatrixBase<DerivedY>& y0, const Eigen::MatrixBase<DerivedP>& p,
+                                  std::type_identity_t<typename DerivedY::Scalar> t0,
+                                  std::type_identity_t<typename DerivedY::Scalar> t1, const Events& events,
+                                  const Functional& g, const options<typename DerivedY::Scalar>& o = {},
+                                  const gradient_options& more = {}) {
+    using vector = typename DerivedY::PlainObject;
+    using parameters = typename DerivedP::PlainObject;
+    constexpr bool good = detail::are_changes<Events>;
     static_assert(
-        differentiable,
-        "adjoint_gradient: problem(t, y, p, f) must be generic in its scalar (const auto& t, const auto& y, "
-        "const auto& p, auto& f), or the problem have a member parameter_jacobian(t, y, p, F) or "
-        "parameter_adjoint(t, y, p, v, q)");
-    [[maybe_unused]] constexpr detail::checked_outputs<Problem, vector, parameters> checked;
-    const auto list = [&] {
-        if constexpr (detail::is_tuple<Functional>)
-            return std::apply([](const auto&... one) { return std::tuple(detail::as_functional(one)...); },
-                              g);
-        else
-            return std::tuple(detail::as_functional(g));
-    }();
-    constexpr bool functional = []<class... G>(const std::tuple<G...>*) {
-        return (detail::differentiable_functional<G, vector, parameters>() && ...);
-    }(static_cast<const std::remove_const_t<decltype(list)>*>(nullptr));
-    static_assert(functional,
-                  "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
-                  "and return a number, not a product of Eigen's: [](const auto& y) { return y.dot(y); }");
-    if constexpr (!whole || !differentiable || !functional) {
+        good,
+        "adjoint_gradient_with_events: events are at(times, action), event(g, options, action) or "
+        "sensitivity_event(g, options, jump, change), without events<Vector>() around, or a std::tuple "
+        "of several");
+    if constexpr (good)
+        return detail::gradient_with(method, problem, vector(y0), parameters(p), t0, t1, g,
+                                     detail::as_changes(events), o, more);
+    else
         return gradient_result<vector, parameters>{};
-    } else {
-        auto all =
-            detail::adjoint_gradients(method, problem, vector(y0), parameters(p), t0, t1, list, o, more);
-        if constexpr (detail::is_tuple<Functional>) {
-            return all;
-        } else {
-            return gradient_result<vector, parameters>{{all.t, all.y, all.status, all.report, all.exception},
-                                                       all.value[0],
-                                                       all.dy0,
-                                                       all.dp,
-                                                       all.dy0_error,
-                                                       all.dp_error,
-                                                       all.message};
-        }
-    }
 }
 
 /// Other arguments.

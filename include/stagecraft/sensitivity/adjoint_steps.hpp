@@ -13,6 +13,7 @@
 #include <stagecraft/sensitivity/consistent_start.hpp>
 #include <stagecraft/sensitivity/functionals.hpp>
 #include <stagecraft/sensitivity/linear_stages.hpp>
+#include <stagecraft/sensitivity/passage.hpp>
 #include <stagecraft/sensitivity/stage_derivatives.hpp>
 #include <stagecraft/stages/transformed.hpp>
 #include <stagecraft/step/method_set.hpp>
@@ -69,6 +70,7 @@ class adjoint_steps {
                   {Vector::Zero(y0.size()), parameters::Zero(problem.p.size())}) {}
 
     const std::vector<state>& states() const { return states_; }
+    void states(const std::vector<state>& given) { states_ = given; }
     const std::string& refuted() const { return refuted_; }
 
     /// Adds what the values at t1 contribute, or those at data times, of which number `time` of the union of all is here.
@@ -108,6 +110,23 @@ class adjoint_steps {
         });
     }
 
+    /// Takes back what has been passed, with `problem` that of these steps, which holds before it.
+    template <class Sides>
+    void back(const passage<Vector>& passed, const Sides& sides) {
+        typename Sides::derivatives call;
+        for_each([&](const auto& g, state& to) {
+            scalar by_time =
+                passed.located && !passed.terminal ? -passed.slope_behind.dot(to.lambda) : scalar(0);
+            for (std::size_t i = passed.numbers.size(); i-- > 0;) {
+                sides.take_change(passed.numbers[i], passed.t, passed.states[i], passed.located, call);
+                const Vector lambda = to.lambda;
+                to.lambda.setZero();
+                by_time += call.transposed(lambda, scalar(1), to.lambda, to.mu);
+            }
+            if (passed.located) back_in_time(passed, sides, g, by_time, to);
+        });
+    }
+
     /// Lets the algebraic components at the start follow from the others, by the derivative of their equations, where these
     /// are of index 1: for methods that do not forget them.
     void make_consistent(const scalar& t0, const Vector& y0) {
@@ -135,6 +154,36 @@ class adjoint_steps {
     template <class G>
     void add(state& to, const Vector& y, const G& g) {
         to.value += function_(g, y, at_.problem().p, scalar(1), to.lambda, to.mu);
+    }
+
+    /// What the time of an event contributes, and the move of the state to it; by_time is the derivative of all behind it by
+    /// that time, with the state moving along.
+    template <class Sides, class Functional>
+    void back_in_time(const passage<Vector>& passed, const Sides& sides, const Functional& g, scalar by_time,
+                      state& to) {
+        const Vector& y = passed.states.front();
+        by_time += passed.slope.dot(to.lambda);
+        Vector none = Vector::Zero(y.size());
+        parameters none_by_p = parameters::Zero(to.mu.size());
+        if constexpr (is_integral<Functional>) {
+            const auto integrand = [&](const Vector& at) {
+                return function_(
+                    [&](const auto& x, const auto& q) { return with_parameters(g.g, q, passed.t, x); }, at,
+                    at_.problem().p, scalar(0), none, none_by_p);
+            };
+            by_time += integrand(y);
+            if (!passed.terminal) by_time -= integrand(passed.states.back());
+            to.value += passed.moved * integrand(y);
+        }
+        typename Sides::derivatives event;
+        sides.take_event(passed.numbers.front(), passed.t, y, event);
+        const scalar rate = event.along(scalar(1), passed.slope, -1)[0];
+        event.transposed(Eigen::Matrix<scalar, 1, 1>(scalar(1)), -by_time / rate, to.lambda, to.mu);
+        at_.place(0, passed.t_found, passed.y_found);
+        at_.place(1, passed.t_found, passed.y_found);
+        at_.evaluate();
+        const Vector lambda = passed.moved * to.lambda;
+        at_.add_both(0, lambda, to.lambda, to.mu);
     }
 
     template <class TransposedMethod, class Functional>

@@ -9,6 +9,7 @@
 #include <stagecraft/options.hpp>
 #include <stagecraft/problem/system.hpp>
 #include <stagecraft/report.hpp>
+#include <stagecraft/run/equal_steps.hpp>
 #include <stagecraft/run/tolerance_norm.hpp>
 #include <stagecraft/sensitivity/linear_stages.hpp>
 #include <stagecraft/stages/newton.hpp>
@@ -48,9 +49,10 @@ class halved_steps {
     template <class Output, class Take>
     bool follow(const Output& whole, int k, Vector& y, const Take& take) {
         return visit_at(stages_, k, [&](auto& stages) {
-            const scalar h = whole.step() / 2;
+            const scalar h = whole.step() / 2, middle = whole.t0() + h, end = whole.t0() + whole.step();
+            // Beyond the end f may be another one.
             return half(stages, whole, whole.t0(), h, y, take) &&
-                   half(stages, whole, scalar(whole.t0() + h), h, y, take);
+                   half(stages, whole, middle, not_beyond(middle, h, end), y, take);
         });
     }
 
