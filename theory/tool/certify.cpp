@@ -12,6 +12,7 @@
 
 #include "certify_file.hpp"
 #include "command.hpp"
+#include "existence_file.hpp"
 #include "export_coq.hpp"
 #include "method_argument.hpp"
 #include "reading_options.hpp"
@@ -27,6 +28,9 @@ struct options {
     std::optional<bool> strict;
     tool::certify_options files;
     tool::coq_options coq;
+    bool exists = false;
+    std::string digits;
+    tool::existence_options existence;
 };
 
 void certify_family(const options& o) {
@@ -75,7 +79,26 @@ bool in_continuous_integration() {
     return !value.empty() && value != "0" && value != "false";
 }
 
+/// --exists, --digits and --polished: a method near the entries of a file.
+int search_for_method(options& o) {
+    if (o.methods.size() != 1 || tool::is_family(o.methods.front()) || o.from != "json" ||
+        !o.coq.path.empty() || !o.files.junit.empty())
+        throw std::invalid_argument("exists: goes with one file in JSON; not with --from, --coq, --junit");
+    o.existence.how = o.entries.reading();
+    o.existence.json = o.files.json;
+    o.existence.digits = tool::whole_number("digits", o.digits, 5, 4000);
+    return tool::certify_existence_of(o.methods.front(), o.existence);
+}
+
 void run(options o) {
+    if (!o.exists && (!o.existence.polished.empty() || !o.digits.empty()))
+        throw std::invalid_argument("digits, polished: go with --exists");
+    if (o.exists) {
+        if (o.digits.empty()) o.digits = "60";
+        const int code = search_for_method(o);
+        if (code != 0) throw CLI::RuntimeError(code);
+        return;
+    }
     if (o.coq.split && o.coq.path.empty()) throw std::invalid_argument("coq-split: goes with --coq FILE.v");
     if (const auto plus = o.methods.front().find('+');
         plus != std::string::npos && tool::is_family(o.methods.front())) {
@@ -122,9 +145,17 @@ const tool::command certify{[](CLI::App& app) {
                     "write what is proved as theorems to this file, which `coqc FILE.v` checks");
     sub->add_flag("--coq-split", o.coq.split,
                   "the part that all such files share beside it, as stagecraft.v");
+    sub->add_flag(
+        "--exists", o.exists,
+        "of a rounded table: prove that there is a method of exactly its orders near these entries, with "
+        "these zeros");
+    sub->add_option("--digits", o.digits, "with --exists: digits of the polished table (default 60)");
+    sub->add_option("--polished", o.existence.polished,
+                    "with --exists: write the table of the method that is proved to exist to this file");
     sub->footer(
         "Files may hold several tableaux: additive, partitioned, separable and Nystrom methods. A pair of\n"
         "families, lobatto_iiia+lobatto_iiib 4, is certified as symplectic.\n"
+        "With --exists: 0 there is such a method; 1 a claim of the table is refuted; 3 not proved.\n"
         "Exit code: 0 nothing claimed is refuted; 1 something is; 2 unusable input; 3 a claim is beyond "
         "what\n"
         "the digits given can test. Of several files the first of 1, 2, 3, 0 that occurs.");
