@@ -106,6 +106,37 @@ struct orbit_path_conditions {
     }
 };
 
+/// The path of orbits from the one near `guess`, over [0, 1], and (T, p) on; `first` as in path_problem.
+template <class Scalar, int S, class Rhs, class Vector, class Orbit>
+std::vector<orbit_point<Vector>> follow_orbits(const tableau<Scalar, S>& method, Rhs f, const Orbit& guess,
+                                               const Eigen::Matrix<Scalar, 2, 1>& start,
+                                               const continuation_options<Scalar>& o,
+                                               const path_demand<Scalar>& first) {
+    using rhs = scaled_rhs_on_path<Rhs>;
+    using conditions = orbit_path_conditions<Rhs, Vector>;
+    using unknowns = Eigen::Matrix<Scalar, 2, 1>;
+    const Vector at = guess(Scalar(0));
+    two_point_problem<rhs, conditions> problem{{f}, {f, at, at, at}};
+    problem.r.follow(guess, start);
+    path_problem_of<rhs, conditions, Vector, unknowns> of(std::move(problem));
+    of.start = first;
+    std::vector<orbit_point<Vector>> path;
+    auto states = follow_path<S, Vector, unknowns>(method, of, Scalar(0), Scalar(1), guess, start, o);
+    const bool shrinks = states.back().kind == point_kind::hopf;
+    for (auto& s : states) {
+        path.push_back({Eigen::Matrix<Scalar, 1, 1>(s.p[1]), s.p[0], std::move(s.y), std::move(s.multipliers),
+                        s.kind, s.status, s.message, s.arclength, std::move(s.mesh)});
+        auto& point = path.back();
+        if (s.kind == point_kind::regular && s.status != bvp_status::success) break;
+        const bvp_status judged = judge_orbit(point.y, o.rtol);
+        if (judged == bvp_status::success || (shrinks && judged == bvp_status::equilibrium)) continue;
+        point.status = judged, point.kind = point_kind::regular;
+        point.message = words_of(judged);
+        break;
+    }
+    return path;
+}
+
 struct call_of_orbit_continuation {
     template <class Method>
     static constexpr bool say() {
@@ -146,32 +177,10 @@ template <class Scalar, int S, class Rhs, class Vector>
 requires detail::right_hand_side_of_path<Rhs, Scalar, Vector> std::vector<orbit_point<Vector>>
 orbit_continuation(const tableau<Scalar, S>& method, Rhs f, const orbit_guess<Vector>& guess,
                    const continuation_options<std::type_identity_t<Scalar>>& o = {}) {
-    using rhs = detail::scaled_rhs_on_path<Rhs>;
-    using conditions = detail::orbit_path_conditions<Rhs, Vector>;
-    using unknowns = Eigen::Matrix<Scalar, 2, 1>;
     detail::validate(o, Scalar(0), Scalar(1), "orbit_continuation");
     detail::validate_period(guess, "orbit_continuation");
-    const Vector at = guess.y(guess.begin);
-    const unknowns start(guess.period, o.from);
-    two_point_problem<rhs, conditions> problem{{f}, {f, at, at, at}};
-    problem.r.follow(detail::in_units_of_the_period(guess), start);
-    detail::path_problem_of<rhs, conditions, Vector, unknowns> of(std::move(problem));
-    std::vector<orbit_point<Vector>> path;
-    auto states = detail::follow_path<S, Vector, unknowns>(method, of, Scalar(0), Scalar(1),
-                                                           detail::in_units_of_the_period(guess), start, o);
-    const bool shrinks = states.back().kind == point_kind::hopf;
-    for (auto& s : states) {
-        path.push_back({Eigen::Matrix<Scalar, 1, 1>(s.p[1]), s.p[0], std::move(s.y), std::move(s.multipliers),
-                        s.kind, s.status, s.message, s.arclength, std::move(s.mesh)});
-        auto& point = path.back();
-        if (s.kind == point_kind::regular && s.status != bvp_status::success) break;
-        const bvp_status judged = detail::judge_orbit(point.y, o.rtol);
-        if (judged == bvp_status::success || (shrinks && judged == bvp_status::equilibrium)) continue;
-        point.status = judged, point.kind = point_kind::regular;
-        point.message = detail::words_of(judged);
-        break;
-    }
-    return path;
+    return detail::follow_orbits<Scalar, S, Rhs, Vector>(
+        method, std::move(f), detail::in_units_of_the_period(guess), {guess.period, o.from}, o, {});
 }
 
 /// Another first argument, no guess of the period, or options of names that there are not.

@@ -44,7 +44,7 @@ class path_follower {
         state now;
         if (!first(guess, p, now) || loses_multipliers(now)) return {now};
         std::vector<state> path{now};
-        if ((now.slope() < Scalar(0)) == (o_.to > o_.from)) now.turn();
+        if (!started() && (now.slope() < Scalar(0)) == (o_.to > o_.from)) now.turn();
         path.back() = now;
         state before = now;
         Scalar step = o_.step, last_step(0);
@@ -98,11 +98,13 @@ class path_follower {
         Scalar last_step, step;
     };
 
-    int size() const { return n_; }
+    /// The first point is said by a direction in which the path goes on, not by the parameter.
+    bool started() const { return problem_.start.along.size() > 0; }
 
     bool first(const guess_type& guess, const Parameters& p, state& out) {
         const Vector left = guess(a_);
         n_ = static_cast<int>(left.size());
+        if (started()) return solve(problem_.start, guess, p, {}, out);
         const int np = static_cast<int>(p.size());
         column x = column::Zero(2 * n_ + np), along = column::Zero(2 * n_ + np);
         x.tail(np) = p;

@@ -20,6 +20,9 @@ class path_problem {
     using functions = two_point_functions<scalar, Vector::RowsAtCompileTime, Parameters::RowsAtCompileTime>;
     static constexpr bool orbits = Parameters::RowsAtCompileTime == 2;
 
+    /// What is demanded of the first point instead of the value of the parameter; nothing where `along` has no entries.
+    path_demand<scalar> start{};
+
     virtual ~path_problem() = default;
     /// f, and the conditions as they now are, with `more`, of n components and `parameters` parameters.
     virtual std::unique_ptr<functions> with(const path_demand<scalar>& more, int n, int parameters) const = 0;
