@@ -30,7 +30,13 @@ struct problem {
     std::vector<int> index;        ///< of every component, in increasing order; empty where M = I
     int differential = 0;          ///< where M is not I
 
+    // What is said of it, where anything is: times where f jumps, doses, where f is defined.
+    std::vector<double> known, doses;
+    std::function<void(double, VectorXd&)> dose;
+    std::function<bool(double, const VectorXd&)> domain;
+
     bool ordinary() const { return index.empty(); }
+    bool said() const { return !known.empty() || !doses.empty() || domain; }
 };
 
 /// What became of a run.
@@ -146,15 +152,20 @@ problem pendulum(dice d);
 problem jumps(dice d);
 problem switching(dice d);
 problem approximate(dice d);
+problem schedules(dice d);
+problem doses(dice d);
+problem domains(dice d);
 
 // The integrators: Radau IIA of s = 3, 5 or 7 stages, 0 for variable order; with at most so many steps.
 outcome run_ordinary(int stages, const problem& p, double tol);
 outcome run_algebraic(int stages, const problem& p, double tol);
+outcome run_said(int stages, const problem& p, double tol);  // s = 3 or variable
 /// The state at t1 by s = 7 at that tolerance; throws std::runtime_error if the run fails.
 VectorXd end_state(const problem& p, double tol);
 bool radau5_available();
 outcome run_radau5(const problem& p, double tol);
 inline outcome run(int stages, const problem& p, double tol) {
+    if (p.said()) return run_said(stages, p, tol);
     return p.ordinary() ? run_ordinary(stages, p, tol) : run_algebraic(stages, p, tol);
 }
 

@@ -45,13 +45,13 @@ void accepted(int* number, double* before, double* t, double* y, double*, int*, 
 
 bool radau5_available() { return peers::radau5_available(); }
 
-outcome run_radau5(const problem& p, double tol) {
-    outcome o;
-    current = {&p, &o, tol};
-    VectorXd y = p.y0;
+namespace {
+
+/// From (t, y) to t1.
+void run_to(double t1, double& t, VectorXd& y, const problem& p, double tol, outcome& o) {
     int n = static_cast<int>(y.size()), itol = 0, ijac = 1, iout = 1, ipar = 0, idid = 0, ml = n, mu = n;
     int imas = p.ordinary() ? 0 : 1, mlmas = 0, mumas = 0;
-    double t = p.t0, t1 = p.t1, h = 0, rpar = 0;
+    double h = 0, rpar = 0;
     int lwork = n * (n + imas + 3 * n + 12) + 20, liwork = 3 * n + 20;
     std::vector<double> work(static_cast<std::size_t>(lwork), 0.0);
     std::vector<int> iwork(static_cast<std::size_t>(liwork), 0);
@@ -64,7 +64,27 @@ outcome run_radau5(const problem& p, double tol) {
     o.success = idid == 1;
     o.status = "idid " + std::to_string(idid);
     o.t = t;
-    o.steps = iwork[15];
+    o.steps += iwork[15];
+}
+
+}  // namespace
+
+/// Driven by hand from point to point where times are known: up to the double before each, and on from it.
+outcome run_radau5(const problem& p, double tol) {
+    outcome o;
+    current = {&p, &o, tol};
+    VectorXd y = p.y0;
+    double t = p.t0;
+    std::vector<double> stops = p.known;
+    stops.insert(stops.end(), p.doses.begin(), p.doses.end());
+    std::sort(stops.begin(), stops.end());
+    for (const double stop : stops) {
+        run_to(std::nextafter(stop, p.t0), t, y, p, tol, o);
+        if (!o.success) return o;
+        t = stop;
+        if (!p.doses.empty()) p.dose(t, y);
+    }
+    run_to(p.t1, t, y, p, tol, o);
     return o;
 }
 
