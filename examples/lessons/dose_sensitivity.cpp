@@ -10,7 +10,7 @@
 int main() {
     using namespace stagecraft;
     using Eigen::Vector2d;
-    const options o{.rtol = 1e-9, .atol = 1e-9};
+    const options<double> o{.rtol = 1e-9, .atol = 1e-9};
     const auto method = radau_iia<3>();
 
     const auto clears = [](const auto&, const auto& y, const auto& p, auto& f) { f << -p[0] * y[0], y[0]; };
