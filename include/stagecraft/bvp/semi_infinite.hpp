@@ -57,6 +57,8 @@ struct gap_between {
                 const scalar t = shorter.mesh[i] + part * (shorter.mesh[i + 1] - shorter.mesh[i]);
                 look(shorter.y(t), longer.y(t), components, floor);
             }
+        const scalar end = shorter.mesh.back();  // where it is most, as a rule
+        look(shorter.y(end), longer.y(end), components, floor);
         parameters.setZero();
         look(shorter.p, longer.p, parameters, floor);
     }
