@@ -143,8 +143,9 @@ class partitioned_step : public step_between_slopes<Space> {
         y1 = y;
         for (int j = 0; j < count(); ++j) {
             const Scalar b = h_ * pair_.first.b[j], b_hat = h_ * pair_.second.b[j];
-            if (!(b == Scalar(0))) y1.head(n_) += b * K_.col(j).head(n_);
-            if (!(b_hat == Scalar(0))) y1.tail(n_) += b_hat * K_.col(j).tail(n_);
+            if (!(b == Scalar(0))) y1.template head<half>(n_) += b * K_.col(j).template head<half>(n_);
+            if (!(b_hat == Scalar(0)))
+                y1.template tail<half>(n_) += b_hat * K_.col(j).template tail<half>(n_);
         }
     }
     void accepted() {
@@ -168,6 +169,7 @@ class partitioned_step : public step_between_slopes<Space> {
     }
 
   private:
+    static constexpr int half = part::RowsAtCompileTime;
     using slopes = Eigen::Matrix<Scalar, vector::RowsAtCompileTime, Stages>;
     using per_stage = Eigen::Matrix<Scalar, Stages, 1>;
 
@@ -205,32 +207,35 @@ class partitioned_step : public step_between_slopes<Space> {
         y_ = y;
         for (int j = 0; j < count(); ++j) {
             const Scalar a = h * pair_.first.A(i, j), a_hat = h * pair_.second.A(i, j);
-            if (!(a == Scalar(0))) y_.head(n_) += a * K_.col(j).head(n_);
-            if (!(a_hat == Scalar(0))) y_.tail(n_) += a_hat * K_.col(j).tail(n_);
+            if (!(a == Scalar(0))) y_.template head<half>(n_) += a * K_.col(j).template head<half>(n_);
+            if (!(a_hat == Scalar(0)))
+                y_.template tail<half>(n_) += a_hat * K_.col(j).template tail<half>(n_);
         }
     }
     /// One part of one stage.
     template <class System>
     void evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                   const part_evaluation& e) {
-        const auto slope = [&](int j) { return e.of_q ? K_.col(j).head(n_) : K_.col(j).tail(n_); };
+        const auto slope = [&](int j) {
+            return e.of_q ? K_.col(j).template head<half>(n_) : K_.col(j).template tail<half>(n_);
+        };
         if (e.from >= 0) {
             slope(e.stage) = slope(e.from);
             return;
         }
         if (known_ && first_is_last_ && e.of_q == first_.of_q && e.stage == first_.stage) {
-            slope(e.stage) = e.of_q ? kept_.head(n_) : kept_.tail(n_);
+            slope(e.stage) = e.of_q ? kept_.template head<half>(n_) : kept_.template tail<half>(n_);
             return;
         }
         const auto& m = e.of_q ? pair_.second : pair_.first;
-        part_ = e.of_q ? y.tail(n_) : y.head(n_);
+        part_ = e.of_q ? y.template tail<half>(n_) : y.template head<half>(n_);
         for (int j = 0; j < count(); ++j) {
             const Scalar a = h * m.A(e.stage, j);
             if (a == Scalar(0)) continue;
             if (e.of_q)
-                part_ += a * K_.col(j).tail(n_);
+                part_ += a * K_.col(j).template tail<half>(n_);
             else
-                part_ += a * K_.col(j).head(n_);
+                part_ += a * K_.col(j).template head<half>(n_);
         }
         evaluate_part(system, t, h, e);
         slope(e.stage) = rate_;
@@ -262,12 +267,12 @@ class partitioned_step : public step_between_slopes<Space> {
             for (int i = 0; i < s; ++i) {
                 find_stage(y, h, i);
                 if (separable_) {
-                    part_ = y_.tail(n_);
+                    part_ = y_.template tail<half>(n_);
                     evaluate_part(system, t, h, {true, i, -1});
-                    f_.head(n_) = rate_;
-                    part_ = y_.head(n_);
+                    f_.template head<half>(n_) = rate_;
+                    part_ = y_.template head<half>(n_);
                     evaluate_part(system, t, h, {false, i, -1});
-                    f_.tail(n_) = rate_;
+                    f_.template tail<half>(n_) = rate_;
                 } else {
                     system(t + c_[i] * h, y_, f_);
                 }
