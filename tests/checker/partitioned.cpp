@@ -231,6 +231,27 @@ BOOST_AUTO_TEST_CASE(who_fails_is_named) {
     BOOST_TEST(nystrom.suspects.front().suggest == "25/84");
 }
 
+BOOST_AUTO_TEST_CASE(a_nystrom_method_may_claim_order_13_unless_f_depends_on_the_velocity) {
+    std::string text = tableaux::text_of_file(folder + "/nystrom_5.json");
+    const auto claim = [&](const char* order) {
+        std::string other = text;
+        return other.replace(other.find("\"order\": 5"), 10, std::string("\"order\": ") + order);
+    };
+    const auto file = std::get<tableaux::partitioned_file>(tableaux::read_method_text(claim("13")));
+    BOOST_TEST(*file.claims.order == 13);
+    BOOST_CHECK_EXCEPTION(
+        tableaux::read_method_text(claim("14")), tableaux::unusable_input, [](const auto& e) {
+            return std::string(e.what()).find("claims.order: must be at most 13") != std::string::npos;
+        });
+    text = tableaux::text_of_file(folder + "/nystrom_4.json");
+    BOOST_REQUIRE(text.find("\"A\"") != std::string::npos);
+    text.replace(text.find("\"order\": 4"), 10, "\"order\": 5");
+    BOOST_CHECK_EXCEPTION(
+        tableaux::read_method_text(claim("11")), tableaux::unusable_input, [](const auto& e) {
+            return std::string(e.what()).find("claims.order: must be at most 10") != std::string::npos;
+        });
+}
+
 BOOST_AUTO_TEST_CASE(a_misprint_in_one_tableau_of_a_pair_is_refuted_and_named) {
     // Every 19th entry of the published pairs, a thousandth more.
     int tried = 0, refuted = 0, named = 0, turn = 0;

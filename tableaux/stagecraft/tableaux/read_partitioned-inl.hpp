@@ -109,13 +109,12 @@ STAGECRAFT_INLINE partitioned_file partitioned(const document& d, const reading&
     file.coupling = coupling_of(d);
     file.name = text_field(d, "name");
     file.source = text_field(d, "source");
-    const bool nystrom = file.coupling == coupling::nystrom;
     const reading with_its_own = with_tolerance_of(d, how);
-    if (nystrom)
+    if (file.coupling == coupling::nystrom)
         read_nystrom(d, with_its_own, file);
     else
         read_partners(d, with_its_own, folder, file);
-    file.claims = coupled_claims(d, nystrom ? largest_nystrom_order : largest_coupled_order);
+    file.claims = coupled_claims(d, largest_order_of(file));
     const bool embedded = std::all_of(file.partners.begin(), file.partners.end(),
                                       [](const auto& p) { return !p.b_embedded.empty(); });
     if (file.claims.embedded_order && !embedded)

@@ -11,9 +11,12 @@
 namespace stagecraft::tableaux {
 
 /// Largest order that a method of several tableaux may claim: with two colours there are 1202 conditions up
-/// to 6, and few Nystrom trees.
+/// to 6. Nystrom trees are fewer, 3307 up to order 13 of y'' = f(t, y), 65,276 up to order 10 of y'' = f(t, y, y').
 inline constexpr int largest_coupled_order = 6;
-inline constexpr int largest_nystrom_order = 10;
+constexpr int largest_order_of(const partitioned_file& file) {
+    if (file.coupling != coupling::nystrom) return largest_coupled_order;
+    return file.uses_velocity ? 10 : 13;
+}
 /// Most tableaux of one method.
 inline constexpr int most_partners = 4;
 

@@ -99,7 +99,7 @@ template <class K>
 finding judge_coupled_order(const coupled_subject<K>& s, bool embedded, std::optional<int> claimed,
                             file_certificate& certificate) {
     const auto& file = *s.file;
-    const int largest = s.nystrom() ? tableaux::largest_nystrom_order : tableaux::largest_coupled_order;
+    const int largest = tableaux::largest_order_of(file);
     const int most = std::min(largest, s.nystrom() ? std::max(claimed.value_or(5) + 1, 6) : largest);
     const tree_table table(most, static_cast<int>(s.partners.size()),
                            admits_coupling{file.coupling, file.uses_velocity});
