@@ -42,16 +42,10 @@ class step_plan {
     }
 
     /// The run begins, or goes on afresh, at t: where f is to be asked first, which is beyond t if that is a break point.
-    /// At the end of free steps f is asked from inside, as it may jump there; equal ones end where they are said to.
-    [[gnu::noinline, gnu::cold]] Scalar begin(Scalar t) {
+    Scalar begin(Scalar t) {
         restarts_ = false;
-        begin_ = t;
-        until_ = breaks_->next(t, last_);
-        from_ = breaks_->contains(t) ? neighbour(t, last_) : t;
-        t1_ = fixed() && !breaks_->contains(until_) ? until_ : neighbour(until_, t);
-        if (!(direction_ * (t1_ - from_) > Scalar(0))) from_ = t, t1_ = until_;  // no double lies between
-        if (fixed()) equal_ = divide_equally(from_, t1_, largest_);
-        return from_;
+        if (breaks_->empty() && !fixed()) return t;
+        return begin_between_breaks(t);
     }
     /// The time of a run whose steps have come to t: the last one before a break point ends there.
     const Scalar& time_at(const Scalar& t) const { return t == t1_ ? until_ : t == from_ ? begin_ : t; }
@@ -106,6 +100,15 @@ class step_plan {
     }
 
   private:
+    [[gnu::noinline, gnu::cold]] Scalar begin_between_breaks(Scalar t) {
+        begin_ = t;
+        until_ = breaks_->next(t, last_);
+        from_ = breaks_->contains(t) ? neighbour(t, last_) : t;
+        t1_ = breaks_->contains(until_) ? neighbour(until_, t) : until_;
+        if (!(direction_ * (t1_ - from_) > Scalar(0))) from_ = t, t1_ = until_;  // no double lies between
+        if (fixed()) equal_ = divide_equally(from_, t1_, largest_);
+        return from_;
+    }
     /// The number next to t on the way to `end`.
     static Scalar neighbour(const Scalar& t, const Scalar& end) {
         using std::abs;
