@@ -40,10 +40,10 @@ struct charge_form {
 /// what Newton's iteration leaves of a step, a part of the tolerance. A mass(t, y), where y' is the unknown, does not do that. The
 /// tolerances are those of y. Matrices are 2 n x 2 n; the steps are about those of dq/dy y' = f.
 ///
-/// A component of q that is constant, of a node without capacitance, makes its row 0 = f_i(t, y), an algebraic equation of
-/// index 1. The other rows of dq/dy and these together determine y: std::invalid_argument at the start where rows of dq/dy
-/// depend on each other, as those of both ends of a floating capacitor do (charge and current of one branch would be of index
-/// 2: take the branch's charge as a component of y).
+/// A component of q that is a constant, written without y, of a node without capacitance, makes its row 0 = f_i(t, y), an
+/// algebraic equation of index 1. The other rows of dq/dy and these together determine y: std::invalid_argument at the start
+/// where rows of dq/dy depend on each other, as those of both ends of a floating capacitor do (charge and current of one branch
+/// would be of index 2: take the branch's charge as a component of y).
 ///
 /// q        q(y, q) writes the charges, n of them, or q(y) returns them. f as for integrate(), with break_points() and
 ///          domain(t, y) where it has them. Generic in their scalars both are
@@ -178,7 +178,11 @@ class charge_equations
         if (!C.allFinite()) throw bad_problem("with_charge: q must be finite about y0");
         for (Eigen::Index i = 0; i < C.rows(); ++i) {
             const scalar largest = C.row(i).cwiseAbs().maxCoeff();
-            if (charged_[i] != scalar(0) && largest > scalar(0)) C.row(i) /= largest;
+            if (charged_[i] != scalar(0) && !(largest > scalar(0)))
+                throw bad_problem("with_charge: component " + std::to_string(i) +
+                                  " of q is written with y but does not change with it at y0: where there is "
+                                  "no capacitance write q as a constant, without y");
+            if (charged_[i] != scalar(0)) C.row(i) /= largest;
             if (charged_[i] == scalar(0)) C.row(i).setZero();
         }
         Eigen::FullPivLU<square> lu(C);

@@ -198,4 +198,12 @@ BOOST_AUTO_TEST_CASE(what_is_no_limit_is_refused) {
     refused("a and b", [&] { solve(saddle, zero, 1, std::nan("")); });
     refused("a must be below b", [&] { solve(saddle, zero, 1, 0.5); });
     refused("limit must be finite", [&] { solve(saddle, Vector2d(std::nan(""), 0)); });
+    // What a limit of few digits is off by would stay in y.
+    const auto to = [&](double limit, double rtol) {
+        return sc::solve_bvp(sc::gauss<5>(),
+                             sc::two_point(saddle, first_is(1.), sc::to_infinity(Vector2d(limit, 0))), 0.,
+                             infinity, VectorXd(Vector2d(1, -1)), {.rtol = rtol});
+    };
+    refused("to_infinity(limit): limit must be a solution", [&] { to(1e-7, 1e-10); });
+    BOOST_TEST(sc::name(to(1e-8, 1e-6).status) == std::string("success"));
 }

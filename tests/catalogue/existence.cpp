@@ -127,6 +127,19 @@ BOOST_AUTO_TEST_CASE(what_is_not_proved_is_not_said_to_be) {
     BOOST_TEST(to_json(c)["verdict"] == "inconclusive");
 }
 
+// With the weights as they are written there is no real method of order 3: b_1 < 1/4 and b_2 = b_3 ask for a negative
+// square of c_3 - c_2. A fraction does not move by what the decimals beside it leave open.
+BOOST_AUTO_TEST_CASE(a_fraction_moves_no_farther_than_its_own_digits) {
+    for (const char* zero : {"0", "0.000000"}) {
+        const auto text = std::string(R"({"A":[["0","0","0"],["0.666667","0","0"],[")") + zero +
+                          R"(","0.6666670","0"]],"b":["625001/2500000","1874999/5000000","1874999/5000000"],
+                          "claims":{"order":3}})";
+        const auto c = certify_existence(tableaux::read_method_text(text), 60);
+        BOOST_TEST(c.exit_code() == 3, c.theorem);
+        BOOST_TEST(to_text(c).find("proved: ") == std::string::npos);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(tables_with_a_misprint_are_refused) {
     int refused = 0;
     for (const char* name : {"kvaerno_5_4", "kennedy_carpenter_ark4_explicit", "tsitouras_5_4"}) {

@@ -295,7 +295,7 @@ requires((detail::reaches_infinity<More> || ...) &&
         [&](const Scalar& t, const parameters& q) {
             return detail::limit_at<vector>(infinite.limit, t, q, n);
         },
-        a);
+        a, o.rtol);
     const auto at_end = [&](const Scalar& to) {
         ends.end = to, ends.away = state.away;
         ends.at_a = n + np - fewer - static_cast<int>(state.away.rows());

@@ -19,7 +19,8 @@ struct infinite_end {
 
 /// Instead of conditions at b: y(t) - limit goes to zero, exponentially. limit is a vector of Eigen's, or a function that writes
 /// a state, limit(t, out) or limit(t, p, out) with the unknown parameters p, of which some may stand for what is not known of
-/// the limit. It is to solve y' = f(t, y), from some t on. Stands behind f and r, beside interior(), jump_at() and integral():
+/// the limit. It is to solve y' = f(t, y), from some t on, to a tenth of rtol. Stands behind f and r, beside interior(),
+/// jump_at() and integral():
 ///
 ///     solve_bvp(gauss<5>(), two_point(f, r, to_infinity(Eigen::Vector2d(1, 0))), 0, INFINITY, guess)
 ///

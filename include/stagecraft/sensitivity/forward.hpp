@@ -168,7 +168,8 @@ auto sensitivities(
 ///
 /// What has no derivative ends the run with status::function_threw and a std::domain_error that says so: a grazing
 /// event, events that take place together and not so for all p near, an event at the time of an at(), an action with a
-/// kink there, problems of index 2 and 3 with events. Events without end in a moment: status::chattering.
+/// kink there, problems of index 2 and 3 with events. Events without end in a moment: status::chattering. An event at t1 itself,
+/// to rounding, is none of the run's: y and S are those before it.
 /// std::invalid_argument of an event .at_start, which may lie before t0 for other p.
 template <class Method, class Problem, class DerivedY, class DerivedP, class Events,
           class Observer = no_observer>

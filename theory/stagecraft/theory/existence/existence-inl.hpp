@@ -175,6 +175,9 @@ STAGECRAFT_INLINE void state_theorem(const tableaux::method_file& file, const ex
     if (!near)
         out.theorem += ", but " + far.worst + " is off by " + brief(far.in_roundings) +
                        " times what its digits round: the table is not rounded from it";
+    if (far.quotients > 0)
+        out.notes.push_back(counted(far.quotients, "quotient") +
+                            " taken as rounded, within 64/q^2 of what is meant");
     out.standing = near ? standing::proved : standing::inconclusive;
     describe_search(a, out);
     if (a.found.solved > 0)

@@ -94,7 +94,7 @@ STAGECRAFT_INLINE moved_entries moved(const existence_attempt& a) {
             out.farthest = x.name;
         }
         const auto rounding = x.radius.to<tableaux::bound>();
-        out.largest_rounding = std::max(out.largest_rounding, rounding);
+        if (x.is_quotient && by > 0) ++out.quotients;
         if (rounding > 0 && by / rounding > out.in_roundings) {
             out.in_roundings = by / rounding;
             out.worst = x.name;

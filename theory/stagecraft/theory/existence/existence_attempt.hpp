@@ -36,12 +36,12 @@ struct existence_attempt {
 
 /// How far the farthest entry is from what is written, its name, and how many times its own rounding the worst one is.
 struct moved_entries {
-    tableaux::bound most = 0, in_roundings = 0, largest_rounding = 0;
+    tableaux::bound most = 0, in_roundings = 0;
     std::string farthest = "all", worst;
+    std::size_t quotients = 0;  ///< how many entries written as p/q are another number
 
-    /// A table that is rounded from the method, as far as digits go: 64 times the rounding of an entry, or what the
-    /// coarsest entry is off by.
-    bool is_near() const { return in_roundings <= 64 || most <= largest_rounding; }
+    /// A table that is rounded from the method, as far as digits go: 64 times the rounding of each entry.
+    bool is_near() const { return in_roundings <= 64; }
 };
 
 /// What a file has to be for the search. Throws tableaux::unusable_input as certify_existence.

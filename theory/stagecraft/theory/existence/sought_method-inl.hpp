@@ -14,6 +14,15 @@ namespace stagecraft::theory {
 
 namespace detail {
 
+/// Whether a text is more than one decimal or quotient: numbers are added, multiplied or have a root taken.
+STAGECRAFT_INLINE bool is_expression(const std::string& text) {
+    for (std::size_t i = 1; i < text.size(); ++i)
+        if (text[i] == '*' || text[i] == '(' ||
+            ((text[i] == '+' || text[i] == '-') && text[i - 1] != 'e' && text[i - 1] != 'E'))
+            return true;
+    return false;
+}
+
 /// Gives entries their numbers.
 class number_keeper {
   public:
@@ -35,7 +44,12 @@ class number_keeper {
                    bool on_diagonal = false) {
         if (e.exact && e.exact->is_rational()) return known(e.exact->rational_part(), name);
         const auto add = [&] {
-            return unknown(e.enclosure.middle(), e.enclosure.width() / tableaux::rational(2), name);
+            const auto number =
+                unknown(e.enclosure.middle(), e.enclosure.width() / tableaux::rational(2), name);
+            numbers_[number].computed = is_expression(e.text);
+            numbers_[number].is_quotient =
+                !numbers_[number].computed && e.text.find('/') != std::string::npos;
+            return number;
         };
         if (e.exact) {
             const auto [place, is_new] = surds_.try_emplace(e.exact->str(), numbers_.size());
@@ -87,13 +101,14 @@ STAGECRAFT_INLINE sought_method::row nodes_of(const tableaux::tableau_file& file
     return c;
 }
 
-/// Expressions in rounded numbers, 1 - p/q - ..., are as uncertain as these are.
+/// Expressions in rounded numbers, 1 - p/q - ..., are as uncertain as these are; a number that is written as it is has the
+/// rounding of its own digits, however coarse others are.
 STAGECRAFT_INLINE void spread_rounding(std::vector<sought_number>& numbers) {
     tableaux::rational most(0);
     for (const auto& x : numbers) most = std::max(most, x.radius);
     const tableaux::rational little = most / tableaux::rational(1000000);
     for (auto& x : numbers)
-        if (!x.known && !x.surd && x.radius < little) x.radius = most;
+        if (x.computed && !x.known && !x.surd && x.radius < little) x.radius = most;
 }
 
 /// Whether two nodes may be the same number.

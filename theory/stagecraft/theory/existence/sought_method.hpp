@@ -19,7 +19,9 @@ struct sought_number {
     tableaux::rational radius = 0;
     bool known = true;                             ///< it is `value`
     std::optional<tableaux::quadratic> surd = {};  ///< or this, and `known` is false
-    std::string name;  ///< of the first entry that has it: "A[3][2]", "explicit: b[1]"
+    std::string name;          ///< of the first entry that has it: "A[3][2]", "explicit: b[1]"
+    bool computed = false;     ///< written as an expression, 1 - p/q - ...
+    bool is_quotient = false;  ///< written as p/q, and taken as rounded
 };
 
 /// Which rounded entries are one number where they are written alike, with eight digits or more.
