@@ -17,6 +17,11 @@ bool open_dopri5(const std::string& library);
 bool open_dop853(const std::string& library);
 void compete_on_nonstiff(const settings&, std::vector<curve>&);
 void print_growth();
+#ifdef HAVE_KLU
+void compete_on_split_problems(const settings&, std::vector<curve>&);
+void compete_on_stabilised(const settings&, std::vector<curve>&);
+#endif
+void print_symplectic();
 
 int main(int argc, char** argv) {
     settings set;
@@ -43,9 +48,19 @@ int main(int argc, char** argv) {
         ->check(CLI::ExistingFile);
     bool growth = false;
     app.add_flag("--growth", growth, "only the table of how the cost grows with n, s and the tolerance");
+    bool imex = false, stabilised = false, symplectic = false;
+    app.add_flag("--imex", imex,
+                 "only problems in two parts: kaps vdpol-split bruss-split advection-reaction bruss-2d-split "
+                 "gray-scott");
+    app.add_flag("--stabilised", stabilised, "only diffusion by stabilised methods: front-2d combustion-2d");
+    app.add_flag("--symplectic", symplectic, "only symplectic pairs over long times");
     CLI11_PARSE(app, argc, argv);
     if (growth) {
         print_growth();
+        return 0;
+    }
+    if (symplectic) {
+        print_symplectic();
         return 0;
     }
     if (set.tolerances.empty())
@@ -65,6 +80,22 @@ int main(int argc, char** argv) {
     if (!peers::radau5_available()) std::cerr << "radau5 is left out: install r-cran-desolve to have it\n";
 
     std::vector<curve> curves;
+    if (imex || stabilised) {
+#ifdef HAVE_KLU
+        if (imex) compete_on_split_problems(set, curves);
+        if (stabilised) compete_on_stabilised(set, curves);
+        std::cerr << "\r                              \r";
+        print_table(curves);
+        if (!csv.empty()) write_csv(curves, csv);
+        if (!svg.empty()) write_diagrams(curves, svg);
+        if (imex) print_same_tables(curves);
+        if (stabilised) print_ratios(curves, "stagecraft rkc2");
+        return 0;
+#else
+        std::cerr << "--imex and --stabilised need KLU: install libsuitesparse-dev and build again\n";
+        return 2;
+#endif
+    }
     compete_on_reactions(set, curves);
     compete_on_larger_systems(set, curves);
     compete_on_mechanics(set, curves);

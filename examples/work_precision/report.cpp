@@ -116,6 +116,35 @@ static void print_explicit(const std::vector<curve>& curves) {
     print_mean(curves, "stagecraft 8(5,3)", "dop853", "explicit", everything);
 }
 
+void print_same_tables(const std::vector<curve>& curves) {
+    double sum = 0, worst = 0;
+    int count = 0;
+    std::printf(
+        "time of ours to ARKODE's at equal error 1e-2 ... 1e-8, evaluations of both parts at equal "
+        "tolerance\n");
+    for (const std::string& problem : distinct(curves, &curve::problem))
+        for (const char* table : {"ark3", "ark4", "ark5"}) {
+            const auto here = [&](const curve& c) { return c.problem == problem; };
+            const std::string a = std::string("stagecraft ") + table, b = std::string("arkode ") + table;
+            const time_ratio r = ratio_at_equal_error(curves, a, b, 2, 8, here);
+            if (r.points == 0) continue;
+            double calls = 0;
+            int same = 0;
+            for (const curve& x : curves)
+                for (const curve& y : curves)
+                    if (here(x) && here(y) && x.solver == a && y.solver == b)
+                        for (std::size_t k = 0; k < x.points.size(); ++k, ++same)
+                            calls += std::log(static_cast<double>(x.points[k].counts.f) /
+                                              static_cast<double>(y.points[k].counts.f));
+            std::printf("%-20s %s: time %.3f (%d points), evaluations %.2f\n", problem.c_str(), table, r.mean,
+                        r.points, std::exp(calls / same));
+            sum += std::log(r.mean), ++count;
+            worst = std::max(worst, r.mean);
+        }
+    if (count > 0) std::printf("mean %.3f of %d, worst %.3f\n", std::exp(sum / count), count, worst);
+    std::printf("compiled by %s with %s\n", COMPILER, OPTIMISATION);
+}
+
 void print_ratios(const std::vector<curve>& curves, const std::string& ours) {
     const auto line = [&](const std::string& peer, const std::string& where, int first, int last,
                           const auto& counted) {

@@ -16,3 +16,5 @@ void write_csv(const std::vector<curve>& curves, const std::string& file);
 void write_diagrams(const std::vector<curve>& curves, const std::string& directory);
 /// One line per peer: geometric mean time ratio at equal error, over all problems and the named subsets.
 void print_ratios(const std::vector<curve>& curves, const std::string& ours);
+/// Of the implicit-explicit tables: ours beside ARKODE's of the same order, problem by problem.
+void print_same_tables(const std::vector<curve>& curves);
