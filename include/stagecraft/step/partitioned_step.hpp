@@ -143,9 +143,9 @@ class partitioned_step : public step_between_slopes<Space> {
         y1 = y;
         for (int j = 0; j < count(); ++j) {
             const Scalar b = h_ * pair_.first.b[j], b_hat = h_ * pair_.second.b[j];
-            if (!(b == Scalar(0))) y1.template head<half>(n_) += b * K_.col(j).template head<half>(n_);
+            if (!(b == Scalar(0))) y1.head(Eigen::fix<half>(n_)) += b * K_.col(j).head(Eigen::fix<half>(n_));
             if (!(b_hat == Scalar(0)))
-                y1.template tail<half>(n_) += b_hat * K_.col(j).template tail<half>(n_);
+                y1.tail(Eigen::fix<half>(n_)) += b_hat * K_.col(j).tail(Eigen::fix<half>(n_));
         }
     }
     void accepted() {
@@ -207,9 +207,9 @@ class partitioned_step : public step_between_slopes<Space> {
         y_ = y;
         for (int j = 0; j < count(); ++j) {
             const Scalar a = h * pair_.first.A(i, j), a_hat = h * pair_.second.A(i, j);
-            if (!(a == Scalar(0))) y_.template head<half>(n_) += a * K_.col(j).template head<half>(n_);
+            if (!(a == Scalar(0))) y_.head(Eigen::fix<half>(n_)) += a * K_.col(j).head(Eigen::fix<half>(n_));
             if (!(a_hat == Scalar(0)))
-                y_.template tail<half>(n_) += a_hat * K_.col(j).template tail<half>(n_);
+                y_.tail(Eigen::fix<half>(n_)) += a_hat * K_.col(j).tail(Eigen::fix<half>(n_));
         }
     }
     /// One part of one stage.
@@ -217,25 +217,25 @@ class partitioned_step : public step_between_slopes<Space> {
     void evaluate(System& system, const Scalar& t, const vector& y, const Scalar& h,
                   const part_evaluation& e) {
         const auto slope = [&](int j) {
-            return e.of_q ? K_.col(j).template head<half>(n_) : K_.col(j).template tail<half>(n_);
+            return e.of_q ? K_.col(j).head(Eigen::fix<half>(n_)) : K_.col(j).tail(Eigen::fix<half>(n_));
         };
         if (e.from >= 0) {
             slope(e.stage) = slope(e.from);
             return;
         }
         if (known_ && first_is_last_ && e.of_q == first_.of_q && e.stage == first_.stage) {
-            slope(e.stage) = e.of_q ? kept_.template head<half>(n_) : kept_.template tail<half>(n_);
+            slope(e.stage) = e.of_q ? kept_.head(Eigen::fix<half>(n_)) : kept_.tail(Eigen::fix<half>(n_));
             return;
         }
         const auto& m = e.of_q ? pair_.second : pair_.first;
-        part_ = e.of_q ? y.template tail<half>(n_) : y.template head<half>(n_);
+        part_ = e.of_q ? y.tail(Eigen::fix<half>(n_)) : y.head(Eigen::fix<half>(n_));
         for (int j = 0; j < count(); ++j) {
             const Scalar a = h * m.A(e.stage, j);
             if (a == Scalar(0)) continue;
             if (e.of_q)
-                part_ += a * K_.col(j).template tail<half>(n_);
+                part_ += a * K_.col(j).tail(Eigen::fix<half>(n_));
             else
-                part_ += a * K_.col(j).template head<half>(n_);
+                part_ += a * K_.col(j).head(Eigen::fix<half>(n_));
         }
         evaluate_part(system, t, h, e);
         slope(e.stage) = rate_;
@@ -267,12 +267,12 @@ class partitioned_step : public step_between_slopes<Space> {
             for (int i = 0; i < s; ++i) {
                 find_stage(y, h, i);
                 if (separable_) {
-                    part_ = y_.template tail<half>(n_);
+                    part_ = y_.tail(Eigen::fix<half>(n_));
                     evaluate_part(system, t, h, {true, i, -1});
-                    f_.template head<half>(n_) = rate_;
-                    part_ = y_.template head<half>(n_);
+                    f_.head(Eigen::fix<half>(n_)) = rate_;
+                    part_ = y_.head(Eigen::fix<half>(n_));
                     evaluate_part(system, t, h, {false, i, -1});
-                    f_.template tail<half>(n_) = rate_;
+                    f_.tail(Eigen::fix<half>(n_)) = rate_;
                 } else {
                     system(t + c_[i] * h, y_, f_);
                 }
