@@ -67,8 +67,8 @@ status cause_of(status found, System& system, const Scalar& t, const Vector& y, 
             !system.problem().dependent_constraints(t, y).empty())
             return status::constraints_dependent;
     if (counts.steps == 0) found = blame_start(found, system, t, y, norm.of_state(), counts);
-    return found == status::newton_failed && !constraints_determine(system, rtol) ? status::singular_matrix
-                                                                                  : found;
+    const bool unsolved = found == status::newton_failed || found == status::step_underflow;
+    return unsolved && !constraints_determine(system, rtol) ? status::singular_matrix : found;
 }
 
 }  // namespace stagecraft
