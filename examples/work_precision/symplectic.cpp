@@ -34,7 +34,7 @@ struct kepler {
     static Eigen::Vector4d start() { return {0.4, 0, 0, 2}; }
     static Eigen::Vector4d exact() { return start(); }
 };
-/// Henon and Heiles (1964) at energy 0.0853, a regular orbit.
+/// Henon and Heiles' system at energy 0.0853, a regular orbit.
 struct henon_heiles {
     static constexpr const char* name = "Henon-Heiles";
     static constexpr int n = 2;
@@ -48,7 +48,7 @@ struct henon_heiles {
     }
     static Eigen::Vector4d start() { return {0, 0.1, 0.4, 0.05}; }
 };
-/// Sun, Jupiter, Saturn, Uranus, Neptune and Pluto (Hairer, Lubich and Wanner 2006, section I.2.4), in astronomical units and days.
+/// Sun, Jupiter, Saturn, Uranus, Neptune and Pluto (Hairer-Lubich-Wanner, section I.2.4), in astronomical units and days.
 struct outer_solar_system {
     static constexpr const char* name = "outer solar system";
     static constexpr int n = 18;

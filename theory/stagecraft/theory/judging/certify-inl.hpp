@@ -46,9 +46,9 @@ STAGECRAFT_INLINE std::string quadrature_failure(const exact_model& m, int b) {
 STAGECRAFT_INLINE void certify_order(const exact_model& m, certificate& out) {
     const simplifying& k = out.simplifying;
     out.order = k.order_bound();
-    const std::string bound = bound_text(k) + ": order >= min(B, C+D+1, 2C+2) = " + std::to_string(out.order);
+    const std::string least = bound_text(k) + ": order >= min(B, C+D+1, 2C+2) = " + std::to_string(out.order);
     if (k.bound_is_order()) {
-        out.order_verdict = verdict::proved(bound + "; " + quadrature_failure(m, k.b));
+        out.order_verdict = verdict::proved(least + "; " + quadrature_failure(m, k.b));
         return;
     }
     const int reach = std::min(k.b + 1, rooted_tree::max_order);
@@ -58,11 +58,11 @@ STAGECRAFT_INLINE void certify_order(const exact_model& m, certificate& out) {
         out.order = found.order;
         const auto& first = found.failing.front();
         out.order_verdict =
-            verdict::proved(bound + "; all trees of order <= " + std::to_string(found.order) + ", not " +
+            verdict::proved(least + "; all trees of order <= " + std::to_string(found.order) + ", not " +
                             condition_text(first.tree) + ": residual " + first.residual.str());
     } else {
         if (!only_autonomous) out.order = std::max(out.order, found.order);
-        out.order_verdict = verdict::proved("at least: " + bound);
+        out.order_verdict = verdict::proved("at least: " + least);
     }
 }
 
