@@ -31,7 +31,7 @@ struct kaps {
     void jacobian(const state& y, Eigen::Matrix2d& J) const { J << -1 / eps, 2 * y[1] / eps, 0, 0; }
 };
 
-/// Van der Pol's oscillator with the stiff component implicit (Hairer and Wanner 1996, IV.10), on its slow branch.
+/// Van der Pol's oscillator with the stiff component implicit (Hairer-Wanner II.IV.10), on its slow branch.
 struct van_der_pol {
     static constexpr const char* name = "vdpol-split";
     static constexpr double t1 = 0.5, eps = 1e-3;
@@ -44,7 +44,7 @@ struct van_der_pol {
     }
 };
 
-/// The Brusselator in one dimension (Hairer and Wanner 1996, IV.10): diffusion implicit, reaction explicit.
+/// The Brusselator in one dimension (Hairer-Wanner II.IV.10): diffusion implicit, reaction explicit.
 struct brusselator_1d {
     static constexpr const char* name = "bruss-split";
     static constexpr int cells = 500, lower = 2, upper = 2;
@@ -161,7 +161,7 @@ struct on_a_square {
     }
 };
 
-/// The Brusselator in two dimensions without flux (Hairer, Norsett and Wanner 1993, II.10), alpha = 0.1 times as large a grid.
+/// The Brusselator in two dimensions without flux (Hairer-Norsett-Wanner I.II.10), alpha = 0.1.
 struct brusselator_square : on_a_square {
     static constexpr const char* name = "bruss-2d-split";
     static constexpr double t1 = 2, d = 0.1 * (m - 1) * (m - 1);
