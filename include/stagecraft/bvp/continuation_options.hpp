@@ -44,6 +44,15 @@ void validate(const continuation_options<Scalar>& o, const Scalar& a, const Scal
     validate(tolerances, a, b, who);
 }
 
+/// Why a path ends at this parameter, in words: "" where it has passed `to`, nullptr where it goes on.
+template <class Scalar>
+const char* end_of_path(const continuation_options<Scalar>& o, const Scalar& p) {
+    if (o.from < o.to ? p > o.to : p < o.to) return "";
+    if (o.from < o.to ? p < o.from : p > o.from) return "the path has come back to `from`";
+    return nullptr;
+}
+inline constexpr const char* too_many_points = "the path has max_points before it reaches `to`";
+
 }  // namespace detail
 
 }  // namespace stagecraft

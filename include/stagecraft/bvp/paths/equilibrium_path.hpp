@@ -86,14 +86,12 @@ class rest_follower {
             path.push_back(next);
             now = std::move(next);
             if (now.iterations < 5) step = std::min(Scalar(step * Scalar(1.5)), o_.largest_step);
-            const Scalar q = now.x[n_];
-            if (o_.from < o_.to ? q > o_.to : q < o_.to) return path;
-            if (o_.from < o_.to ? q < o_.from : q > o_.from) {
-                path.back().message = "the path has come back to `from`";
+            if (const char* end = end_of_path(o_, now.x[n_])) {
+                if (*end) path.back().message = end;
                 return path;
             }
         }
-        path.back().message = "the path has max_points before it reaches `to`";
+        path.back().message = too_many_points;
         return path;
     }
 

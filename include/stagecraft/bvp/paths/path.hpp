@@ -80,14 +80,12 @@ class path_follower {
                 now.tangent = problem_.in_plane(now.tangent);
             }
             if (now.newton_steps < 8) step = std::min(Scalar(step * Scalar(1.5)), o_.largest_step);
-            const Scalar q = now.p[now.p.size() - 1];
-            if (o_.from < o_.to ? q > o_.to : q < o_.to) return path;
-            if (o_.from < o_.to ? q < o_.from : q > o_.from) {
-                path.back().message = "the path has come back to `from`";
+            if (const char* end = end_of_path(o_, now.p[now.p.size() - 1])) {
+                if (*end) path.back().message = end;
                 return path;
             }
         }
-        path.back().message = "the path has max_points before it reaches `to`";
+        path.back().message = too_many_points;
         return path;
     }
 
