@@ -1,35 +1,20 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE jumps_back
-#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <exception>
 #include <stagecraft/coefficients/gauss.hpp>
-#include <stagecraft/coefficients/radau_iia.hpp>
 #include <stagecraft/sensitivity/adjoint.hpp>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "../message.hpp"
+#include "jumping.hpp"
 
 // Gradients across what changes the state or f on the way: at(), event() and break points. Truth: closed forms.
 namespace sc = stagecraft;
 using Eigen::MatrixXd, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
-
-const auto radau = sc::radau_iia<3>();
-const std::array<double, 3> tolerances{1e-4, 1e-7, 1e-10};
-sc::options<double> to(double tol) { return {.rtol = tol, .atol = tol}; }
-double distance(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
-template <class Result>
-std::string refusal(const Result& r) {
-    if (r.status != sc::status::function_threw) return "no refusal";
-    return message<std::domain_error>([&] { std::rethrow_exception(r.exception); });
-}
-bool says(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 using one = Eigen::Matrix<double, 1, 1>;
 const auto decays = [](const auto&, const auto& y, const auto& p, auto& f) { f[0] = -p[0] * y[0]; };

@@ -152,7 +152,7 @@ class event_crossing {
         }
         r.error = g_.error();
         demand_derivative(sides_.who(), t, numbers_[0], r.error);
-        for (std::size_t i = 1; i < numbers_.size(); ++i) demand_same_time(numbers_[i], r, S, f, mean);
+        for (std::size_t i = 1; i < numbers_.size(); ++i) demand_same_time(numbers_[i], r, S, f);
         const std::size_t first = passed.size();
         for (const int number : numbers_) {
             r.event = number;
@@ -189,7 +189,7 @@ class event_crossing {
         return sides_.rate_of(g_, numbers_[0], t, f, mean);
     }
     /// Another event is at the same time for all p near, or which of the two comes first depends on p.
-    void demand_same_time(int number, passed_type& r, const Matrix& S, const Vector& f, const scalar&) {
+    void demand_same_time(int number, passed_type& r, const Matrix& S, const Vector& f) {
         using std::abs;
         sides_.take_event(number, r.t, r.y, other_);
         const scalar rate = sides_.rate_of(other_, number, r.t, f, scalar(0));
