@@ -84,6 +84,22 @@ std::vector<entrant> entrants(const Problem& problem) {
     return all;
 }
 
+/// The curves of all that are wanted on one problem, from 0 to t1, at the tolerances of at least `least`.
+inline void measure_all(const curve& kind, std::vector<entrant> all, double t1, double least,
+                        const std::function<double(const Eigen::VectorXd&)>& error, const settings& set,
+                        std::vector<curve>& curves) {
+    std::erase_if(all, [&](const entrant& e) { return !wanted(set.solvers, e.solver); });
+    std::vector<curve> result(all.size(), kind);
+    for (std::size_t e = 0; e < all.size(); ++e) result[e].solver = all[e].solver;
+    for (const double tolerance : set.tolerances) {
+        if (tolerance < least) continue;
+        std::cerr << "\r" << kind.problem << "  tol " << tolerance << "        " << std::flush;
+        const auto points = measure(all, tolerance, t1, set.repeats, set.patience, error);
+        for (std::size_t e = 0; e < all.size(); ++e) result[e].points.push_back(points[e]);
+    }
+    curves.insert(curves.end(), result.begin(), result.end());
+}
+
 /// Measures every wanted solver at every tolerance; `end` is the reference at t1, `inside` those known at
 /// times between: the error there is that of runs which end there, not timed.
 template <class Problem>

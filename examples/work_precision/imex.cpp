@@ -16,6 +16,11 @@
 
 namespace {
 
+template <class P>
+constexpr bool is_banded = requires {
+    P::lower;
+};
+
 /// The implicit part as our integrator takes it, with its linear algebra.
 template <class P>
 struct fast_part {
@@ -42,7 +47,7 @@ template <class P>
 auto implicit_part(const P& p) {
     if constexpr (requires { P::klu; })
         return sparse_part<P>{{p}};
-    else if constexpr (requires { P::lower; })
+    else if constexpr (is_banded<P>)
         return banded_part<P>{{p}};
     else
         return dense_part<P>{{p}};
@@ -85,14 +90,9 @@ template <class Method, class P>
 outcome run_split(const Method& method, const P& p, double tolerance) {
     using state = typename P::state;
     const auto slow = [&p](double t, const state& y, state& f) { p.slow(t, y, f); };
-    const auto r = stagecraft::integrate(method, stagecraft::split(slow, implicit_part(p)), p.initial(), 0.0,
-                                         P::t1, {.rtol = tolerance, .atol = tolerance, .max_steps = 1000000});
-    return {.y = r.y,
-            .ok = r.ok(),
-            .steps = r.report.steps + r.report.rejected(),
-            .f = r.report.f_explicit + r.report.f_implicit,
-            .jacobians = r.report.jacobians,
-            .factorisations = r.report.factorisations};
+    return outcome_of(stagecraft::integrate(method, stagecraft::split(slow, implicit_part(p)), p.initial(),
+                                            0.0, P::t1,
+                                            {.rtol = tolerance, .atol = tolerance, .max_steps = 1000000}));
 }
 
 template <class P>
@@ -110,21 +110,8 @@ void compete_on(const P& p, const settings& set, std::vector<curve>& curves) {
         all.push_back({"arkode ark" + std::to_string(order),
                        [&p, order](double tol, double) { return peers::sundials::imex(p, order, tol); }});
 #endif
-    std::erase_if(all, [&](const entrant& e) { return !wanted(set.solvers, e.solver); });
-    std::vector<curve> result;
-    for (const entrant& e : all)
-        result.push_back({P::name, e.solver, static_cast<int>(exact.y.size()), requires { P::lower;
-}
-, false, {}
-}  // namespace
-);
-for (const double tolerance : set.tolerances) {
-    if (tolerance < 1e-9) continue;
-    std::cerr << "\r" << P::name << "  tol " << tolerance << "        " << std::flush;
-    const auto points = measure(all, tolerance, P::t1, set.repeats, set.patience, error);
-    for (std::size_t e = 0; e < all.size(); ++e) result[e].points.push_back(points[e]);
-}
-curves.insert(curves.end(), result.begin(), result.end());
+    const curve kind{P::name, "", static_cast<int>(exact.y.size()), is_banded<P>, false, {}};
+    measure_all(kind, all, P::t1, 1e-9, error, set, curves);
 }
 
 }  // namespace

@@ -10,19 +10,23 @@
 
 #include "measure.hpp"
 
-template <class Method, class Problem>
-outcome run_ours(const Method& method, const Problem& problem, double tol, double t1) {
-    stagecraft::options<double> options;
-    options.rtol = tol;
-    options.atol = tol * Problem::atol_scale;
-    options.max_steps = 10'000'000;
-    const auto r = stagecraft::integrate(method, problem, problem.initial(), Problem::t0, t1, options);
+template <class Result>
+outcome outcome_of(const Result& r) {
     return {.y = r.y,
             .ok = r.ok(),
             .steps = r.report.steps + r.report.rejected(),
             .f = r.report.f,
             .jacobians = r.report.jacobians,
             .factorisations = r.report.factorisations};
+}
+
+template <class Method, class Problem>
+outcome run_ours(const Method& method, const Problem& problem, double tol, double t1) {
+    stagecraft::options<double> options;
+    options.rtol = tol;
+    options.atol = tol * Problem::atol_scale;
+    options.max_steps = 10'000'000;
+    return outcome_of(stagecraft::integrate(method, problem, problem.initial(), Problem::t0, t1, options));
 }
 
 template <class Problem>

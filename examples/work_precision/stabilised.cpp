@@ -90,12 +90,9 @@ template <class Method, class Rhs>
 outcome run_on(const Method& method, const Rhs& f, const diffusive_problem& p, double tolerance) {
     const auto r = stagecraft::integrate(method, f, p.start, 0.0, p.t1,
                                          {.rtol = tolerance, .atol = tolerance, .max_steps = 1000000});
-    return {.y = r.y,
-            .ok = r.ok(),
-            .steps = r.report.steps + r.report.rejected(),
-            .f = r.report.f + r.report.f_jacobian,
-            .jacobians = r.report.jacobians,
-            .factorisations = r.report.factorisations};
+    outcome out = outcome_of(r);
+    out.f += r.report.f_jacobian;
+    return out;
 }
 
 void compete_on(const diffusive_problem& p, const settings& set, std::vector<curve>& curves) {
@@ -109,17 +106,8 @@ void compete_on(const diffusive_problem& p, const settings& set, std::vector<cur
         {"stagecraft rkg2", [&](double tol, double) { return run_on(stagecraft::rkg2(), p.f, p, tol); }},
         {"stagecraft s=3",
          [&](double tol, double) { return run_on(stagecraft::radau_iia<3>(), sparse, p, tol); }}};
-    std::erase_if(all, [&](const entrant& e) { return !wanted(set.solvers, e.solver); });
-    std::vector<curve> result;
-    for (const entrant& e : all)
-        result.push_back({p.name, e.solver, static_cast<int>(exact.size()), false, false, {}});
-    for (const double tolerance : set.tolerances) {
-        if (tolerance < 1e-6) continue;
-        std::cerr << "\r" << p.name << "  tol " << tolerance << "        " << std::flush;
-        const auto points = measure(all, tolerance, p.t1, set.repeats, set.patience, error);
-        for (std::size_t e = 0; e < all.size(); ++e) result[e].points.push_back(points[e]);
-    }
-    curves.insert(curves.end(), result.begin(), result.end());
+    const curve kind{p.name, "", static_cast<int>(exact.size()), false, false, {}};
+    measure_all(kind, all, p.t1, 1e-6, error, set, curves);
 }
 
 }  // namespace
