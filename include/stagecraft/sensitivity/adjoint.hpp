@@ -153,16 +153,10 @@ auto gradient_with(const Method& method, const Problem& problem, const Vector& y
         else
             return std::tuple(as_functional(g));
     }();
-    constexpr bool functional = []<class... G>(const std::tuple<G...>*) {
-        return (differentiable_functional<G, Vector, Parameters>() && ...);
-    }(static_cast<const std::remove_const_t<decltype(list)>*>(nullptr));
-    static_assert(functional,
-                  "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
-                  "and return a number, not a product of Eigen's: [](const auto& y) { return y.dot(y); }");
     constexpr bool usable = []<class... One>(const std::tuple<One...>*) {
         return (adjoint_change<One, Problem, Vector, Parameters>() && ...);
     }(static_cast<const Changes*>(nullptr));
-    if constexpr (!whole || !differentiable || !functional || !usable) {
+    if constexpr (!whole || !differentiable || !usable) {
         return gradient_result<Vector, Parameters>{};
     } else {
         auto all = adjoint_gradients(method, problem, y0, p, t0, t1, list, changes, o, more);
@@ -222,8 +216,15 @@ auto adjoint_gradient(const Method& method, const Problem& problem, const Eigen:
                       const options<typename DerivedY::Scalar>& o = {}, const gradient_options& more = {}) {
     using vector = typename DerivedY::PlainObject;
     using parameters = typename DerivedP::PlainObject;
-    return detail::gradient_with(method, problem, vector(y0), parameters(p), t0, t1, g, std::tuple<>(), o,
-                                 more);
+    constexpr bool functional = detail::differentiable_functionals<Functional, vector, parameters>();
+    static_assert(functional,  // here, not in a function below: each call between adds lines to the message
+                  "adjoint_gradient: g is called with a vector of reverse numbers and must accept any scalar "
+                  "and return a number, not a product of Eigen's: [](const auto& y) { return y.dot(y); }");
+    if constexpr (functional)
+        return detail::gradient_with(method, problem, vector(y0), parameters(p), t0, t1, g, std::tuple<>(), o,
+                                     more);
+    else
+        return gradient_result<vector, parameters>{};
 }
 
 /// The same across what changes the state on the way: `events` is at(times, action), event(g, options, action),
@@ -254,7 +255,13 @@ auto adjoint_gradient_with_events(const Method& method, const Problem& problem,
         "adjoint_gradient_with_events: events are at(times, action), event(g, options, action) or "
         "sensitivity_event(g, options, jump, change), without events<Vector>() around, or a std::tuple "
         "of several");
-    if constexpr (good)
+    constexpr bool functional = detail::differentiable_functionals<Functional, vector, parameters>();
+    static_assert(
+        functional,
+        "adjoint_gradient_with_events: g is called with a vector of reverse numbers and must accept "
+        "any scalar and return a number, not a product of Eigen's: [](const auto& y) { return "
+        "y.dot(y); }");
+    if constexpr (good && functional)
         return detail::gradient_with(method, problem, vector(y0), parameters(p), t0, t1, g,
                                      detail::as_changes(events), o, more);
     else

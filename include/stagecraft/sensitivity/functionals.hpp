@@ -138,6 +138,20 @@ constexpr bool differentiable_functional() {
         return gives_number<const G, const state&, const values&>;
 }
 
+/// A functional, or every one of a tuple, can be differentiated.
+template <class Functional, class Vector, class Parameters>
+constexpr bool differentiable_functionals() {
+    if constexpr (is_tuple<Functional>)
+        return []<class... G>(const std::tuple<G...>*) {
+            return (differentiable_functional<decltype(as_functional(std::declval<const G&>())), Vector,
+                                              Parameters>() &&
+                    ...);
+        }(static_cast<const Functional*>(nullptr));
+    else
+        return differentiable_functional<decltype(as_functional(std::declval<const Functional&>())), Vector,
+                                         Parameters>();
+}
+
 }  // namespace detail
 
 }  // namespace stagecraft
