@@ -22,9 +22,10 @@ namespace stagecraft {
 ///
 /// On each side f is asked only at times of that side, the neighbouring doubles of the break point at the nearest, so that
 /// `t < 8` in f means what it says on both. Behind one everything is as at t0: no step is extrapolated or judged by those
-/// before, the Jacobian is new, the first step is chosen anew. A list is strictly increasing, or decreasing; those of options lie
-/// between t0 and t1, which may be break points as well: f is then asked on their inner side alone. A problem says those that it knows itself by
-/// a member `auto break_points() const` that returns such times, of any interval. Costs one first step each.
+/// before, the Jacobian is new, the first step is chosen anew. A list is strictly increasing, or decreasing; those of options
+/// lie between t0 and t1, which may be break points as well: f is then asked on their inner side alone (at t1 it is told the
+/// number before in every run). A problem says those that it knows itself by a member `auto break_points() const` that
+/// returns such times, of any interval. Costs one first step each.
 template <class Scalar>
 class break_times {
   public:

@@ -291,6 +291,26 @@ BOOST_AUTO_TEST_CASE(a_kink_in_an_algebraic_equation_is_passed_whatever_the_slop
     }
 }
 
+// Nodes at t1 would ask f there, where it may have begun its next period: here its equation has no solution then.
+BOOST_AUTO_TEST_CASE(f_that_jumps_at_the_very_end_is_told_a_time_before_it) {
+    for (const double end : {1.0, -1.0}) {
+        const constrained jumps{[end](double t, const V& y, V& f) {
+                                    f << y[1], std::abs(t) < std::abs(end) ? y[1] - end : y[1] * y[1] + 1;
+                                },
+                                Eigen::Vector2d(1, 0).asDiagonal(),
+                                {1, 1}};
+        for (const family f : {radau_iia, lobatto_iiic})
+            for (const double step : {0.0, 0.1}) {
+                const auto r =
+                    sc::integrate(sc::tableaux::transformed<double>(f, 3), jumps, V(Eigen::Vector2d(0, end)),
+                                  0.0, end, {.rtol = 1e-6, .atol = 1e-6, .fixed_step = step});
+                BOOST_TEST(r.ok());
+                BOOST_TEST(r.t == end);
+                BOOST_TEST((r.y - Eigen::Vector2d(1, end)).lpNorm<Eigen::Infinity>() < 1e-12);
+            }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_transistor_passes_the_kinks_of_its_charges) {
     V y0 = V::Zero(9);
     y0[0] = pump::charges(0, 0, 0).first;

@@ -223,13 +223,15 @@ class system
         report_.f += counts ? 1 : 0;
         failure_.keep([&] { measure(work::f, [&] { call(problem_); }); });
     }
+    /// The run ends at t1, where f is told `inside`, the time before: what f does from t1 on belongs to another run.
+    void ends_at(const scalar& t1, const scalar& inside) { end_ = t1, inside_ = inside; }
     /// The border of the domain of f, once a run has met it.
     border_type& border() { return border_; }
     /// f := the explicit part at (t, y), counted.
     void explicit_part(const scalar& t, const Vector& y, Vector& f) const requires has_explicit_part {
         ++report_.f_explicit;
         // clang 14 instantiates it with the class although its constraint is not satisfied.
-        if constexpr (has_explicit_part) counted(f, [&] { problem_.explicit_part(t, y, f); });
+        if constexpr (has_explicit_part) counted(f, [&] { problem_.explicit_part(told(t), y, f); });
     }
     /// Adds the explicit part, where there is one, to f.
     void add_explicit_part(const scalar& t, const Vector& y, Vector& f) const {
@@ -244,8 +246,9 @@ class system
     /// f(t, y) itself. NaN where a call has thrown and the other processes have not heard of it yet.
     [[gnu::always_inline]] void call(const scalar& t, const Vector& y, Vector& f) {
         if constexpr (has_explicit_part) ++report_.f_implicit;
-        counted(f, [&] { problem_(t, y, f); });
+        counted(f, [&] { problem_(told(t), y, f); });
     }
+    const scalar& told(const scalar& t) const { return t == end_ ? inside_ : t; }
     /// evaluate(), which writes f.
     template <class Evaluate>
     [[gnu::always_inline]] void counted(Vector& f, Evaluate&& evaluate) const {
@@ -272,16 +275,17 @@ class system
         ++report_.jacobians;
         if constexpr (analytic) {
             failure_.keep([&] {
-                measure(work::jacobian, [&] { problem_.jacobian(t, y, J_); });
+                measure(work::jacobian, [&] { problem_.jacobian(told(t), y, J_); });
                 if constexpr (size_at_compile_time == Eigen::Dynamic)
                     if (J_.rows() != n_ || J_.cols() != n_) throw size_change{};
             });
             count_products();
         } else if constexpr (automatic) {
-            report_.f_jacobian += measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, J_); });
-        } else {
             report_.f_jacobian +=
-                measure(work::jacobian, [&] { return engine_(problem_, t, y, f0, negligible, reach, J_); });
+                measure(work::jacobian, [&] { return engine_(problem_, told(t), y, f0, J_); });
+        } else {
+            report_.f_jacobian += measure(
+                work::jacobian, [&] { return engine_(problem_, told(t), y, f0, negligible, reach, J_); });
         }
     }
 
@@ -382,6 +386,7 @@ class system
     Problem& problem_;
     [[no_unique_address]] detail::run_time<Problem> run_time_;
     report<scalar>& report_;
+    scalar end_ = std::numeric_limits<scalar>::quiet_NaN(), inside_{};  // equal to no time before ends_at()
     int n_;
     mass_type mass_;
     [[no_unique_address]] engine engine_;

@@ -99,6 +99,7 @@ class step_loop {
           keeps_output_(keeps_output) {
         system_.set_extent(start_.agree(system_.extent(), o, t0, t1, detail::largest_columns(steps_)));
         report_.set_tolerances(o);
+        system_.ends_at(plan_.last(), plan_.before_last());
         if (!system_.inside(t0, y0))
             throw std::invalid_argument("integrate: y0 must lie in problem.domain()");
         h_ = plan_.equal().h;

@@ -52,8 +52,9 @@ class step_plan {
     /// True if the next step, from t, does not follow from those before.
     bool afresh(const Scalar& t) const { return restarts_ || (t == t1_ && until_ != last_); }
     void go_on_afresh() { restarts_ = true; }
-    /// The end of the run.
+    /// The end of the run, and the number before it.
     const Scalar& last() const { return last_; }
+    Scalar before_last() const { return neighbour(last_, begin_); }
 
     bool fixed() const { return equal_.count > 0; }
     /// The end of the steps up to the next break point.
