@@ -67,7 +67,8 @@ struct report {
     long error_solves = 0;
     long linear_iterations = 0;
     long linear_failures = 0;
-    long clipped = 0;                  ///< components set to zero by nonnegative(problem, {.clip = true})
+    long clipped = 0;      ///< components set to zero by nonnegative(problem, {.clip = true})
+    long at_rounding = 0;  ///< accepted steps with an error that is rounding (judge/guards/rounding.hpp)
     Scalar smallest_step = Scalar(0);  ///< in absolute value, over accepted steps
     Scalar largest_step = Scalar(0);
     int largest_stages = 0;  ///< largest and smallest number of stages used by an accepted step
@@ -85,7 +86,7 @@ struct report {
     template <class Bag>
     void carry(Bag& bag) {
         bag(steps, rejected_error, rejected_newton, f, f_explicit, f_implicit, f_jacobian, jacobians,
-            factorisations, solves, error_solves, linear_iterations, linear_failures, clipped,
+            factorisations, solves, error_solves, linear_iterations, linear_failures, clipped, at_rounding,
             linear_trouble);
         bag(smallest_step, largest_step, largest_stages, smallest_stages);
     }
@@ -109,7 +110,8 @@ struct report {
         f += first.f, f_explicit += first.f_explicit, f_implicit += first.f_implicit;
         f_jacobian += first.f_jacobian, jacobians += first.jacobians;
         factorisations += first.factorisations, solves += first.solves, error_solves += first.error_solves;
-        clipped += first.clipped;
+        linear_iterations += first.linear_iterations, linear_failures += first.linear_failures;
+        clipped += first.clipped, at_rounding += first.at_rounding;
         if (more.steps == 0 || first.smallest_step < smallest_step) smallest_step = first.smallest_step;
         if (first.largest_step > largest_step) largest_step = first.largest_step;
         if (more.steps == 0 || first.smallest_stages < smallest_stages)

@@ -136,6 +136,10 @@ std::ostream& print(std::ostream& out, const report<Scalar>& r) {
     if (r.f_explicit > 0) out << ", " << r.f_explicit << " explicit and " << r.f_implicit << " implicit";
     out << "  and " << r.f_jacobian << " in Jacobians\n";
     if (r.clipped > 0) line("clipped") << r.clipped << "  components below zero by less than their atol\n";
+    if (r.at_rounding > 0)
+        line("at rounding")
+            << r.at_rounding
+            << "  steps, whose error is rounding divided by h: components behave as of index 2\n";
     line("Jacobians") << r.jacobians << '\n';
     line("factorisations") << r.factorisations << '\n';
     line("solves") << r.solves << "  and " << r.error_solves << " error estimates\n";

@@ -14,6 +14,8 @@ struct attempt : stagecraft::step_facts<double> {
     bool watched = false;  ///< an observer looks between the ends, and M is singular
     double watched_output = 0, watched_between = 0;
     bool constant_slope = false, identity = true, from_start = false;
+    double rounding = 0, longest_step = 1;
+    long at_rounding = 0;
     int asked = 0;
 
     double measured = 0;
@@ -55,6 +57,12 @@ struct attempt : stagecraft::step_facts<double> {
         ++asked;
         return all ? between : watched_between;
     }
+    double rounding_of_estimate() {
+        ++asked;
+        return rounding;
+    }
+    double longest() const { return longest_step; }
+    void count_at_rounding() { ++at_rounding; }
     double error_between_nodes() {
         ++asked;
         return between;

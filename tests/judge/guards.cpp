@@ -8,6 +8,7 @@
 #include <stagecraft/judge/guards/index.hpp>
 #include <stagecraft/judge/guards/jumps.hpp>
 #include <stagecraft/judge/guards/phase.hpp>
+#include <stagecraft/judge/guards/rounding.hpp>
 
 #include "attempt.hpp"
 
@@ -335,4 +336,40 @@ BOOST_AUTO_TEST_CASE(an_index_2_error_that_four_refusals_leave_as_it_is_is_inher
     BOOST_TEST(guard.estimated(step, 10.0) == 10.0);
     step.refused.error = 10.5;
     BOOST_TEST(guard.estimated(step, 41.0) == 41.0);  // too much to be inherited
+}
+
+BOOST_AUTO_TEST_CASE(an_error_that_is_rounding_lets_a_short_step_pass_and_the_next_one_be_longer) {
+    sc::rounding_guard<double> guard;
+    attempt step = step_of(1e-6);
+    step.rounding = 20;
+    BOOST_TEST(guard.look(step, 0.9) == 0.9);
+    step.h = 1e-5;
+    BOOST_TEST(guard.look(step, 150.0) == 150.0);  // longer than the step before: not yet looked at
+    BOOST_TEST(step.asked == 0);
+    step.h = 1e-6;
+    BOOST_TEST(guard.look(step, 201.0) == 201.0);  // more than ten roundings: an error
+    BOOST_TEST(guard.bound(step, 1e-6) == 1e-6);
+    BOOST_TEST(guard.look(step, 199.0) == 0.5);
+    sc::outlook<double> seen{0.5};
+    guard.accepted(step, seen);
+    BOOST_TEST(!seen.continues);
+    BOOST_TEST(step.at_rounding == 1);
+    BOOST_TEST(guard.bound(step, 1e-6) == 2e-4, near);
+    step.longest_step =
+        1e-4;  // no step of the run has been as long as rounding needs: the tolerance is too small
+    BOOST_TEST(guard.look(step, 199.0) == 199.0);
+    step.rounding = 0.5;  // within the tolerance
+    BOOST_TEST(guard.look(step, 3.0) == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(no_run_ends_with_a_step_that_is_all_rounding) {
+    sc::rounding_guard<double> guard;
+    attempt step = step_of(1e-6);
+    step.ends = true;
+    step.rounding = 0.5;
+    BOOST_TEST(guard.look(step, 3.0) == 0.5);
+    step.rounding = 20;
+    BOOST_TEST(guard.look(step, 150.0) == 150.0);
+    step.ends = false;  // nor does it creep there in shorter and shorter ones
+    BOOST_TEST(guard.look(step, 150.0) == 150.0);
 }

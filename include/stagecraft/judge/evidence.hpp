@@ -36,6 +36,7 @@ template <class Scalar>
 struct step_facts {
     Scalar t{0}, h{1}, t_next{0};
     bool first = false;        ///< of the run
+    bool ends = false;         ///< at t1 or a break point (told where M may be singular)
     bool smallest = false;     ///< t resolves no smaller step
     bool across_kink = false;  ///< where its estimate, of whatever order, stands for itself
     int method = 0;            ///< its number

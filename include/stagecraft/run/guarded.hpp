@@ -11,6 +11,7 @@
 #include <stagecraft/judge/guards/index.hpp>
 #include <stagecraft/judge/guards/jumps.hpp>
 #include <stagecraft/judge/guards/phase.hpp>
+#include <stagecraft/judge/guards/rounding.hpp>
 #include <stagecraft/step/method_set.hpp>
 
 namespace stagecraft {
@@ -24,11 +25,17 @@ struct of_scalar {
     template <class System>
     using in = Guard<typename System::scalar>;
 };
-using index = of_scalar<index_guard>;
 using jumps = of_scalar<jump_guard>;
 using output = of_scalar<output_guard>;
 using phase = of_scalar<phase_guard>;
 using first_step = of_scalar<first_step_guard>;
+/// Of components of index 2 and 3: named by index(), or else those that only behave so. M = I has none.
+struct index {
+    template <class System>
+    using in = std::conditional_t<System::may_be_raised, index_guard<typename System::scalar>,
+                                  std::conditional_t<System::mass_type::identity, guard_defaults,
+                                                     rounding_guard<typename System::scalar>>>;
+};
 struct growth {
     template <class System>
     using in = growth_guard<System>;

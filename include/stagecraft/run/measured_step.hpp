@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 
 #include <stagecraft/judge/evidence.hpp>
 #include <stagecraft/linear/mass.hpp>
@@ -95,6 +97,30 @@ class measured_step : public step_facts<typename System::scalar> {
     scalar further() { return system_.further_error(method_, *this); }
 
     // What guards ask.
+
+    /// What the estimate changes by where every increment of the stages does by a rounding of y, up and down in turn.
+    [[gnu::cold]] scalar rounding_of_estimate() {
+        using std::abs;
+        auto rounded = now_;
+        auto& Z = rounded.increments();
+        for (int j = 0; j < Z.cols(); ++j)
+            for (int i = 0; i < Z.rows(); ++i) {
+                const scalar ulp = std::numeric_limits<scalar>::epsilon() * (abs(y_[i]) + abs(Z(i, j)));
+                Z(i, j) += (i + j) % 2 == 0 ? ulp : -ulp;
+            }
+        const vector kept = error_;
+        counts_.error_solves += method_.estimate(system_, this->h, f_.value(), rounded, error_);
+        const vector other = error_;
+        counts_.error_solves += method_.estimate(system_, this->h, f_.value(), now_, error_);
+        error_ -= other;
+        const scalar change = norm_(error_) * this->ratio;
+        error_ = kept;
+        return change;
+    }
+    /// The longest step that the run has taken.
+    const scalar& longest() const { return counts_.largest_step; }
+    /// The step is accepted because its error is no more than that.
+    void count_at_rounding() { ++counts_.at_rounding; }
 
     /// False where no component can have an index above 1: known to the compiler.
     static constexpr bool may_have_index() { return System::may_be_raised; }

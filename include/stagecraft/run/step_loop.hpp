@@ -197,8 +197,10 @@ class step_loop {
         measured.theta = linear_.theta();
         measured.across_kink = across_kink_;
         if (method.implicit()) measured.hold = linear_.hold();
-        if constexpr (!system_type::mass_type::identity)
+        if constexpr (!system_type::mass_type::identity) {
+            measured.ends = plan.t_next == plan_.end();
             if (watched_.any()) measured.watch(watched_);
+        }
         return judge_(measured);
     }
 
