@@ -6,6 +6,8 @@
 #include "stagecraft/tableaux/number_brackets-inl.hpp"
 #include "stagecraft/tableaux/program_calls-inl.hpp"
 #include "stagecraft/tableaux/program_groups-inl.hpp"
+#include "stagecraft/tableaux/program_indexed-inl.hpp"
+#include "stagecraft/tableaux/program_leftovers-inl.hpp"
 #include "stagecraft/tableaux/program_names-inl.hpp"
 #include "stagecraft/tableaux/program_scan-inl.hpp"
 #include "stagecraft/tableaux/program_text-inl.hpp"

@@ -227,6 +227,120 @@ BOOST_AUTO_TEST_CASE(numbers_are_those_of_the_program_whatever_its_notation) {
         BOOST_TEST((only(heun + embedded) == heun_euler));
 }
 
+BOOST_AUTO_TEST_CASE(coefficients_with_names_of_their_own_are_one_tableau) {
+    const values kutta_c{q(0), q(0),    q(0),    q(1, 2), q(0), q(0),    q(-1), q(2),
+                         q(0), q(1, 6), q(2, 3), q(1, 6), q(0), q(1, 2), q(1)};
+    const auto same = [](std::string_view source, const values& expected) {
+        BOOST_TEST(only(source) == expected, boost::test_tools::per_element());
+    };
+    // Julia: the nodes that are not 0 count from 1; the last stage is the solution.
+    const values bogacki_shampine{q(0),    q(0),    q(0),    q(0),     q(1, 2), q(0),    q(0),
+                                  q(0),    q(0),    q(3, 4), q(0),     q(0),    q(2, 9), q(1, 3),
+                                  q(4, 9), q(0),    q(2, 9), q(1, 3),  q(4, 9), q(0),    q(0),
+                                  q(1, 2), q(3, 4), q(1),    q(7, 24), q(1, 4), q(1, 3), q(1, 8)};
+    same(R"(
+@fold function BS3(::Type{T}) where {T}
+    a21 = convert(T, 1 // 2)
+    a32 = convert(T, 3 // 4)
+    a41 = convert(T, 2 // 9)
+    a42 = convert(T, 1 // 3)
+    a43 = convert(T, 4 // 9)
+    c1 = convert(T, 1 // 2)
+    c2 = convert(T, 3 // 4)
+    btilde1 = convert(T, 2 // 9 - 7 // 24)
+    btilde2 = convert(T, 1 // 12)
+    btilde3 = convert(T, 1 // 9)
+    btilde4 = convert(T, -1 // 8)
+end)",
+         bogacki_shampine);
+    // Fehlberg's letters in Fortran: a for nodes, b for the matrix, c for weights.
+    same(R"(
+  module procedure kutta
+    real(wp),parameter :: a2 = 1.0_wp / 2.0_wp
+    real(wp),parameter :: a3 = 1.0_wp
+    real(wp),parameter :: b21 = 1.0_wp / 2.0_wp
+    real(wp),parameter :: b31 = -1.0_wp
+    real(wp),parameter :: b32 = 2.0_wp
+    real(wp),parameter :: c1 = 1.0_wp / 6.0_wp
+    real(wp),parameter :: c2 = 2.0_wp / 3.0_wp
+    real(wp),parameter :: c3 = 1.0_wp / 6.0_wp
+  end procedure kutta)",
+         kutta_c);
+    // GSL: rows with names of their own, a21 left out, errors that count from 1.
+    same(R"(
+static const double ah[] = { 1.0, 1.0 };
+static const double b2[] = { 1.0 };
+static const double b3[] = { 0.5, 0.5 };
+static const double c1 = 0.5;
+static const double c2 = 0.5;
+static const double ec[] = { 0.0, -0.5, 0.5 };
+unsigned int heun_order (void *vstate) { return 2; })",
+         {q(0), q(0), q(0), q(1), q(0), q(0), q(1, 2), q(1, 2), q(0), q(1, 2), q(1, 2), q(0), q(0), q(1),
+          q(1), q(1), q(0), q(0)});
+    // Boost.odeint: a class for each row.
+    same(R"(
+struct k_a1 : array<1> { k_a1( void ) {
+    (*this)[0] = static_cast<Value>( 1 )/static_cast<Value>( 2 );
+  } };
+struct k_a2 : array<2> { k_a2( void ) {
+    (*this)[0] = static_cast<Value>( -1 );
+    (*this)[1] = static_cast<Value>( 2 );
+  } };
+struct k_b : array<3> { k_b( void ) {
+    (*this)[0] = static_cast<Value>( 1 )/static_cast<Value>( 6 );
+    (*this)[1] = static_cast<Value>( 2 )/static_cast<Value>( 3 );
+    (*this)[2] = static_cast<Value>( 1 )/static_cast<Value>( 6 );
+  } };)",
+         kutta);
+}
+
+BOOST_AUTO_TEST_CASE(codes_with_layouts_of_their_own_are_read_as_they_stand) {
+    const auto same = [](std::string_view source, const values& expected) {
+        BOOST_TEST(only(source) == expected, boost::test_tools::per_element());
+    };
+    // A^T and both sets of weights by columns; the rows of a dictionary, at last b; rows from the second on, no b.
+    same(
+        "real :: a(2,2) = reshape([0.0, 0.0, 1.0, 0.0], [2, 2])\nreal :: b(2,2) = reshape([1, 1, 2, 0], [2, "
+        "2]) / 2\n"
+        "real :: c(2) = [0, 1]\n",
+        {q(0), q(0), q(1), q(0), q(1, 2), q(1, 2), q(0), q(1), q(1), q(0)});
+    same(
+        "class K:\n  def f(self):\n    self.eval_stages = [0, 1/2, 1]\n    self.BT = {\n      0: [1/2],\n    "
+        "  1: [-1, 2],\n      2: [1/6, 2/3, 1/6]}\n",
+        {q(0), q(0), q(0), q(1, 2), q(0), q(0), q(-1), q(2), q(0), q(1, 6), q(2, 3), q(1, 6), q(0), q(1, 2),
+         q(1)});
+    same(
+        "const A: ([f64; 1], [f64; 2]) = ([1.0], [1.0 / 2.0, 1.0 / 2.0]);\nconst E: [f64; 3] = [0.5, 0.0, "
+        "-0.5];\n",
+        {q(0), q(0), q(0), q(1), q(0), q(0), q(1, 2), q(1, 2), q(0), q(1, 2), q(1, 2), q(0), q(0), q(1, 2),
+         q(1, 2)});
+    // Octave's b are the nodes; Rust's repeated zeros; Python's slices and r"..."; weights of Euler's method alone.
+    same(
+        "persistent a = [0 0; 1 0];\npersistent b = [0, 1, 1];\npersistent c = [1/2, 1/2];\npersistent "
+        "c_prime = [1/2, 0, 1/2];\n",
+        {q(0), q(0), q(0), q(1), q(0), q(0), q(1, 2), q(1, 2), q(0), q(1, 2), q(1, 2), q(0), q(0), q(1), q(1),
+         q(1, 2), q(0), q(1, 2)});
+    same(
+        "fn heun() -> Self {\n let mut a = [[0.0; 2]; 2];\n let mut b = [0.0; 2];\n a[1][0] = 1.0;\n b[0] = "
+        "0.5;\n b[1] = 0.5;\n let a = a.map(|row| row.map(|x| T::from_f64(x).unwrap()));\n}",
+        {q(0), q(0), q(1), q(0), q(1, 2), q(1, 2)});
+    same(
+        "def heun():\n    u\"\"\"A = [[9]]\"\"\"\n    s = r'\\begin{x}'\n    #===========\n    A = "
+        "np.zeros((2, 2))\n    A[1, :1] = [1]\n    b = np.ones(2)/2\n",
+        {q(0), q(0), q(1), q(0), q(1, 2), q(1, 2)});
+    same("ARK_BUTCHER_TABLE(EULER, {\n  B->q = 1;\n  B->b[0] = RCONST(1.0);\n  })", {q(0), q(1)});
+}
+
+BOOST_AUTO_TEST_CASE(arrays_that_are_no_tableau_are_not_taken_for_one) {
+    // Real and imaginary parts of eigenvalues; a diagonal that has a name of its own; elements that are not yet placed.
+    BOOST_TEST(complaint("double alpha[] = {1.5, 2.5}, beta[] = {0.5, 3}, gamma[] = {4};")
+                   .starts_with("no tableau"));
+    BOOST_TEST(complaint("gamma = 0.25\na31 = 0.5\na32 = 0.25\nb1 = 0.5\nb2 = 0.25\nb3 = 0.25\n")
+                   .starts_with("no tableau"));
+    BOOST_TEST(
+        complaint("A = zeros(2, 2)\nA[2, 1] = 1\nh_A = A/2\nh_b = [1/2, 1/2]\n").starts_with("no tableau"));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_used_is_told_with_its_line) {
     const std::string heun = "A = [[0, 0], [1, 0]]\nb = [1/2, 1/2]\n";
     const auto told = [&](const std::string& more) {

@@ -68,7 +68,7 @@ class value_parser : public token_cursor {
         for (skip_lines_before_operator(); more(); skip_lines_before_operator()) {
             const bool times = sign("*") || sign(".*"), divided = sign("/") || sign("./") || sign("//");
             const bool adjacent = !here().blank_before && tokens_[at_ - 1].is == token::kind::number &&
-                                  (here().is == token::kind::word || sign("("));
+                                  (here().is == token::kind::word || sign("(") || sign("\xE2\x88\x9A"));
             if (!times && !divided && !adjacent) break;
             if (!adjacent) ++at_;
             v = combined(std::move(v), divided ? "/" : "*", signed_power());
@@ -202,6 +202,14 @@ class value_parser : public token_cursor {
             if (is_open(tokens_[i]) && tokens_[i].partner < close) i = tokens_[i].partner;
             commas = is_sign(tokens_[i], ",");
         }
+        if (!commas && is_repeated_zero(at_ + 1, close)) {
+            at_ = close + 1;
+            return {true, false, false, false, {}};
+        }
+        auto first = at_ + 1;
+        while (first < close && tokens_[first].is == token::kind::line_end) ++first;
+        const bool keys = sign("{") && first + 1 < close && tokens_[first].is == token::kind::number &&
+                          is_sign(tokens_[first + 1], ":");
         const auto outer = enter(close, {!commas, true});
         std::vector<std::vector<value>> rows(1);
         bool new_row = false, comma = true;
@@ -221,11 +229,32 @@ class value_parser : public token_cursor {
             if (new_row) rows.emplace_back();
             new_row = false;
             if (!comma && !here().blank_before && !is_open(here())) fail("'" + here().text + "'");
-            rows.back().push_back(sum());
+            if (keys && comma) skip_key();
+            rows.back().push_back(keys && is_nothing() ? nothing() : sum());
             comma = false;
         }
         leave(outer, close);
         return of_rows(std::move(rows));
+    }
+
+    /// Rust's [0.0; 4] and [[0.0; 4]; 4], to be filled.
+    bool is_repeated_zero(std::size_t first, std::size_t close) const {
+        if (close < first + 3 || !is_sign(tokens_[close - 2], ";")) return false;
+        const token& t = tokens_[first];
+        if (is_sign(t, "[")) return t.partner + 3 == close && is_repeated_zero(first + 1, t.partner);
+        return first + 3 == close && t.is == token::kind::number && t.text.find('.') != nowhere &&
+               t.text.find_first_not_of("0.") == nowhere;
+    }
+
+    /// Python's {0: [1/2], 1: None}: the keys count the rows.
+    void skip_key() {
+        if (here().is == token::kind::number && at_ + 1 < end_ && is_sign(tokens_[at_ + 1], ":")) at_ += 2;
+        skip_lines();
+    }
+    bool is_nothing() const { return more() && here().is == token::kind::word && here().text == "None"; }
+    value nothing() {
+        ++at_;
+        return {true, false, false, false, {}};
     }
 
     /// "np.array", "Rational{Int}", "std::sqrt": the name, with the type behind it left out.
@@ -318,7 +347,8 @@ class value_parser : public token_cursor {
             return {true, false, false, false, {}};
         }
         const auto [stop, by_rows, by_columns] = named_arguments_of(tokens_, at_);
-        static constexpr std::array<std::string_view, 5> typed{"convert", "parse", "real", "map", "float"};
+        static constexpr std::array<std::string_view, 6> typed{"convert", "parse", "real",
+                                                               "map",     "float", "ones"};
         const bool types = std::find(typed.begin(), typed.end(), last) != typed.end();
         std::vector<value> parts = arguments(stop, close, types);
         if (parts.empty()) fail("'" + full + "()'");

@@ -47,6 +47,7 @@ STAGECRAFT_INLINE std::string operand(const std::string& text) {
 
 STAGECRAFT_INLINE value combined(value x, const std::string& sign, const value& y) {
     const auto join = [&](const cell& p, const cell& q) {
+        if (sign == "^" && q.text == "0.5") return cell{bounded("sqrt(" + p.text + ")"), p.line};
         return cell{bounded(operand(p.text) + sign + operand(q.text)), p.line};
     };
     if (x.is_array && y.is_array) {

@@ -56,10 +56,27 @@ STAGECRAFT_INLINE value value_of_call(call_does does, const std::string& last, s
         if (does == call_does::list_by_columns && !v.nested) reshape(v, true);
         return v;
     }
+    if (does == call_does::ones) {
+        std::size_t n = 1;
+        const std::size_t sizes = last == "fill" ? 1 : 0;
+        for (std::size_t i = sizes; i < parts.size(); ++i) {
+            const auto& size = parts[i].is_array ? std::string() : parts[i].rows[0][0].text;
+            if (size.empty() || size.size() > 2 || size.find_first_not_of("0123456789") != nowhere)
+                throw not_understood{"the arguments of '" + last + "'"};
+            n *= std::stoul(size);
+        }
+        const std::string number = sizes > 0 ? first.rows[0][0].text : "1";
+        return {
+            true, false, false, false, {std::vector<cell>(std::min<std::size_t>(n, 4096), {number, line})}};
+    }
     if (does == call_does::root) {
         if (!numbers || parts.size() != 1) throw not_understood{"the arguments of '" + last + "'"};
         const std::string known = last == "PetscSqrtReal" || last == "SUNRsqrt" ? "sqrt" : last;
         return number_value(bounded(known + "(" + first.rows[0][0].text + ")"), line);
+    }
+    if (does == call_does::square) {
+        const value x = first;
+        return combined(x, "*", x);
     }
     if (does == call_does::power) {
         if (!numbers || parts.size() != 2) throw not_understood{"the arguments of '" + last + "'"};

@@ -23,8 +23,10 @@ enum class call_does {
     by_columns,       ///< reshape([...], [2, 2])
     transpose,
     zeros,  ///< np.zeros((2, 2)): to be filled
+    ones,   ///< np.ones(2), fill(1//2, 2): a list of the same number
     root,   ///< sqrt and what read_entry knows by the same name
-    power   ///< pow(x, 3)
+    square,
+    power  ///< pow(x, 3)
 };
 
 struct call_entry {
@@ -47,9 +49,12 @@ inline constexpr std::array calls{
     call_entry{"c", call_does::list},
     call_entry{"matrix", call_does::by_columns},
     call_entry{"zeros", call_does::zeros},
+    call_entry{"ones", call_does::ones},
+    call_entry{"fill", call_does::ones},
     call_entry{"sqrt", call_does::root},
     call_entry{"PetscSqrtReal", call_does::root},
     call_entry{"SUNRsqrt", call_does::root},
+    call_entry{"PetscSqr", call_does::square},
     call_entry{"cbrt", call_does::root},
     call_entry{"cos", call_does::root},
     call_entry{"sin", call_does::root},
@@ -59,18 +64,18 @@ inline constexpr std::array calls{
 
 /// Words that wrap numbers or arrays and change nothing, or make a fraction of two numbers. So do words without small
 /// letters, as RCONST and Q.
-inline constexpr std::array<std::string_view, 50> wrappers{
-    "array",    "asarray",  "tensor",   "Tensor",   "as_tensor", "Matrix",   "ImmutableMatrix",
-    "SA",       "vec",      "list",     "tuple",    "Array",     "Vector",   "asanyarray",
-    "Rational", "Fraction", "Decimal",  "mpf",      "mpq",       "mpfr",     "big",
-    "BigFloat", "float",    "double",   "real",     "dble",      "f64",      "f32",
-    "Float64",  "Float32",  "sympify",  "convert",  "parse",     "map",      "longdouble",
-    "float64",  "Integer",  "Int",      "number",   "new",       "from",     "to_array",
-    "BigInt",   "rational", "fraction", "from_vec", "SVectorF",  "realtype", "sunrealtype",
-    "array2d"};
+inline constexpr std::array<std::string_view, 53> wrappers{
+    "array",    "asarray",     "tensor",   "Tensor",   "as_tensor", "Matrix",   "ImmutableMatrix",
+    "SA",       "vec",         "list",     "tuple",    "Array",     "Vector",   "asanyarray",
+    "Rational", "Fraction",    "Decimal",  "mpf",      "mpq",       "mpfr",     "big",
+    "BigFloat", "float",       "double",   "real",     "dble",      "f64",      "f32",
+    "Float64",  "Float32",     "sympify",  "convert",  "parse",     "map",      "longdouble",
+    "float64",  "Integer",     "Int",      "number",   "new",       "from",     "to_array",
+    "BigInt",   "rational",    "fraction", "from_vec", "SVectorF",  "realtype", "sunrealtype",
+    "array2d",  "static_cast", "from_f64", "squeeze"};
 
 /// Methods behind an array, and what they do.
-inline constexpr std::array<std::pair<std::string_view, call_does>, 13> methods{
+inline constexpr std::array<std::pair<std::string_view, call_does>, 15> methods{
     {{"T", call_does::transpose},
      {"transpose", call_does::transpose},
      {"reshape", call_does::by_rows},
@@ -83,6 +88,8 @@ inline constexpr std::array<std::pair<std::string_view, call_does>, 13> methods{
      {"eval", call_does::keep},
      {"flatten", call_does::keep},
      {"into", call_does::keep},
+     {"map", call_does::keep},  // Rust: a conversion
+     {"unwrap", call_does::keep},
      {"double", call_does::keep}}};
 
 /// Whether a word only wraps numbers and arrays.

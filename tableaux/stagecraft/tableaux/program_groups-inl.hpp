@@ -12,6 +12,7 @@
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/claims.hpp"
+#include "stagecraft/tableaux/program_leftovers.hpp"
 #include "stagecraft/tableaux/program_names.hpp"
 
 namespace stagecraft::tableaux::program_text {
@@ -22,6 +23,7 @@ class grouping {
     grouping(const program& p, variables& v) : p_(p), v_(v) {}
 
     groups run() && {
+        add_missing_matrices();
         std::map<std::size_t, std::vector<std::size_t>> scopes;
         for (std::size_t k = 0; k < v_.all.size(); ++k) scopes[v_.all[k].scope].push_back(k);
         for (std::size_t k = 0; k < v_.all.size(); ++k)
@@ -43,11 +45,31 @@ class grouping {
         for (std::size_t k = 0; k < v_.all.size(); ++k) give_claim(k);
         std::stable_sort(out_.all.begin(), out_.all.end(),
                          [](const group& x, const group& y) { return x.line < y.line; });
-        tell_unused();
+        leftovers(v_, taken_, out_).tell();
         return std::move(out_);
     }
 
   private:
+    /// "B->b[0] = 1" alone: Euler's method, whose A is 0.
+    void add_missing_matrices() {
+        for (std::size_t k = 0; k < v_.all.size(); ++k) {
+            const auto b = v_.all[k];
+            const bool one = b.elements.size() == 1 && b.elements[0].row == 0 && b.elements[0].column == 0;
+            if (b.last() != "b" || !b.owner().ends_with("->") || !one || !b.by_elements) continue;
+            const auto is_matrix = [&](const auto& a) {
+                return a.scope == b.scope && a.name == b.owner() + "A";
+            };
+            if (std::any_of(v_.all.begin(), v_.all.end(), is_matrix)) continue;
+            variable a;
+            a.name = b.owner() + "A";
+            a.scope = b.scope;
+            a.line = a.last_line = b.line;
+            a.is = variable::kind::array;
+            a.array = {true, true, false, false, {{{"0", b.line}}}};
+            v_.all.push_back(std::move(a));
+        }
+    }
+
     /// What a call does not name: keyword arguments as Julia's αEEst.
     void take_rest(group& g, const std::vector<std::size_t>& all) {
         std::map<std::string, std::size_t> names;
@@ -57,7 +79,6 @@ class grouping {
     }
 
     using part = std::vector<std::size_t>;  ///< variables
-
     const variable& at(std::size_t k) const { return v_.all[k]; }
     bool is_array(std::size_t k) const { return at(k).is == variable::kind::array; }
 
@@ -115,30 +136,85 @@ class grouping {
     bool begin_group(std::size_t k, const dialect& d, const std::map<std::string, std::size_t>& names) {
         const auto& x = at(k);
         const std::string owner = x.owner(), last(x.last());
-        if (last.size() > longest_name) return false;
+        if (last.size() > longest_name || x.gathered_as == variable::gathered::list) return false;
+        if (d.nested && !x.array.nested && !x.array.reshaped && x.elements.empty()) return false;
+        if (x.gathered_as == variable::gathered::matrix && has_diagonal(x)) return false;
         for (const auto a : words_of(d.A))
             for (auto i = last.find(a); i != last.npos; i = last.find(a, i + 1)) {
                 const std::string before = last.substr(0, i), behind = last.substr(i + a.size());
+                if (d.needs_embedded && !has_word(d.embedded, names, owner + before, behind)) continue;
                 for (const auto b : words_of(d.b)) {
                     const auto y = names.find(owner + before + std::string(b) + behind);
-                    if (y == names.end() || y->second == k || taken_.contains(y->second)) continue;
-                    group g{
-                        {},     x.scope, std::min(x.line, at(y->second).line), {}, nlohmann::json::object(),
-                        before, behind};
-                    g.arrays = {{"A", k}, {"b", y->second}};
-                    g.name = name_of(g, owner);
-                    use(k);
-                    use(y->second);
-                    out_.all.push_back(std::move(g));
+                    if (y == names.end() || y->second == k || !is_list(y->second)) continue;
+                    add_group(k, y->second, d, before, behind);
                     return true;
                 }
+                const bool last_row = d.b.empty() && before.empty() && behind.empty() &&
+                                      !names.contains("b") && x.elements.empty() && !x.array.rows.empty();
+                if (!last_row && !ends_with_solution(k, d, names, before, behind)) continue;
+                add_group(k, nowhere, d, before, behind);
+                if (last_row) out_.all.back().last_row_of = k;
+                return true;
             }
+        return false;
+    }
+    static bool has_word(std::string_view words, const std::map<std::string, std::size_t>& names,
+                         const std::string& before, const std::string& behind) {
+        const auto all = words_of(words);
+        return std::any_of(all.begin(), all.end(),
+                           [&](auto w) { return names.contains(before + std::string(w) + behind); });
+    }
+
+    /// Not used, and no matrix of single coefficients.
+    bool is_list(std::size_t k) const {
+        const auto& rows = at(k).array.rows;
+        return !taken_.contains(k) && at(k).gathered_as != variable::gathered::matrix &&
+               (!at(k).array.nested || rows.size() < 3 || rows.size() == at(k).array.numbers());
+    }
+
+    bool has_diagonal(const variable& x) const {
+        return std::any_of(v_.all.begin(), v_.all.end(), [&](const auto& y) {
+            return y.scope == x.scope && y.is == variable::kind::number && is_diagonal_word(y.last());
+        });
+    }
+
+    /// b is nothing, or the last row of A.
+    void add_group(std::size_t k, std::size_t b, const dialect& d, const std::string& before,
+                   const std::string& behind) {
+        const auto& x = at(k);
+        const auto line = b == nowhere ? x.line : std::min(x.line, at(b).line);
+        group g{{}, x.scope, line, {{"A", k}}, nlohmann::json::object(), before, behind};
+        if (b != nowhere) g.arrays["b"] = b;
+        g.embedded_from = d.embedded_from;
+        g.name = name_of(g, x.owner());
+        use(k);
+        if (b != nowhere) use(b);
+        out_.all.push_back(std::move(g));
+    }
+
+    /// Where the last stage is the solution (first same as last), single coefficients, or the rows of A from its second on,
+    /// need no b where the weights of the error stand beside them.
+    bool ends_with_solution(std::size_t k, const dialect& d, const std::map<std::string, std::size_t>& names,
+                            const std::string& before, const std::string& behind) const {
+        const auto& x = at(k);
+        const auto& rows = x.array.rows;
+        const bool single = x.gathered_as == variable::gathered::matrix;
+        const bool rows_from_second =
+            x.array.nested && !rows.empty() && rows.front().size() == 1 && rows.back().size() == rows.size();
+        if (!single && !rows_from_second) return false;
+        for (const auto e : words_of(d.embedded)) {
+            const auto y = names.find(x.owner() + before + std::string(e) + behind);
+            if (y == names.end() || !is_list(y->second)) continue;
+            if (single && at(y->second).gathered_as != variable::gathered::no) return true;
+            if (rows_from_second && at(y->second).array.numbers() == rows.size() + 1) return true;
+        }
         return false;
     }
 
     void use(std::size_t k) {
         v_.all[k].used = true;
         taken_.insert(k);
+        for (const auto m : at(k).members) use(m);
     }
 
     std::string name_of(const group& g, std::string owner) const {
@@ -178,7 +254,11 @@ class grouping {
 
     /// E, e and d have other meanings too: they must be as long as b, or longer by one.
     bool fits(const group& g, std::size_t k, std::string_view word) const {
-        if (!g.arrays.contains("b")) return at(k).trouble.empty() && word.size() > 1;
+        if (at(k).gathered_as == variable::gathered::matrix) return false;
+        if (!g.arrays.contains("b")) {
+            const bool one_more = at(k).array.numbers() == at(g.arrays.at("A")).array.rows.size() + 1;
+            return at(k).trouble.empty() && (word.size() > 1 || !at(k).members.empty() || one_more);
+        }
         const auto& b = at(g.arrays.at("b"));
         if (!at(k).trouble.empty()) return false;
         if (word.size() > 1 || word == "c" || word == "C" || !at(k).elements.empty() || !b.elements.empty())
@@ -206,7 +286,7 @@ class grouping {
     bool take_claim(group& g, std::size_t k, bool bare) {
         const auto name = claim_in(at(k).name);
         if (!name || taken_.contains(k) || is_array(k)) return false;
-        const bool alike = bare ? name->before.empty() && name->behind.empty()
+        const bool alike = bare ? name->behind.empty() && (name->before.empty() || at(k).returned)
                                 : name->before == lower(g.before) && name->behind == lower(g.behind);
         const auto value = claimed(name->key, at(k));
         if (!alike || !value) return false;
@@ -272,7 +352,7 @@ class grouping {
         const auto named = by_name_.find(name);
         if (named == by_name_.end()) return std::nullopt;
         for (auto k = named->second.rbegin(); k != named->second.rend(); ++k)
-            if (at(*k).line <= r.line)
+            if (at(*k).line <= r.line && at(*k).gathered_as == variable::gathered::no)
                 return p_.related(at(*k).scope, r.scope) ? std::optional(*k) : std::nullopt;
         return std::nullopt;
     }
@@ -293,79 +373,17 @@ class grouping {
     void give_claim(std::size_t k) {
         const auto& x = at(k);
         const auto name = claim_in(x.name);
-        if (taken_.contains(k) || is_array(k) || !name || !name->before.empty() || !name->behind.empty())
-            return;
+        const bool prefixed = name && !name->before.empty() && !(x.returned && out_.all.size() == 1);
+        if (taken_.contains(k) || is_array(k) || !name || prefixed || !name->behind.empty()) return;
         auto scope = x.scope;
         for (int i = 0; i < deepest_scope && scope != nowhere; ++i, scope = p_.scopes[scope].parent) {
-            const auto& groups_here = i == 0 ? within_scope_ : in_scope_;
+            const bool only = out_.all.size() == 1 && p_.scopes[scope].parent == nowhere;
+            const auto& groups_here = i == 0 || only ? within_scope_ : in_scope_;
             const auto here = groups_here.find(scope);
             if (here == groups_here.end()) continue;
             if (here->second.size() == 1) take_claim(out_.all[here->second.front()], k, true);
             return;
         }
-    }
-
-    void tell_unused() {
-        std::string first_single;
-        std::size_t singles = 0, line = 0;
-        for (std::size_t k = 0; k < v_.all.size(); ++k) {
-            const auto& x = at(k);
-            if (x.used && !is_claim_left(k)) continue;
-            if ((is_array(k) && looks_like_coefficients(x)) || is_claim_left(k)) {
-                std::string what =
-                    x.name + (x.elements.empty() ? "" : "[..]") + " (line " + std::to_string(x.line) + ")";
-                if (!x.trouble.empty()) what += ": " + x.trouble;
-                out_.unused.emplace(x.line, std::move(what));
-            } else if (x.is == variable::kind::number && is_single_coefficient(x.last()) && singles++ == 0) {
-                first_single = x.name;
-                line = x.line;
-            }
-        }
-        if (singles > 0)
-            out_.unused.emplace(
-                line,
-                first_single + " (line " + std::to_string(line) + ")" +
-                    (singles > 1 ? " and " + std::to_string(singles - 1) + " more single numbers" : ""));
-        for (const auto n : v_.unnamed)
-            out_.unused.emplace(n, "numbers without a name (line " + std::to_string(n) + ")");
-    }
-
-    /// Whether x says something of an order or a property and is in no tableau.
-    bool is_claim_left(std::size_t k) const {
-        const auto& x = at(k);
-        if (taken_.contains(k) || x.by_elements) return false;
-        const auto name = claim_in(x.name);
-        if (name && x.name.find("->") != x.name.npos)
-            return x.is == variable::kind::number && has_elements(x);
-        if (name && name->key != "name") return true;
-        const std::string text = lower(x.last());
-        if (x.is == variable::kind::text) return false;
-        for (const std::string_view word : {"order", "stable", "symplectic", "symmetric", "accurate"}) {
-            const auto i = text.find(word);
-            if (i == text.npos) continue;
-            const bool begins = i == 0 || std::isalpha(static_cast<unsigned char>(text[i - 1])) == 0 ||
-                                std::isupper(static_cast<unsigned char>(x.last()[i])) != 0;
-            if (begins) return true;
-        }
-        return false;
-    }
-
-    /// Whether elements are assigned in the same scope under the same owner, as B->b[0] beside B->q.
-    bool has_elements(const variable& x) const {
-        const auto named = by_name_.find(x.owner() + "b");
-        return named != by_name_.end() && std::any_of(named->second.begin(), named->second.end(),
-                                                      [&](std::size_t k) { return at(k).scope == x.scope; });
-    }
-
-    /// Elements only of what is called as coefficients are; no pair of whole numbers, such as (0, 1).
-    static bool looks_like_coefficients(const variable& x) {
-        if (is_coefficient(x.last())) return true;
-        if (x.by_elements || x.array.numbers() == 0) return !x.by_elements && !x.trouble.empty();
-        const auto all = x.array.all();
-        const bool whole = std::all_of(all.begin(), all.end(), [](const cell& c) {
-            return c.text.find_first_not_of("0123456789.-+()") == c.text.npos;
-        });
-        return all.size() > 2 || (all.size() == 2 && !whole);
     }
 
     const program& p_;

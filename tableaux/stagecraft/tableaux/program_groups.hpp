@@ -20,6 +20,7 @@ struct group {
     nlohmann::json claims = nlohmann::json::object();
     std::string before, behind;         ///< what stands beside A in its name
     std::size_t last_row_of = nowhere;  ///< the variable whose last row is b, where there is no b
+    std::size_t embedded_from = 0;      ///< how many numbers stand before the first embedded weight
 };
 
 /// Groups, and what looks like a coefficient or a claim and is in none of them, with its line.

@@ -55,6 +55,10 @@ STAGECRAFT_INLINE bool is_coefficient(std::string_view name) {
     return false;
 }
 
+STAGECRAFT_INLINE bool is_diagonal_word(std::string_view name) {
+    return name == "gamma" || name == "\xCE\xB3" || name == "g";
+}
+
 STAGECRAFT_INLINE bool is_single_coefficient(std::string_view name) {
     const auto digit = name.find_first_of("0123456789");
     if (digit == name.npos || digit == 0 || name.find_first_not_of("0123456789_", digit) != name.npos)

@@ -12,19 +12,24 @@
 
 namespace stagecraft::tableaux::program_text {
 
-/// A library's names of the arrays of one tableau; blanks separate the names for the same array, the likelier first. Arrays
-/// belong to one tableau where what stands before and behind these words is the same: "heun_A" and "heun_b", "At" and "bt".
+/// A library's names of the arrays of one tableau; without one for b it is the last row of A. Blanks separate the names for
+/// the same array, the likelier first. Arrays belong to one tableau where what stands before and behind these words is the
+/// same: "heun_A" and "heun_b", "At" and "bt".
 struct dialect {
     std::string_view A, b, c, embedded;
-    std::string_view diagonal{};  ///< of A, where it has an array of its own
+    std::string_view diagonal{};    ///< of A, where it has an array of its own
+    std::size_t embedded_from = 0;  ///< how many numbers stand before the first embedded weight
+    bool needs_embedded = false;    ///< the words mean this only beside embedded weights
+    bool nested = false;            ///< the words mean other things too: A is written in rows
 };
 
 inline constexpr std::string_view embedded_words =
     "b_embedded b_embed bembed b_emb b_hat bhat b_tilde btilde b_star bstar b_alt b_low b_error b_err berr "
     "b_diff "
-    "b2 bh bt b\xCC\x82 b\xCC\x83 E e d";
+    "db b2 bh bt b\xCC\x82 b\xCC\x83 E e d";
 
-inline constexpr std::array<dialect, 8> dialects{{
+inline constexpr std::array<dialect, 15> dialects{{
+    {"a", "c", "b", "c_prime", {}, 0, true},  // Octave
     {"A a", "b B", "c C", embedded_words},
     {"A a", "\xCE\xB1", "c",
      "\xCE\xB1"
@@ -34,7 +39,13 @@ inline constexpr std::array<dialect, 8> dialects{{
     {"a_lower", "b_sol", "c", "b_error", "a_diagonal"},  // diffrax
     {"A a", "b_sol w weights", "c nodes", embedded_words},
     {"matrix", "weights", "nodes abscissae", "embedded_weights weights_embedded"},
-    {"alpha", "b beta", "c gamma", "b_hat bhat"},
+    {"alpha", "b beta", "c gamma", "b_hat bhat", {}, 0, false, true},
+    {"B", "C_sol", "A", "C_err"},            // torchdiffeq, Prince-Dormand
+    {"b", "c", "ah", "ec", {}, 1, true},     // GSL
+    {"b", "Abar", "ah", "A", {}, 0, true},   // GSL, Prince-Dormand
+    {"b", "c", "a", "e d"},                  // Fehlberg's letters
+    {"BT", "", "eval_stages", "TR"},         // PathSim
+    {"a_exp a_imp", "", "c_exp c_imp", ""},  // ClimaTimeSteppers, where b is left out
 }};
 
 /// A claim of a tableau file, and what programs call it.
@@ -121,6 +132,8 @@ std::optional<claim_name> claim_in(std::string_view name);
 
 /// Whether an array of a tableau may have this name.
 bool is_coefficient(std::string_view name);
+/// What programs call the diagonal of A of diagonally implicit methods.
+bool is_diagonal_word(std::string_view name);
 /// a21, a_2_1, b3, c2, bhat1.
 bool is_single_coefficient(std::string_view name);
 

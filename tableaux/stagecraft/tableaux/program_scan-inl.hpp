@@ -130,14 +130,19 @@ class scanner {
                    section_modifiers.end();
         };
         while (i < last && (is_sign(at(i), "}") || modifies(at(i)))) ++i;
+        if (is_sign(at(i), "@") && i + 2 < last) i += 2;  // Julia's "@fold function"
         const auto* word = std::find_if(section_words.begin(), section_words.end(),
                                         [&](const auto& w) { return is_word(i) && w.word == at(i).text; });
         if (word == section_words.end() || is_sign(at(i + 1), "=")) return {};
         std::string text, next;
         for (std::size_t k = i + 1; k < last; ++k) {
             if (text.empty() && at(k).is == token::kind::text) text = at(k).text;
-            if (next.empty() && is_word(k)) next = at(k).text;
+            if (next.empty() && is_word(k) && at(k).text != "procedure") next = at(k).text;
         }
+        // Julia's "function tableau(::Heun)".
+        for (std::size_t k = i + 1; word->word == "function" && k + 3 < last; ++k)
+            if (is_sign(at(k), "(") && is_sign(at(k + 1), "::") && is_word(k + 2) && is_sign(at(k + 3), ")"))
+                next = at(k + 2).text;
         // Matlab's "function t = heun()".
         for (std::size_t k = i + 1; word->word == "function" && k + 1 < last; ++k) {
             if (is_open(at(k)) && at(k).partner != nowhere) k = at(k).partner;
@@ -164,6 +169,12 @@ class scanner {
             out.index.insert(out.index.begin(), at(k).partner);
             k = at(k).partner - 1;
         }
+        if (!out.index.empty() && is_this(out.index.front())) {  // "(*this)[0]": the array is the class
+            out.name = out_.scopes[frames_.back().scope].name;
+            out.begin = out.index.front();
+            out.index.erase(out.index.begin());
+            return out;
+        }
         if (!is_name(k)) return out;
         out.name = at(k).text;
         out.begin = k;
@@ -176,6 +187,18 @@ class scanner {
             out.begin -= 2;
         }
         return out;
+    }
+
+    bool is_this(std::size_t open) const {
+        return is_sign(at(open), "(") && is_sign(at(open + 1), "*") && at(open + 2).text == "this" &&
+               at(open).partner == open + 3;
+    }
+
+    /// The scope around the class whose function is here.
+    std::size_t around_class() const {
+        const auto inner = out_.scopes[frames_.back().scope].parent;
+        const auto parent = inner == nowhere ? nowhere : out_.scopes[inner].parent;
+        return parent == nowhere ? frames_.back().scope : parent;
     }
 
     /// The last token of the name before `end`, where a type may stand between: "HEUN: Tableau<2> =".
@@ -204,6 +227,11 @@ class scanner {
         while (k > 0 && (is_word(k) || is_sign(at(k), ".") || is_sign(at(k), "::"))) --k;
         if (is_assign(k) || (is_sign(at(k), ":") && is_name(k - (k > 0 ? 1 : 0)))) return name_before(k).name;
         if (!is_sign(at(i), "{")) return {};
+        if (at(i - 1).is == token::kind::line_end) {  // a function whose body begins on a line of its own
+            const auto last = i > 1 ? i - 2 : 0;
+            if (!is_sign(at(last), ")") || at(last).partner == nowhere) return {};
+            return name_before(at(last).partner).name;
+        }
         if (is_sign(at(i - 1), ",") && !brackets_.empty() && is_word(brackets_.back() + 1) &&
             is_sign(at(brackets_.back() + 2), ","))
             return at(brackets_.back() + 1).text;
@@ -251,6 +279,7 @@ class scanner {
         if (found.name.empty()) return;
         assignment a{std::move(found.name), frames_.back().scope, at(sign > 0 ? sign - 1 : 0).line, begin};
         a.line = at(found.begin).line;
+        if (is_this(found.begin)) a.scope = around_class();
         a.sign = sign;
         a.list = is_sign(at(sign), "<<");
         a.end = end_of_value(begin, a.list, a.closed);
@@ -260,6 +289,7 @@ class scanner {
         }
         a.changes = changes(sign);
         const auto before = found.begin == 0 ? nowhere : found.begin - 1;
+        a.one_of_many = before != nowhere && is_sign(at(before), ",");
         const bool statement = before == nowhere || at(before).is == token::kind::line_end ||
                                is_sign(at(before), ";") || is_sign(at(before), "{") ||
                                is_sign(at(before), "}") || is_sign(at(before), ":") ||
@@ -330,6 +360,7 @@ class scanner {
         const auto& here = out_.scopes[frames_.back().scope];
         if (here.name.empty() || here.parent == nowhere) return;
         assignment a{here.name, here.parent, at(i).line, i + 1};
+        a.returned = true;
         a.sign = i;
         a.end = end_of_value(i + 1, false, a.closed);
         out_.assignments.push_back(std::move(a));

@@ -30,6 +30,8 @@ struct assignment {
     bool closed = true;                ///< its brackets are
     bool list = false;  ///< the value is a list without brackets: "A << 0, 1;", "DATA A /0, 1/"
     bool by_columns = false;
+    bool returned = false;     ///< by a function of this name
+    bool one_of_many = false;  ///< "x, NAME = f(y)"
 };
 
 /// "NAME(...)" for a name that `registers` asks for.

@@ -13,6 +13,7 @@
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/entry.hpp"
 #include "stagecraft/tableaux/program_groups.hpp"
+#include "stagecraft/tableaux/program_indexed.hpp"
 #include "stagecraft/tableaux/program_scan.hpp"
 #include "stagecraft/tableaux/program_variables.hpp"
 #include "stagecraft/tableaux/read.hpp"
@@ -22,6 +23,13 @@ namespace stagecraft::tableaux {
 namespace program_text {
 
 using cells = std::vector<cell>;
+
+/// How many stages single elements need.
+STAGECRAFT_INLINE std::size_t stages_of_elements(const variable& x) {
+    std::size_t s = 0;
+    for (const auto& e : x.elements) s = std::max({s, e.row + 1, e.column + 1});
+    return s;
+}
 
 /// The rows of A with s stages: a full matrix, a packed triangle, rows of different lengths, or single elements.
 STAGECRAFT_INLINE std::vector<cells> matrix_of(const variable& a, std::size_t s) {
@@ -38,26 +46,27 @@ STAGECRAFT_INLINE std::vector<cells> matrix_of(const variable& a, std::size_t s)
     }
     if (!a.elements.empty() || n == 0) rows.resize(std::max(rows.size(), s));
     if (rows.size() + 1 == s) rows.insert(rows.begin(), cells{});  // no first row
+    const bool from_second = a.gathered_as != variable::gathered::no && stages_of_elements(a) + 1 == s;
     for (auto& row : rows)
         if (row.size() < rows.size()) row.resize(rows.size(), {"0", a.line});
-    for (const auto& e : a.elements)
-        if (e.row < rows.size() && e.column < rows[e.row].size()) rows[e.row][e.column] = e.number;
+    for (const auto& e : a.elements) {
+        const auto row = e.row + (from_second ? 1 : 0);
+        if (row < rows.size() && e.column < rows[row].size()) rows[row][e.column] = e.number;
+    }
     return rows;
 }
 
-STAGECRAFT_INLINE cells list_of(const variable& x, std::size_t s) {
+/// A node that is not given.
+inline constexpr const char* unknown = "?";
+
+/// At least s numbers where some are given one by one, the others as `missing`.
+STAGECRAFT_INLINE cells list_of(const variable& x, std::size_t s, const char* missing) {
     cells all = x.array.all();
-    if (!x.elements.empty() || all.empty()) all.resize(std::max(all.size(), s), {"0", x.line});
+    s = std::max(s, stages_of_elements(x));
+    if (!x.elements.empty() || all.empty()) all.resize(std::max(all.size(), s), {missing, x.line});
     for (const auto& e : x.elements)
         if (e.row == 0 && e.column < all.size()) all[e.column] = e.number;
     return all;
-}
-
-/// How many stages single elements need.
-STAGECRAFT_INLINE std::size_t stages_of_elements(const variable& x) {
-    std::size_t s = 0;
-    for (const auto& e : x.elements) s = std::max({s, e.row + 1, e.column + 1});
-    return s;
 }
 
 /// The tableau of a group, cell by cell.
@@ -82,24 +91,99 @@ STAGECRAFT_INLINE void add_last_stage(parts& t) {
     t.b.push_back({"0", t.b.front().line});
 }
 
+STAGECRAFT_INLINE bool is_zero(const cell& c) { return read_entry(c.text).enclosure.middle() == rational(0); }
+
+/// What programs that name each coefficient leave out: nodes that are 0 or are not needed, which are the sums of their
+/// rows; a21, which is c2; weights that are 0.
+STAGECRAFT_INLINE void complete(parts& t) {
+    const auto s = t.b.size();
+    const auto line = t.b.front().line;
+    if (!t.embedded.empty() && t.embedded.size() < s) t.embedded.resize(s, {"0", line});
+    const bool is_explicit = !t.A.empty() && std::all_of(t.A[0].begin(), t.A[0].end(), is_zero);
+    const bool from_second = t.c.size() < s && is_explicit && !t.c.empty() && t.c.front().text != unknown;
+    if (from_second && !is_zero(t.c.front())) t.c.insert(t.c.begin(), {"0", line});
+    if (is_explicit && t.c.size() > 1 && s > 1 && std::all_of(t.A[1].begin(), t.A[1].end(), is_zero))
+        t.A[1][0] = t.c[1];
+    if (t.c.empty()) return;
+    t.c.resize(std::max(s, t.c.size()), {unknown, line});
+    for (std::size_t i = 0; i < s; ++i) {
+        if (t.c[i].text != unknown) continue;
+        std::string sum;
+        for (const auto& x : t.A[i])
+            if (x.text != "0") sum += (sum.empty() ? "(" : "+(") + x.text + ")";
+        t.c[i].text = sum.empty() ? "0" : bounded(sum);
+    }
+}
+
+/// Two sets of weights in one array, b first.
+STAGECRAFT_INLINE void split_weights(const value& b, const value& a, parts& t) {
+    const auto n = b.numbers() / 2;
+    const bool rows = b.rows.size() == 2 && b.rows[0].size() == n && b.rows[1].size() == n && n > 1;
+    const bool columns = b.reshaped && b.by_columns && b.numbers() == 2 * n && a.numbers() == n * n && n > 0;
+    if (!rows && !columns) return;
+    const auto all = b.all();
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n);
+    t.b.assign(all.begin(), middle);
+    t.embedded.assign(middle, all.end());
+}
+
+/// Programs that store by columns may keep A^T, so that a stage's numbers lie together: where nothing but zeros stands on
+/// and below the diagonal, no method is meant as it stands.
+STAGECRAFT_INLINE void turn(std::vector<cells>& A) {
+    for (std::size_t i = 0; i < A.size(); ++i)
+        for (std::size_t j = 0; j <= i && j < A[i].size(); ++j)
+            if (!is_zero(A[i][j])) return;
+    for (std::size_t i = 0; i < A.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (i < A[j].size()) std::swap(A[i][j], A[j][i]);
+}
+
+/// The rows of an explicit method from its second stage on, at last b: the nodes begin with 0, the rows do not.
+STAGECRAFT_INLINE void drop_last_row(parts& t) {
+    const bool from_second = !t.c.empty() && is_zero(t.c.front()) && !t.A.empty() && !t.A[0].empty() &&
+                             !is_zero(t.A[0][0]) && t.A.size() == t.b.size();
+    if (!from_second) return;
+    t.A.pop_back();
+    t.A.insert(t.A.begin(), cells(t.b.size(), {"0", t.b.front().line}));
+}
+
 STAGECRAFT_INLINE parts parts_of(const group& g, const variables& v) {
-    std::size_t s = 0;
-    for (const auto& [key, k] : g.arrays) s = std::max(s, stages_of_elements(v.all[k]));
+    std::size_t s =
+        0;  // not by names with indices that are left out where they are 0, or one behind the last stage
+    for (const auto& [key, k] : g.arrays)
+        if (key == "A" || key == "b" || v.all[k].gathered_as == variable::gathered::no)
+            s = std::max(s, stages_of_elements(v.all[k]));
     parts t;
     const auto list = [&](const char* key) {
         const auto at = g.arrays.find(key);
-        return at == g.arrays.end() ? cells{} : list_of(v.all[at->second], s);
+        if (at == g.arrays.end()) return cells{};
+        const auto& x = v.all[at->second];
+        return list_of(
+            x, x.gathered_as == variable::gathered::no || key == std::string_view("b") ? s : 0,
+            key == std::string_view("c") && x.gathered_as != variable::gathered::no ? unknown : "0");
     };
     t.b = list("b");
     if (g.last_row_of != nowhere && !v.all[g.last_row_of].array.rows.empty())
         t.b = v.all[g.last_row_of].array.rows.back();
     t.c = list("c");
     t.embedded = list("b_embedded");
-    t.A = matrix_of(v.all[g.arrays.at("A")], t.b.size());
+    const auto& a = v.all[g.arrays.at("A")];
+    if (t.embedded.empty() && g.arrays.contains("b"))
+        split_weights(v.all[g.arrays.at("b")].array, a.array, t);
+    t.embedded.erase(t.embedded.begin(), t.embedded.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                  g.embedded_from, t.embedded.size())));
+    if (t.b.empty() && a.array.nested) s = t.embedded.size();
+    t.A = matrix_of(a, std::max(t.b.size(), s));
+    if (a.array.reshaped && a.array.by_columns) turn(t.A);
+    if (g.last_row_of == g.arrays.at("A")) drop_last_row(t);
+    if (t.b.empty() && !t.A.empty()) t.b = t.A.back();  // that of the solution
     const cells diagonal = list("diagonal");
     for (std::size_t i = 0; i < std::min(diagonal.size(), t.A.size()); ++i)
         if (i < t.A[i].size()) t.A[i][i] = diagonal[i];
-    if (t.c.size() + 1 == t.b.size() && !t.c.empty()) t.c.insert(t.c.begin(), {"0", t.c.front().line});
+    if (t.c.size() + 1 == t.b.size() && !t.c.empty() && t.c.front().text != "0" &&
+        t.c.front().text != unknown)
+        t.c.insert(t.c.begin(), {"0", t.c.front().line});
+    if (a.gathered_as != variable::gathered::no) complete(t);
     if (t.embedded.size() == t.b.size() + 1 && t.A.size() == t.b.size()) add_last_stage(t);
     if (t.embedded.size() == t.b.size() &&
         abs(sum_of(t.embedded)) < rational(1, 2))  // the difference of both
@@ -131,7 +215,9 @@ STAGECRAFT_INLINE nlohmann::json texts(const cells& all) {
 /// Throws unusable_input with the line.
 STAGECRAFT_INLINE tableau_file file_of(const group& g, const variables& v, const reading& how) {
     for (const char* key : {"A", "b"})
-        if (const auto& x = v.all[g.arrays.contains(key) ? g.arrays.at(key) : g.last_row_of];
+        if (const auto& x = v.all[g.arrays.contains(key)     ? g.arrays.at(key)
+                                  : g.last_row_of != nowhere ? g.last_row_of
+                                                             : g.arrays.at("A")];
             !x.trouble.empty())
             throw unusable_input("line " + std::to_string(x.line) + ", " + x.name + ": " + x.trouble);
     parts t;
@@ -172,6 +258,7 @@ STAGECRAFT_INLINE program_tableaux read_program_text(std::string_view source, co
     } catch (const std::invalid_argument& e) {
         throw unusable_input(e.what());
     }
+    text::gather_indexed(variables);
     auto found = text::groups_of(program, variables);
     if (found.all.empty()) throw unusable_input(text::nothing_found(found));
     for (auto& g : found.all) {

@@ -157,6 +157,7 @@ class lexer {
     bool is_comment(const comment_mark& mark) const {
         const auto size = mark.open.size();
         const char next = peek(size);
+        if (mark.open == "#=" && next == '=') return false;  // a line of ===== behind Python's #
         switch (mark.place) {
             case comment_place::anywhere:
                 return true;
@@ -219,8 +220,9 @@ class lexer {
         if (quote != '"' && quote != '\'') return false;
         // Matlab's transposition and Rust's lifetimes are no quotes.
         const std::string_view transposed_before(")]}.'");
-        if (quote == '\'' && (is_word(before()) || transposed_before.find(before()) != nowhere ||
-                              before() == '&' || before() == '<'))
+        if (quote == '\'' && at_ != raw_ &&
+            (is_word(before()) || transposed_before.find(before()) != nowhere || before() == '&' ||
+             before() == '<'))
             return false;
         auto end = at_ + 1;
         while (end < source_.size() && source_[end] != quote && source_[end] != '\n')
@@ -282,6 +284,13 @@ class lexer {
         }
         auto end = at_;
         while (end < source_.size() && is_word(source_[end]) && !minus(end)) ++end;
+        const auto quote = source_.substr(end, 1) == "\"" || source_.substr(end, 3) == "'''" ||
+                           source_.substr(at_, 3) == "r'\\";  // "r'" alone is Matlab's transposition
+        if (quote && end == at_ + 1 && std::string_view("uUrRbBfF").find(source_[at_]) != nowhere) {
+            raw_ = end;  // Python's r"..."
+            ++at_;
+            return;
+        }
         push(token::kind::word, std::string(source_.substr(at_, end - at_)));
         at_ = end;
     }
@@ -325,7 +334,7 @@ class lexer {
 
     std::string_view source_;
     std::vector<token> tokens_;
-    std::size_t at_ = 0, line_ = 1, line_begin_ = 0;
+    std::size_t at_ = 0, line_ = 1, line_begin_ = 0, raw_ = nowhere;
     bool blank_ = true;
 };
 

@@ -4,9 +4,11 @@
 #include "stagecraft/tableaux/program_variables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -63,8 +65,19 @@ class variable_reader {
 
     variable& add(const assignment& a, variable::kind is) {
         const auto end = std::max(a.begin + 1, std::min(a.end, p_.tokens.size()));
-        out_.all.push_back(
-            {a.name, a.scope, a.line, p_.tokens[end - 1].line, is, {}, {}, {}, {}, false, false});
+        out_.all.push_back({a.name,
+                            a.scope,
+                            a.line,
+                            p_.tokens[end - 1].line,
+                            is,
+                            {},
+                            {},
+                            {},
+                            {},
+                            false,
+                            a.returned,
+                            false,
+                            false});
         return out_.all.back();
     }
 
@@ -77,7 +90,11 @@ class variable_reader {
         auto at = known_.find(name);
         if (at == known_.end()) at = known_.find(std::string(last_part(name)));
         if (at == known_.end()) return nullptr;
+        // Elements are placed at the end: before, only "a = convert(a)" may hand on an array that has some.
+        const bool same = out_.all[at->second].scope == scope_ && out_.all[at->second].name == assigned_;
+        if (written_.contains(at->second) && !same) return nullptr;
         out_.all[at->second].used = true;
+        found_.push_back(at->second);
         return &out_.all[at->second].array;
     }
 
@@ -88,12 +105,15 @@ class variable_reader {
 
     std::optional<value> read(const assignment& a, std::string& trouble) {
         scope_ = a.scope;
+        assigned_ = a.name;
+        found_.clear();
         const lookup known = [this](const std::string& name) { return find(name); };
         try {
             auto v = a.list ? list_of(p_.tokens, a.begin, a.end, known)
                             : value_of(p_.tokens, a.begin, a.end, known);
             if (a.by_columns) v.by_columns = true;
             cover(a);
+            for (const auto k : found_) out_.all[k].in_array = out_.all[k].in_array || v.is_array;
             return v;
         } catch (const not_understood& e) {
             trouble = e.what.ends_with("unknown") ? e.what : e.what + " is not understood";
@@ -131,7 +151,8 @@ class variable_reader {
         }
         known_.erase(a.name);
         known_.erase(std::string(last_part(a.name)));
-        if (!holds_numbers(a) && !is_list_of_coefficients(a) && !is_claim(a)) return;
+        const bool single = !a.one_of_many && is_single_coefficient(last_part(a.name));
+        if (!holds_numbers(a) && !is_list_of_coefficients(a) && !is_claim(a) && !single) return;
         const bool array = holds_numbers(a) || is_list_of_coefficients(a);
         add(a, array ? variable::kind::array : variable::kind::other).trouble = std::move(trouble);
         cover(a);
@@ -159,6 +180,11 @@ class variable_reader {
     /// "order = p" with a p that is not known, but no "order = order" of an argument.
     bool is_claim(const assignment& a) const {
         const auto claim = claim_in(a.name);
+        static constexpr std::array<std::string_view, 7> nothing{"NotImplemented", "None", "usize",  "int",
+                                                                 "integer",        "null", "nothing"};
+        if (a.end > a.begin &&
+            std::find(nothing.begin(), nothing.end(), p_.tokens[a.begin].text) != nothing.end())
+            return false;
         return claim && claim->key != "name" && a.name.find("->") == a.name.npos && a.end > a.begin &&
                a.end < a.begin + 8 && p_.tokens[a.begin].text != last_part(a.name);
     }
@@ -189,7 +215,7 @@ class variable_reader {
 
     /// Numbers in the index brackets "[1][0]", "(2, 1)", "[1, :]"; a colon is `all`.
     static constexpr std::size_t all = nowhere - 1;
-    std::optional<std::vector<std::size_t>> index_of(const assignment& a) const {
+    std::optional<std::vector<std::size_t>> index_of(const assignment& a) {
         std::vector<std::size_t> index;
         for (const auto open : a.index) {
             if (p_.tokens[open].partner == nowhere) return std::nullopt;
@@ -198,6 +224,10 @@ class variable_reader {
                 const bool whole =
                     t.is == token::kind::number && t.text.size() < 4 && t.text.find('.') == nowhere;
                 if (is_sign(t, ",")) continue;
+                if (whole && !index.empty() && index.back() == all && is_sign(p_.tokens[i - 1], ":")) {
+                    from_ = 0;  // Python's A[2, :2]
+                    continue;
+                }
                 if (!whole && !is_sign(t, ":")) return std::nullopt;
                 index.push_back(whole ? std::stoul(t.text) : all);
             }
@@ -229,6 +259,7 @@ class variable_reader {
                 element_values_[{a.scope, element}] = *v;
             }
             writes_.push_back({k, *index, std::move(*v)});
+            written_.insert(k);
         } else if (out_.all[k].trouble.empty()) {
             out_.all[k].trouble = index && !trouble.empty()
                                       ? trouble
@@ -282,7 +313,9 @@ class variable_reader {
             while (next < ranges.size() && ranges[next].first <= i)
                 covered = std::max(covered, ranges[next++].second);
             if (i < covered || !brackets_.at(i)) continue;
-            if (out_.unnamed.empty() || out_.unnamed.back() != p_.tokens[i].line)
+            const auto close = p_.tokens[i].partner;
+            const bool key = close + 1 < p_.tokens.size() && is_sign(p_.tokens[close + 1], ":");
+            if (!key && (out_.unnamed.empty() || out_.unnamed.back() != p_.tokens[i].line))
                 out_.unnamed.push_back(p_.tokens[i].line);
             i = p_.tokens[i].partner;
         }
@@ -297,7 +330,10 @@ class variable_reader {
     std::map<std::pair<std::size_t, std::string>, std::size_t> of_elements_;
     std::map<std::pair<std::size_t, std::string>, value> element_values_;
     std::vector<write> writes_;
+    std::set<std::size_t> written_;  ///< whose elements are assigned
+    std::string assigned_;           ///< the name whose value is at work
     std::vector<std::pair<std::size_t, std::size_t>> ranges_;
+    std::vector<std::size_t> found_;  ///< names in the value at work
     std::size_t covered_from_ = 0, covered_ = 0, from_ = 1, scope_ = 0;
 };
 
