@@ -46,6 +46,8 @@ struct outcome {
     double t = 0;      ///< where it ended
     double worst = 0;  ///< the largest error of an accepted step, in tolerances (errors_of)
     long steps = 0;
+    double estimate =
+        0;  ///< boundary values: the estimated error over the true one, where that is no rounding
 };
 
 /// The largest error at t, in units of the tolerance of its component, tol (1 + |y_i|); that of a component of
@@ -172,5 +174,11 @@ inline outcome run(int stages, const problem& p, double tol) {
 /// Crossings of random levels by an oscillator, located in a run of s = 3: success says that all were found and
 /// no other, `worst` how far off their times are.
 outcome run_events(dice d, double tol);
+
+// Boundary values by five Gauss nodes; `worst` is the largest error of y(t), of p and of an unknown end, `steps` counts f.
+outcome run_interior(dice d, double tol);
+outcome run_integral(dice d, double tol);
+outcome run_free_length(dice d, double tol);
+outcome run_semi_infinite(dice d, double tol);
 
 }  // namespace campaign

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -45,7 +46,7 @@ cut_interval<Scalar> cut_at(const More& more, const Scalar& a, const Scalar& b, 
     return cut;
 }
 
-/// Times of [a, b] as parts of the pieces they are in.
+/// Times of [a, b] as parts of the pieces they are in; what differs by rounding alone is one.
 template <class Scalar>
 std::vector<Scalar> parts_of(const cut_interval<Scalar>& cut, const std::vector<Scalar>& times) {
     std::vector<Scalar> parts;
@@ -55,7 +56,10 @@ std::vector<Scalar> parts_of(const cut_interval<Scalar>& cut, const std::vector<
         if (s > Scalar(0) && s < Scalar(1)) parts.push_back(s);
     }
     std::sort(parts.begin(), parts.end());
-    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    const Scalar same = 16 * std::numeric_limits<Scalar>::epsilon();
+    parts.erase(std::unique(parts.begin(), parts.end(),
+                            [&](const Scalar& x, const Scalar& y) { return y - x <= same; }),
+                parts.end());
     return parts;
 }
 

@@ -83,14 +83,21 @@ inline void add_work(bvp_report& all, const bvp_report& one) {
     all.error_solves += one.error_solves, all.conditioning_solves += one.conditioning_solves;
 }
 
-/// The mesh of the solution on [a, T] carried on to `end` by intervals as long as the last of it, eight at most.
+/// The mesh of the solution on [a, T] carried on to `end` by intervals as long as the last of it, eight at most. That of
+/// several pieces, which are solved on one mesh, has the points of all of them: one in so many is left.
 template <class Scalar>
-std::vector<Scalar> lengthened_mesh(std::vector<Scalar> mesh, const Scalar& end, int most) {
+std::vector<Scalar> lengthened_mesh(std::vector<Scalar> mesh, const Scalar& end, int most, int pieces) {
+    std::vector<Scalar> left{mesh.front()};
+    for (std::size_t i = 1; i + 1 < mesh.size(); ++i)  // times of pieces may be one in rounding
+        if (i % static_cast<std::size_t>(pieces) == 0 && mesh[i] > left.back() && mesh[i] < mesh.back())
+            left.push_back(mesh[i]);
+    left.push_back(mesh.back());
+    mesh = std::move(left);
     const Scalar from = mesh.back(), last = from - mesh[mesh.size() - 2];
     const int more = std::clamp(static_cast<int>((end - from) / last), 1, 8);
     for (int k = 1; k < more; ++k) mesh.push_back(from + (end - from) * Scalar(k) / Scalar(more));
     mesh.push_back(end);
-    if (static_cast<int>(mesh.size()) > most) mesh.clear();
+    if (static_cast<int>(mesh.size()) > most / pieces) mesh.clear();
     return mesh;
 }
 
@@ -143,9 +150,11 @@ class search_to_infinity {
     using parameters = decltype(Result::p);
 
   public:
+    /// `pieces`: how many the interval is cut into by conditions inside; `integrals`: some are on integrals, which lack what is
+    /// beyond the end.
     search_to_infinity(State& state, const Guess& guess, const scalar& a, const bvp_options<scalar>& o,
-                       const Solve& solve)
-        : state_(state), guess_(guess), a_(a), o_(o), solve_(solve) {}
+                       int pieces, bool integrals, const Solve& solve)
+        : state_(state), guess_(guess), a_(a), o_(o), pieces_(pieces), integrals_(integrals), solve_(solve) {}
 
     /// From the first end on; where that leads to no solution which approaches the limit, from half the length, and again.
     /// `coarse` is the tolerance up to the first end.
@@ -171,6 +180,7 @@ class search_to_infinity {
         if (!own.mesh.empty() && own.mesh.back() != end) own.mesh.clear();
         Result last;
         lengthened_guess<Guess, vector> from{guess_, nullptr, vector(), scalar(0), {}};
+        vector before;  // what was left out at the end of the last one
         int stays = 0;
         for (int k = 0; k < 16 && stays < 2; ++k) {
             state_.look(end, p);
@@ -183,19 +193,27 @@ class search_to_infinity {
                 return now;
             }
             scalar digits = std::max(scalar(log(scalar(100))), scalar(-log(o_.rtol) / 2 - first_digits));
-            const vector left = now.y(end) - state_.limit(end, now.p);
+            const vector left = now.y(end) - state_.limit(end, now.p), outside = left_out(now, end);
+            scalar rate = state_.slowest;
             if (k > 0) {
-                const scalar cut = count_what_is_cut_off(now, last, left.norm() / from.left.norm());
+                const scalar length = end - last.mesh.back(), fallen = left.norm() / from.left.norm();
+                scalar part = outside.norm() / before.norm();
+                if (integrals_ && !(part > fallen)) part = fallen;
+                const scalar falling = part > scalar(0) ? scalar(-log(part) / length) : state_.slowest;
+                const scalar cut =
+                    count_what_is_cut_off(now, last, part, outside, std::max(falling, scalar(0)));
                 if (now.error.global <= o_.rtol) return now;
-                stays = cut < scalar(0) ? stays + 1 : 0;
-                digits = log(20 * std::abs(cut) / o_.rtol + 10);
+                stays = fallen <= scalar(0.5) ? 0 : stays + 1;
+                digits = log(20 * cut / o_.rtol + 10);
+                rate = std::clamp(falling, scalar(state_.slowest / 100), state_.slowest);
             }
+            before = outside;
             last = std::move(now);
             p = last.p;
             from.shorter = &last.y, from.left = left, from.rate = state_.slowest;
             from.limit = [this, p](const scalar& t) { return state_.limit(t, p); };
-            end += std::clamp(scalar(digits / state_.slowest), scalar((end - a_) / 4), scalar(end - a_));
-            own.mesh = lengthened_mesh(last.mesh, end, o_.max_intervals);
+            end += std::clamp(scalar(digits / rate), scalar((end - a_) / 4), scalar(end - a_));
+            own.mesh = lengthened_mesh(last.mesh, end, o_.max_intervals, pieces_);
         }
         last.status = bvp_status::tolerance_not_met;
         last.message = "the solution found on finite intervals does not approach limit as they grow" +
@@ -208,17 +226,39 @@ class search_to_infinity {
             std::max({scalar(o_.rtol * 4 / 5), scalar(4 * std::numeric_limits<scalar>::epsilon()), least});
         own.atol = o_.atol * own.rtol / o_.rtol;
     }
-    /// Adds to the error what is left of the difference to the solution on the shorter interval, y - limit at the end having
-    /// fallen to this part. Returned is the largest of it, with a minus where that has not fallen to half.
-    scalar count_what_is_cut_off(Result& now, const Result& shorter, const scalar& part) const {
-        const gap_between<Result> gap(shorter, now,
-                                      o_.atol > scalar(0) ? scalar(o_.atol / o_.rtol) : scalar(1));
-        const bool falls = part <= scalar(0.5);
+    /// The largest that drives the directions which do not decay over the last part of [a, end], as the signs of waves differ.
+    vector left_out(const Result& now, const scalar& end) const {
+        vector largest = vector::Zero(now.error.components.size());
+        for (int k = 0; k <= 8; ++k) {
+            const scalar t = end - (end - a_) * scalar(k) / scalar(128);
+            largest = largest.cwiseMax(state_.driving(t, now.y(t), now.p).cwiseAbs()).eval();
+        }
+        return largest;
+    }
+    /// Adds to the error what is cut off, and returns it as a part of 1 + |y|. In the directions that do not decay the solution
+    /// is, at the end, the integral of what drives them from there on, which falls at the rate `falling`. From the solution on
+    /// the shorter interval this one differs by what was cut off there, and by the errors of both; `part` of the former is
+    /// left. That is believed beyond those errors, or where it is less.
+    scalar count_what_is_cut_off(Result& now, const Result& shorter, const scalar& part,
+                                 const vector& outside, const scalar& falling) const {
+        const scalar floor = o_.atol > scalar(0) ? scalar(o_.atol / o_.rtol) : scalar(1);
+        const gap_between<Result> gap(shorter, now, floor);
         const scalar kept = part < scalar(0.9) ? scalar(part / (1 - part)) : scalar(10);
-        now.error.global += kept * gap.global;
-        now.error.components += kept * gap.components;
-        now.error.parameters += kept * gap.parameters;
-        return falls ? scalar(kept * gap.global) : scalar(-kept * gap.global);
+        const vector y = now.y(now.mesh.back());
+        const scalar rate = std::max(scalar(state_.growth + falling), scalar(state_.slowest / 100));
+        scalar direct = integrals_ ? std::numeric_limits<scalar>::infinity() : scalar(0);
+        for (Eigen::Index i = 0; i < y.size(); ++i) {
+            using std::abs;
+            direct = std::max(direct, scalar(outside[i] / rate / (floor + abs(y[i]))));
+        }
+        const scalar errors = 2 * (shorter.error.global + now.error.global),
+                     beyond = std::max(scalar(gap.global - errors), scalar(0)),
+                     cut = std::max(std::min(scalar(kept * gap.global), direct), scalar(kept * beyond)),
+                     share = gap.global > scalar(0) ? scalar(cut / gap.global) : scalar(0);
+        now.error.global += cut;
+        now.error.components += share * gap.components;
+        now.error.parameters += share * gap.parameters;
+        return cut;
     }
     static std::string up_to(const scalar& end) {
         std::ostringstream text;
@@ -231,6 +271,8 @@ class search_to_infinity {
     const Guess& guess_;
     scalar a_;
     const bvp_options<scalar>& o_;
+    int pieces_;
+    bool integrals_;
     const Solve& solve_;
     bvp_report work_;
 };
@@ -244,8 +286,8 @@ class search_to_infinity {
 /// Ascher-Mattheij-Russell). Each of these, k say, is one condition: r writes n + n_p - k numbers, less those
 /// of interior() and integral(), and its `out` has its size at run time, its `right` is y(T). b is the first T, or infinite:
 /// then it follows from the eigenvalues. T grows until the solutions on two intervals differ by less than the tolerance;
-/// result.error counts, beside what it always does, what of that difference is left, by how much y - limit has fallen
-/// meanwhile. result.y ends at T, where y may still be off limit by more than the tolerance.
+/// result.error counts, beside what it always does, what is cut off: by what drives y - limit at T in the directions that do
+/// not decay, and by what is left of that difference. result.y ends at T, where y may still be off limit by more than the tolerance.
 ///
 /// std::invalid_argument, naming to_infinity(limit), is thrown where limit does not solve the equation, where no eigenvalue has
 /// a negative real part, a pair is on the imaginary axis, or rates fall like 1/t (powers of t solve the linearisation). An
@@ -323,8 +365,10 @@ requires((detail::reaches_infinity<More> || ...) &&
                          own);
     };
     using result = decltype(solve(end, detail::lengthened_guess<Guess, vector>{guess}, p, o));
-    detail::search_to_infinity<result, Guess, decltype(state), decltype(solve)> search(state, guess, a, o,
-                                                                                       solve);
+    constexpr int pieces = 1 + (int(detail::multipoint_part<More>::cuts) + ...);
+    constexpr bool integrals = (detail::multipoint_part<More>::integrates || ...);
+    detail::search_to_infinity<result, Guess, decltype(state), decltype(solve)> search(
+        state, guess, a, o, pieces, integrals, solve);
     return search.run(p, end, coarse);
 }
 

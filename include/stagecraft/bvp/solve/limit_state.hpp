@@ -34,8 +34,9 @@ class limit_state {
                          std::max(scalar(rtol / 10), 1000 * std::numeric_limits<scalar>::epsilon()))) {}
 
     dense away;         ///< rows that vanish on what decays
-    dense decaying;     ///< the projection on what decays
-    scalar slowest{0};  ///< the rate at which it does, at least
+    dense others;       ///< the projection on what does not decay
+    scalar slowest{0};  ///< the rate at which the rest does, at least
+    scalar growth{0};   ///< the rate at which the others grow, at least
 
     Vector limit(const scalar& t, const Parameters& p) const { return limit_(t, p); }
 
@@ -49,11 +50,19 @@ class limit_state {
         const char* fault =
             fault_of(here, spectrum(linearisation(far, p)), spectrum(linearisation(twice, p)));
         demand(!fault, fault ? fault : "");
-        const dense others = projection_above(A, scalar(-here.slowest() / 2));
+        others = projection_above(A, scalar(-here.slowest() / 2));
         const int k = n_ - here.decaying;
         away = range_of(dense(others.transpose()), k).transpose();
-        decaying = dense::Identity(n_, n_) - others;
         slowest = here.slowest();
+        growth = here.decaying < n_ ? here.rates[static_cast<std::size_t>(here.decaying)] : slowest;
+        growth = std::max(growth, scalar(0));
+        A_ = A;
+    }
+    /// What drives y - limit in the directions that do not decay, at y near the limit, beside the linear part: integrated
+    /// from the end on it is what of them is left out there. Of the last linearisation that was looked at.
+    Vector driving(const scalar& t, const Vector& y, const Parameters& p) {
+        const Vector off = y - limit_(t, p);
+        return others * (f(t, y, p) - slope_of_limit(t, p) - A_ * off);
     }
     /// A length over which y - limit falls to a hundredth, by the eigenvalues at its end: the conditions there are wrong by the
     /// square of what is left.
@@ -79,38 +88,57 @@ class limit_state {
         functions_.f(t, y, p);
         return functions_.jacobian(t).topLeftCorner(n_, n_);
     }
-    /// f(t, limit) - limit', relative to the sizes that cancel in it.
-    scalar defect(const scalar& t, const Parameters& p) {
+    Vector slope_of_limit(const scalar& t, const Parameters& p) {
         using std::abs;
         const scalar h = (1 + abs(t)) / 1000;
-        const Vector y = limit_(t, p);
         const auto across = [&](const scalar& d) -> Vector {
             return limit_(scalar(t + d), p) - limit_(scalar(t - d), p);
         };
-        const Vector slope = (8 * across(h) - across(2 * h)) / (12 * h);
+        return (8 * across(h) - across(2 * h)) / (12 * h);
+    }
+    /// f(t, limit) - limit', relative to the sizes that cancel in it.
+    scalar defect(const scalar& t, const Parameters& p) {
+        const Vector y = limit_(t, p), slope = slope_of_limit(t, p);
         const scalar size = linearisation(t, p).norm() * y.norm() + slope.norm();
         return (f(t, y, p) - slope).norm() / (1 + size);
     }
     void demand_solution(const scalar& t, const scalar& far, const scalar& twice, const Parameters& p) {
+        const scalar here = defect(t, p), there = defect(far, p), beyond = defect(twice, p);
         scalar least = std::numeric_limits<scalar>::infinity();
-        for (const scalar& at : {t, far, twice}) {
-            const scalar d = defect(at, p);
+        for (const scalar& d : {here, there, beyond})
             if (d < least) least = d;
-        }
         demand(least - least == scalar(0), "f or its Jacobian is not finite at limit");
         std::ostringstream text;
         text.precision(2);
-        text << "limit must be a solution of y' = f(t, y), an equilibrium if it is constant; f - limit' is "
-             << least << " beside the terms in f at t = " << t << " and beyond, and may be " << most_
-             << " (give limit to the digits that rtol asks for; where f approaches its limit like a power of "
-                "t, a "
-                "finite b and conditions there)";
+        const bool falls = there < scalar(0.8) * here && beyond < scalar(0.8) * there;
+        if (least > most_ && falls && falls_exponentially(twice, beyond, p)) return;
+        if (falls)
+            text << "f(t, limit) - limit' falls like a power of t, from " << here << " at t = " << t << " to "
+                 << beyond << " at t = " << twice
+                 << ", and so does y - limit: no interval is long enough; give a finite b with conditions "
+                    "there, or a limit that follows y, limit(t, out)";
+        else
+            text << "limit must be a solution of y' = f(t, y), an equilibrium if it is constant; f - limit' "
+                    "is "
+                 << least << " beside the terms in f at t = " << t << " and beyond, and may be " << most_
+                 << " (give limit to the digits that rtol asks for)";
         demand(least <= most_, text.str());
+    }
+    /// Does the defect, which is `last` at t, fall to what it may be by far more than powers of t do over twice the time?
+    bool falls_exponentially(scalar t, scalar last, const Parameters& p) {
+        for (int k = 0; k < 10; ++k) {
+            t = a_ + 2 * (t - a_);
+            const scalar now = defect(t, p);
+            if (now <= most_) return now < last / 100;
+            last = now;
+        }
+        return false;
     }
     Functions& functions_;
     limit_function limit_;
     scalar a_;
     int n_;
+    dense A_;      // the linearisation looked at last
     scalar most_;  // of the defect
 };
 
