@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-// Semi-infinite intervals, against closed forms and published values. All of one size of state, that is known at run time.
+// Semi-infinite intervals and connecting orbits, against closed forms and published values. All of one size of state, that is
+// known at run time.
 #define BOOST_TEST_MODULE bvp_semi_infinite
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <stagecraft/bvp/connecting_orbit.hpp>
 #include <stagecraft/bvp/semi_infinite.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stdexcept>
@@ -234,4 +237,165 @@ BOOST_AUTO_TEST_CASE(what_is_no_limit_is_refused) {
     };
     refused("to_infinity(limit): limit must be a solution", [&] { to(1e-7, 1e-10); });
     BOOST_TEST(sc::name(to(1e-8, 1e-6).status) == std::string("success"));
+}
+
+namespace {
+
+/// nagumo: u'' + p u' + u (1 - u) (u - a) = 0 (p = 0.5 where none is given), fronts u(x - p t) of u_t = u_xx + u (1 - u) (u - a); fisher: the same with
+/// u (1 - u), a = 0 as p is given. energy: x'' = x - x^2 + (p - 0.3) x' + 2 x' H, where H, the energy, is zero on
+/// x = 1.5 / cosh^2(t/2), so that p = 0.3. fold: no equilibrium.
+struct connected {
+    enum { nagumo, fisher, energy, lorenz, fold } which;
+    double a = 0;
+    template <class T, class Y, class P>
+    void operator()(const T&, const Y& y, const P& p, Y& f) const {
+        f[0] = y[1];
+        if (which == nagumo) {
+            auto speed = 0.5 + 0. * y[0];
+            if (p.size() > 0) speed = p[0] + 0. * y[0];
+            f[1] = -speed * y[1] - y[0] * (1. - y[0]) * (y[0] - a);
+        } else if (which == fisher) {
+            f[1] = -a * y[1] - y[0] * (1. - y[0]);
+        } else if (which == energy) {
+            const auto H = y[1] * y[1] / 2. - y[0] * y[0] / 2. + y[0] * y[0] * y[0] / 3.;
+            f[1] = y[0] - y[0] * y[0] + (p[0] - 0.3) * y[1] + 2. * y[1] * H;
+        } else if (which == lorenz) {
+            f[0] = 10. * (y[1] - y[0]), f[1] = p[0] * y[0] - y[1] - y[0] * y[2];
+            f[2] = y[0] * y[1] - 8. / 3 * y[2];
+        } else {
+            f[1] = 1. + p[0] + y[0] * y[0];
+        }
+    }
+};
+using guess_function = std::function<VectorXd(double)>;
+VectorXd numbers(std::vector<double> v) {
+    return Eigen::Map<VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
+auto connect(const connected& f, const VectorXd& from, const VectorXd& to, const guess_function& guess,
+             std::vector<double> p, double rtol = 1e-8) {
+    return sc::connecting_orbit(sc::gauss<5>(), f, from, to, guess, numbers(std::move(p)), {.rtol = rtol});
+}
+/// A front that goes down with twice the slope of Nagumo's, or so.
+VectorXd front(double t) {
+    const double u = 1 / (1 + std::exp(1.4 * t));
+    return Vector2d(u, -1.4 * u * (1 - u));
+}
+const VectorXd rest = VectorXd::Zero(2), excited = Vector2d(1, 0);
+
+/// The largest error of y_0 and y_1 beside the closed form u and its derivative at times 400.
+template <class Result, class U>
+double largest_error(const Result& r, const U& u) {
+    double worst = 0;
+    for (int k = 0; k <= 400; ++k) {
+        const double t = std::min(r.y.t1(), r.y.t0() + (r.y.t1() - r.y.t0()) * k / 400);
+        worst = std::max(worst, std::abs(r.y(t)[0] - u(t)) / (1 + std::abs(u(t))));
+    }
+    return worst;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(fronts_and_pulses_in_closed_form) {
+    // u = 1/(1 + exp(x / sqrt 2)), p = (1 - 2a)/sqrt 2; the phase is that of the guess.
+    for (const double a : {0.1, 0.3, 0.7})
+        for (const double rtol : {1e-4, 1e-8, 1e-11}) {
+            const auto r =
+                connect({connected::nagumo, a}, Vector2d(0.98, 0.01), Vector2d(0.02, 0), front, {0.3}, rtol);
+            BOOST_TEST_CONTEXT("a = " << a << ", rtol = " << rtol << ": " << r.message) {
+                BOOST_TEST_REQUIRE(r.ok());
+                const double off = std::abs(r.p[0] - (1 - 2 * a) / std::sqrt(2.)), u = r.y(0.)[0],
+                             begin = -std::sqrt(2.) * std::log(1 / u - 1);
+                const double worst = largest_error(
+                    r, [&](double t) { return 1 / (1 + std::exp((t - begin) / std::sqrt(2.))); });
+                BOOST_TEST_MESSAGE("nagumo " << a << ' ' << rtol << ": p " << off << " ("
+                                             << r.error.parameters[0] << "), y " << worst << " ("
+                                             << r.error.global << "), f " << r.report.f << ", " << r.y.t0()
+                                             << " to " << r.y.t1());
+                BOOST_TEST(off <= rtol);
+                BOOST_TEST(worst <= rtol);
+                BOOST_TEST(worst <= 10 * r.error.global + 1e-13);
+                BOOST_TEST((r.from - excited).norm() < 1e-12);
+                BOOST_TEST(r.to.norm() < 1e-12);
+            }
+        }
+    const auto pulse = [](double t) -> VectorXd {
+        const double c = 1 / std::cosh(0.4 * t);
+        return Vector2d(1.2 * c * c, -0.96 * c * c * std::tanh(0.4 * t));
+    };
+    for (const double rtol : {1e-4, 1e-7, 1e-10}) {
+        const auto r = connect({connected::energy}, rest, rest, pulse, {0.2}, rtol);
+        BOOST_TEST_CONTEXT("rtol = " << rtol << ": " << r.message) {
+            BOOST_TEST_REQUIRE(r.ok());
+            // At its top x = 1.5, y = 0.
+            double low = r.y.t0(), high = r.y.t1();
+            for (int k = 0; k < 60; ++k) (r.y((low + high) / 2)[1] > 0 ? low : high) = (low + high) / 2;
+            const double worst = largest_error(r, [&](double t) {
+                const double c = std::cosh((t - low) / 2);
+                return 1.5 / (c * c);
+            });
+            BOOST_TEST_MESSAGE("pulse " << rtol << ": p " << std::abs(r.p[0] - 0.3) << " ("
+                                        << r.error.parameters[0] << "), y " << worst << " (" << r.error.global
+                                        << "), f " << r.report.f);
+            BOOST_TEST(std::abs(r.p[0] - 0.3) <= rtol);
+            BOOST_TEST(worst <= rtol);
+            BOOST_TEST(worst <= 10 * r.error.global + 1e-13);
+        }
+    }
+    // Fisher's equation: fronts into a node are there for every speed.
+    const auto r = connect({connected::fisher, 2.5}, excited, rest, front, {});
+    BOOST_TEST_REQUIRE(r.ok(), r.message);
+    BOOST_TEST(r.p.size() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_homoclinic_orbit_of_lorenz) {
+    // At r = 13.926557407 (Sparrow has 13.926...). The guess: the orbit that leaves the origin at r = 13.926, until it is near it
+    // again, by a Runge-Kutta method of order four.
+    const connected f{connected::lorenz};
+    const VectorXd r = numbers({13.926});
+    const double grows = (-11 + std::sqrt(121 + 40 * 12.92)) / 2, h = 1e-3;
+    VectorXd y = numbers({10, 10 + grows, 0}) / 1000, k[4];
+    std::vector<VectorXd> table{y};
+    double away = 0;
+    while (away < 10 || table.back().norm() > 0.6) {
+        for (int s = 0; s < 4; ++s) {
+            VectorXd at = s == 0 ? y : VectorXd(y + (s < 3 ? h / 2 : h) * k[s - 1]);
+            k[s] = at, f(0., at, r, k[s]);
+        }
+        y += h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3]);
+        table.push_back(y), away = std::max(away, y.norm());
+        BOOST_TEST_REQUIRE(table.size() < 10000U);
+    }
+    const guess_function guess = [&](double t) -> VectorXd {
+        const double end = h * static_cast<double>(table.size() - 1);
+        if (t <= -1) return std::exp(grows * (t + 1)) * table[0];
+        if (t + 1 >= end) return std::exp(-8. / 3 * (t + 1 - end)) * table.back();
+        return table[static_cast<std::size_t>((t + 1) / h)];
+    };
+    const auto orbit = connect(f, VectorXd::Zero(3), VectorXd::Zero(3), guess, {13.92}, 1e-10);
+    BOOST_TEST_REQUIRE(orbit.ok(), orbit.message);
+    BOOST_TEST_MESSAGE("lorenz off " << orbit.p[0] - 13.926557407 << ", f " << orbit.report.f);
+    BOOST_TEST(std::abs(orbit.p[0] - 13.926557407) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_connected_says_why) {
+    const connected f{connected::nagumo, 0.3};
+    refused(
+        "connecting_orbit: 1 direction(s) come to `from`, 1 leave `to`: an orbit between them has 3 "
+        "conditions, with its phase, for 2 components and 0 parameter(s); 1 parameter(s) more must be "
+        "unknown",
+        [&] { connect(f, excited, rest, front, {}); });
+    refused("there is a family of them: 1 condition(s) are missing", [&] {
+        connect(f, excited, rest, front, {0.3, 0});
+    });
+    // (a, 0) is a centre for p = 0.
+    refused("`from` is not hyperbolic: f_y has 2 eigenvalue(s) on the imaginary axis",
+            [&] { connect(f, Vector2d(0.3, 0), rest, front, {0}); });
+    refused("`from` must be near an equilibrium",
+            [&] { connect({connected::fold}, rest, rest, front, {0}); });
+    refused("guess(t) must come near `from`", [&] { connect(f, rest, excited, front, {0.3}); });
+    refused("`from` is left by no orbit", [&] {
+        connect({connected::fisher, 2.5}, rest, excited, [](double t) { return front(-t); }, {});
+    });
+    refused("`to` must be finite and have n components",
+            [&] { connect(f, excited, VectorXd::Zero(3), front, {0.3}); });
 }

@@ -12,6 +12,7 @@
 
 #include <stagecraft/bvp/continuation_options.hpp>
 #include <stagecraft/bvp/paths/equilibrium_path.hpp>
+#include <stagecraft/bvp/paths/no_conditions.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/jacobian/automatic.hpp>
 #include <stagecraft/problem/two_point.hpp>
@@ -45,14 +46,6 @@ struct equilibrium_point {
 };
 
 namespace detail {
-
-/// Conditions that nobody asks for.
-struct no_conditions {
-    template <class Y, class P, class R>
-    void operator()(const Y& left, const Y&, const P&, R& r) const {
-        for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = left[0];
-    }
-};
 
 template <class Vector, class Scalar>
 equilibrium_point<Vector> point_of(rest_state<Scalar>&& s) {
