@@ -55,6 +55,7 @@ chapter dichotomy();           ///< section 4.2
 chapter forced_oscillation();  ///< section 4.4, x' = alpha x + sin t and the harmonic oscillator
 chapter limit_cycle();         ///< section 4.4
 chapter stoer_bulirsch();      ///< chapter 5
+chapter shooting_segments();   ///< section 5.1, the picture
 chapter turning_modes();       ///< section 5.1, AMR p. 151
 chapter splines();             ///< chapter 6
 chapter orders();              ///< chapter 6

@@ -69,8 +69,8 @@ chapter conditioning() {
     for (int c = 1; c <= 3; ++c)
         for (int k = 0; k <= 200; ++k)
             sines[c - 1].points.emplace_back(pi * k / 100, c * std::sin(pi * k / 100));
-    out.pictures.push_back(lecture::curves("p60_family", "c sin t, c = 1, 2, 3: zero at 0 and at 2 pi", sines,
-                                           {0, 2 * pi, -3.3, 3.3}, "t", "x_1"));
+    out.pictures.push_back(lecture::curves("p60_family", "c sin t: zero at 0 and at 2 π", sines,
+                                           {0, 2 * pi, -3.3, 3.3}, "t", "x_1", {"c = 1", "c = 2", "c = 3"}));
     return out;
 }
 
@@ -157,8 +157,8 @@ chapter forced_oscillation() {
     std::vector<plot::curve> all_forced;
     for (const double x : {-1.5, -16.0 / 17, 0.0})
         all_forced.push_back(lecture::solution<1>(quarter, theory::state<double, 1>(x), 8, 400, 1e3));
-    out.pictures.push_back(lecture::curves(
-        "p72_forced", "x' = x/4 + sin t from -3/2, -16/17 (periodic) and 0", all_forced, {0, 8, -8, 8}));
+    out.pictures.push_back(lecture::curves("p72_forced", "x' = x/4 + sin t", all_forced, {0, 8, -8, 8}, "t",
+                                           "x", {"x(0) = -3/2", "x(0) = -16/17, periodic", "x(0) = 0"}));
     const auto harmonic = [](const auto&, const auto& x, auto& f) { f[0] = x[1], f[1] = -x[0]; };
     out.pictures.push_back(plane("p73_harmonic", "x' = (x_2, -x_1): every solution is periodic", harmonic,
                                  {{1, 0}, {2, 0}, {3, 0}}, 2 * pi, {-3.3, 3.3, -3.3, 3.3}, {{0, 0}}));

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
          {"forced", forced_oscillation},
          {"cycle", limit_cycle},
          {"growth", stoer_bulirsch},
+         {"segments", shooting_segments},
          {"modes", turning_modes},
          {"splines", splines},
          {"orders", orders},

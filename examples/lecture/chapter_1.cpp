@@ -16,11 +16,13 @@ using theory::state;
 const auto cubic = [](const auto&, const auto& x, auto& f) { f[0] = x[0] - x[0] * x[0] * x[0]; };
 const auto witch = [](const auto&, const auto& x, auto& f) { f[0] = -x[0] / (1 + x[0] * x[0]); };
 
+/// Solutions of x' = f from `starts` at t = 0.
 template <class F>
-std::vector<plot::curve> from(const F& f, const std::vector<double>& starts, double end, double reach = 1e3) {
+picture solutions(const std::string& name, const std::string& title, const F& f,
+                  const std::vector<double>& starts, const plot::window& view) {
     std::vector<plot::curve> all;
-    for (const double x : starts) all.push_back(solution<1>(f, state<double, 1>(x), end, 400, reach));
-    return all;
+    for (const double x : starts) all.push_back(solution<1>(f, state<double, 1>(x), view.right, 400, 1e3));
+    return curves(name, title, all, view, "t", "x", named_by_start(starts));
 }
 
 void draw_solutions(chapter& out) {
@@ -28,17 +30,16 @@ void draw_solutions(chapter& out) {
     const auto growth = [](const auto&, const auto& x, auto& f) { f[0] = x[0]; };
     const auto minus_cube = [](const auto&, const auto& x, auto& f) { f[0] = -x[0] * x[0] * x[0]; };
     const auto minus_tx = [](const auto& t, const auto& x, auto& f) { f[0] = -t * x[0]; };
-    out.pictures.push_back(curves("p06_decay", "x' = -x", from(decay, {-1, 0, 1, 2}, 4), {0, 4, -1.2, 2.2}));
-    out.pictures.push_back(curves("p06_growth", "x' = x", from(growth, {-1, 0, 1, 2}, 2), {0, 2, -8, 15}));
+    out.pictures.push_back(solutions("p06_decay", "x' = -x", decay, {-1, 0, 1, 2}, {0, 4, -1.2, 2.2}));
+    out.pictures.push_back(solutions("p06_growth", "x' = x", growth, {-1, 0, 1, 2}, {0, 2, -8, 15}));
     out.pictures.push_back(
-        curves("p07_minus_cube", "x' = -x^3", from(minus_cube, {-1, 0, 1}, 10), {0, 10, -1.1, 1.1}));
-    out.pictures.push_back(curves("p11_x_minus_cube", "x' = x - x^3",
-                                  from(cubic, {-1, -0.2, 0, 0.1, 1, 1.5}, 6), {0, 6, -1.2, 1.6}));
+        solutions("p07_minus_cube", "x' = -x^3", minus_cube, {-1, 0, 1}, {0, 10, -1.1, 1.1}));
     out.pictures.push_back(
-        curves("p12_minus_tx", "x' = -t x", from(minus_tx, {-1, 1, 2}, 4), {0, 4, -1.2, 2.2}));
+        solutions("p11_x_minus_cube", "x' = x - x^3", cubic, {-1, -0.2, 0, 0.1, 1, 1.5}, {0, 6, -1.2, 1.6}));
+    out.pictures.push_back(solutions("p12_minus_tx", "x' = -t x", minus_tx, {-1, 1, 2}, {0, 4, -1.2, 2.2}));
 }
 
-/// Fixed points of the lecture's example over h: the equilibrium and its ghosts, thick where attracting.
+/// Fixed points of the lecture's example over h: the equilibrium and its ghosts, full where attracting.
 void draw_ghosts(chapter& out, const tableau<rational>& example) {
     std::vector<plot::complex> attracting, repelling;
     for (int k = 1; k <= 100; ++k) {
@@ -50,10 +51,13 @@ void draw_ghosts(chapter& out, const tableau<rational>& example) {
     }
     plot::script p;
     p.size = {720, 480};
-    p.title("x' = -lambda x/(1 + x^2): fixed points and cycles of period 2 of the method",
-            "full: attracting");
-    p.set("set xrange [0:4]").set("set yrange [-2.5:2.5]").set("set xlabel 'h lambda'").set("set ylabel 'x'");
-    p.points(repelling, "pt 6 ps 0.4 lc rgb '#b71c1c'").points(attracting, "pt 7 ps 0.5 lc rgb '#1f4e79'");
+    p.set("set title " +
+          plot::gnuplot_string("x' = -λ x/(1 + x^2): fixed points and cycles of period 2 of the method") +
+          " enhanced");
+    p.set("set xrange [0:4]").set("set yrange [-2.5:2.5]").set("set xlabel 'h λ'").set("set ylabel 'x'");
+    p.set("set key outside bottom center horizontal height 1");
+    p.points(repelling, "pt 6 ps 0.5 lc rgb '#b71c1c' title 'repelling'")
+        .points(attracting, "pt 7 ps 0.5 lc rgb '#1f4e79' title 'attracting'");
     out.pictures.push_back({"p23_ghosts", std::move(p)});
 }
 

@@ -57,12 +57,12 @@ void draw_sector(chapter& out) {
     for (double a = 0; a <= alpha; a += alpha / 20)
         arc.points.emplace_back(-1.2 * std::cos(a), 1.2 * std::sin(a));
     plot::script p;
-    p.title("The sector of A(alpha)-stability");
+    p.title("The sector of A(α)-stability");
     p.plane({-4, 1, -4, 4});
     p.patches(inside, [](int) { return "#d7e5f3"; })
         .lines({rays}, "lc rgb '#1f4e79' lw 2")
         .lines({arc}, "lc rgb '#b71c1c' lw 2");
-    p.label("alpha", -1.6, 0.45);
+    p.label("α", -1.6, 0.45);
     out.pictures.push_back({"p43_sector", std::move(p)});
 }
 
@@ -172,9 +172,9 @@ void compare_iterations(chapter& out) {
         times += (times.empty() ? "" : ", ") + number(a.microseconds, "%.1f") + " : " +
                  number(b.microseconds, "%.1f");
     }
-    out.pictures.push_back(curves("p48_fixed_point",
-                                  "Evaluations of f in a step: fixed point iteration (rising), Newton",
-                                  {iterated, newton}, {0, 2.1, 0, 1.1 * last}, "h lambda", "f"));
+    out.pictures.push_back(curves("p48_fixed_point", "Evaluations of f in a step", {iterated, newton},
+                                  {0, 2.1, 0, 1.1 * last}, "h λ", "evaluations of f",
+                                  {"fixed point iteration", "Newton"}));
     out.find("evaluations of f a step, fixed point : Newton, h |lambda| = 0.01, 0.3, 2", "-", evaluations,
              "grows like 1/log(sqrt 12/(h |lambda|))", last > 3 * first && last > largest_newton);
     out.find("microseconds a step, likewise", "-", times, "-", last > 0);

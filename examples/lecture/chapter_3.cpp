@@ -39,11 +39,11 @@ std::vector<plot::curve> orbits(const F& f, const std::vector<state<double, 2>>&
 void draw(chapter& out) {
     const auto cubic = [](const auto&, const auto& x, auto& f) { f[0] = x[0] - x[0] * x[0] * x[0]; };
     std::vector<plot::curve> all;
-    for (const double x : {-1.0, -0.2, 0.0, 0.1, 1.0, 1.5})
-        all.push_back(solution<1>(cubic, state<double, 1>(x), 6, 400, 10));
+    const std::vector<double> starts{-1, -0.2, 0, 0.1, 1, 1.5};
+    for (const double x : starts) all.push_back(solution<1>(cubic, state<double, 1>(x), 6, 400, 10));
     out.pictures.push_back(curves("p50_x_minus_cube",
                                   "x' = x - x^3: 1 and -1 are asymptotically stable, 0 is unstable", all,
-                                  {0, 6, -1.2, 1.6}));
+                                  {0, 6, -1.2, 1.6}, "t", "x", named_by_start(starts)));
     out.pictures.push_back(portrait(
         "p56_node", "x_1' = -x_1 - x_1 x_2, x_2' = -x_1 - 2 x_2 + x_1 x_2",
         orbits(node, {{-2, 2}, {-2, -2}, {-1, -2}, {2, 2}, {3, 1}, {3, 0.5}, {0.8, -2}, {0.5, -2}}, 12),
@@ -52,10 +52,10 @@ void draw(chapter& out) {
         portrait("p57_centre", "x_1' = 2 x_2 - x_1 x_2, x_2' = -x_1/2 + x_1 x_2^2: a centre at 0",
                  orbits(centre, {{-3, 1.5}, {-3, 0}, {-2, 0}, {-1, 0}, {-0.5, 0}, {1.5, -2}, {2.5, 0.5}}, 14),
                  {-4, 4, -2.5, 2.5}, {{0, 0}, {2, std::sqrt(0.5)}, {2, -std::sqrt(0.5)}}));
-    out.pictures.push_back(curves("p57_routh_1", "Routh 1: x_2(t) grows",
+    out.pictures.push_back(curves("p57_routh_1", "Routh 1: x_1' = -x_2 + x_1^3, x_2' = x_1: x_2(t) grows",
                                   {solution<2>(routh_1, {0.1, 0}, 100, 8000, 40)}, {0, 100, -0.22, 0.22}, "t",
                                   "x_2"));
-    out.pictures.push_back(curves("p58_routh_2", "Routh 2: x_2(t) decays",
+    out.pictures.push_back(curves("p58_routh_2", "Routh 2: x_1' = -x_2 - x_1^3, x_2' = x_1: x_2(t) decays",
                                   {solution<2>(routh_2, {0.1, 0}, 100, 8000, 40)}, {0, 100, -0.11, 0.11}, "t",
                                   "x_2"));
 }

@@ -5,6 +5,7 @@
 #include <stagecraft/theory/dynamics/rk_map.hpp>
 #include <stagecraft/theory/plot/gnuplot.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -83,18 +84,34 @@ plot::curve solution(const F& f, theory::state<double, N> x, double end, int ste
     return c;
 }
 
-/// A picture of curves over t or in the plane.
+/// A picture of curves over t or in the plane. The title and the names may have sub- and superscripts, x_1 and x^2. With
+/// `names`, one for each curve, they have colours and a legend.
 inline picture curves(const std::string& name, const std::string& title, const std::vector<plot::curve>& all,
-                      const plot::window& view, const std::string& x = "t", const std::string& y = "x") {
+                      const plot::window& view, const std::string& x = "t", const std::string& y = "x",
+                      const std::vector<std::string>& names = {}) {
+    static constexpr std::array colours{"#1f4e79", "#d55e00", "#009e73", "#cc79a7", "#777777", "#e69f00"};
     plot::script p;
     p.size = {720, 480};
-    p.title(title);
+    p.set("set title " + plot::gnuplot_string(title) + " enhanced");
     p.set("set xrange [" + number(view.left) + ":" + number(view.right) + "]");
     p.set("set yrange [" + number(view.bottom) + ":" + number(view.top) + "]");
     p.set("set xlabel '" + x + "'").set("set ylabel '" + y + "'");
     p.set("set xzeroaxis lc rgb '#909090' lt 1").set("set yzeroaxis lc rgb '#909090' lt 1");
-    p.lines(all, "lc rgb '#1f4e79' lw 2");
+    if (names.empty())
+        p.lines(all, "lc rgb '" + std::string(colours[0]) + "' lw 2");
+    else
+        p.set("set key outside bottom center horizontal height 1");
+    for (std::size_t k = 0; k < names.size(); ++k)
+        p.lines({all.at(k)}, "lc rgb '" + std::string(colours[k % colours.size()]) + "' lw 2 title " +
+                                 plot::gnuplot_string(names[k]));
     return {name, std::move(p)};
+}
+
+/// "x(0) = a" for each start a.
+inline std::vector<std::string> named_by_start(const std::vector<double>& starts) {
+    std::vector<std::string> names;
+    for (const double x : starts) names.push_back("x(0) = " + number(x));
+    return names;
 }
 
 }  // namespace lecture

@@ -29,12 +29,12 @@ inline std::size_t half_way(const plot::curve& c, const plot::window& view) {
 }
 
 /// Orbits in the plane, one scale for both axes: an arrow half way along each, a circle where it starts, a disc at each
-/// equilibrium. The title may have sub- and superscripts, x_1 and x^2.
+/// equilibrium.
 inline picture portrait(const std::string& name, const std::string& title,
                         const std::vector<plot::curve>& orbits, const plot::window& view,
                         const std::vector<plot::complex>& equilibria) {
-    picture p = curves(name, "", orbits, view, "x_1", "x_2");
-    p.script.set("set title " + plot::gnuplot_string(title) + " enhanced").set("set size ratio -1");
+    picture p = curves(name, title, orbits, view, "x_1", "x_2");
+    p.script.set("set size ratio -1");
     const double height = (view.top - view.bottom) / (view.right - view.left);
     p.script.size = {620, 120 + static_cast<int>(500 * height)};
     std::vector<plot::complex> starts;
@@ -51,7 +51,7 @@ inline picture portrait(const std::string& name, const std::string& title,
     }
     p.script.points(starts, "pt 6 ps 0.6 lc rgb '#1f4e79' title 'start'");
     p.script.points(equilibria, "pt 7 ps 0.7 lc rgb '#c03028' title 'equilibrium'");
-    p.script.set("set key outside bottom center horizontal");
+    p.script.set("set key outside bottom center horizontal height 1");
     return p;
 }
 
