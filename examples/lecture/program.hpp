@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "../thesis/language_option.hpp"
 #include "lecture.hpp"
 
 namespace lecture {
@@ -21,10 +22,12 @@ inline int program(int argc, char** argv, const std::string& description,
     CLI::App app{description};
     bool all = false;
     std::string directory;
+    thesis::language of_pictures = thesis::language::english;
     std::vector<std::string> chosen, names;
     for (const auto& part : parts) names.push_back(part.first);
     app.add_flag("--all", all, "every part");
     app.add_option("--svg", directory, "directory for the pictures");
+    thesis::add_language(app, of_pictures);
     app.add_option("part", chosen, "which parts")->check(CLI::IsMember(names));
     CLI11_PARSE(app, argc, argv);
     if (!all && chosen.empty()) {
@@ -40,7 +43,8 @@ inline int program(int argc, char** argv, const std::string& description,
             if (directory.empty()) continue;
             std::filesystem::create_directories(directory);
             for (const auto& p : c.pictures) {
-                plot::draw(p.script, std::filesystem::path(directory) / (p.name + ".svg"));
+                const auto file = std::filesystem::path(directory) / (p.name + ".svg");
+                plot::draw(thesis::translated_commands(p.script.text(file), of_pictures), file);
                 std::cout << "wrote " << directory << "/" << p.name << ".svg\n";
             }
         }

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "experiments.hpp"
+#include "language_option.hpp"
 
 int main(int argc, char** argv) {
     using namespace thesis;
@@ -25,11 +26,13 @@ int main(int argc, char** argv) {
     CLI::App app{"The rolling disc as index-2 system and regularised: the experiments, one page each."};
     bool all = false;
     std::string directory;
+    language of_pictures = language::english;
     std::vector<std::string> chosen;
     std::vector<std::string> names;
     for (const auto& e : experiments) names.push_back(e.first);
     app.add_flag("--all", all, "every experiment");
     app.add_option("--svg", directory, "directory for figures and index.html");
+    add_language(app, of_pictures);
     app.add_option("experiment", chosen, "which experiments")->check(CLI::IsMember(names));
     CLI11_PARSE(app, argc, argv);
     if (!all && chosen.empty()) {
@@ -48,7 +51,7 @@ int main(int argc, char** argv) {
         }
         std::cout << "=== Summary\n\n" << table(findings);
         if (!directory.empty()) {
-            write_pages(directory, outcomes);
+            write_pages(directory, outcomes, of_pictures);
             std::cout << "\nFigures: " << directory << "/index.html\n";
         }
     } catch (const std::exception& e) {

@@ -29,7 +29,7 @@ set terminal svg size 920,560 dynamic enhanced font 'Helvetica,15' background '#
 set border 3 lc rgb '#444444'
 set tics nomirror out textcolor rgb '#333333'
 set grid lc rgb '#e4e4e4' lt 1 lw 0.7
-set key outside bottom center horizontal Left reverse samplen 2 spacing 1.15
+set key outside bottom center horizontal Left reverse samplen 2 spacing 1.15 height 1
 array colour[8] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#777777', '#e69f00', '#000000']
 )";
 
@@ -213,14 +213,16 @@ std::string table(const std::vector<finding>& findings) {
     return out.str();
 }
 
-void write_pages(const std::string& directory, const std::vector<outcome>& outcomes) {
+void write_pages(const std::string& directory, const std::vector<outcome>& outcomes, language of_pictures) {
     if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
         throw std::runtime_error("no pictures without gnuplot; please install it (package gnuplot-nox)");
     std::filesystem::create_directories(directory);
-    std::ofstream script(directory + "/figures.gp");
-    script << prologue;
+    std::ostringstream commands;
+    commands << prologue;
     for (const auto& o : outcomes)
-        for (const auto& f : o.figures) write_figure(directory, f, script);
+        for (const auto& f : o.figures) write_figure(directory, f, commands);
+    std::ofstream script(directory + "/figures.gp");
+    script << translated_commands(commands.str(), of_pictures);
     if (!script.flush()) throw std::runtime_error("cannot write " + directory + "/figures.gp");
     std::string quoted = "'";
     for (const char c : directory) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -239,12 +241,14 @@ void write_pages(const std::string& directory, const std::vector<outcome>& outco
         page << "<h2>" << html_escaped(o.title) << "</h2>\n<pre>" << html_escaped(o.text) << "</pre>\n";
         for (const auto& d : o.drawings) {
             std::ofstream file(directory + "/" + d.name + ".svg");
-            file << d.svg;
+            file << translated_svg(d.svg, of_pictures);
             if (!file.flush()) throw std::runtime_error("cannot write " + directory + "/" + d.name + ".svg");
-            page << "<img src=\"" << d.name << ".svg\" alt=\"" << html_escaped(d.title) << "\">\n";
+            page << "<img src=\"" << d.name << ".svg\" alt=\""
+                 << html_escaped(translated(d.title, of_pictures)) << "\">\n";
         }
         for (const auto& f : o.figures)
-            page << "<img src=\"" << f.name << ".svg\" alt=\"" << html_escaped(f.title) << "\">\n";
+            page << "<img src=\"" << f.name << ".svg\" alt=\""
+                 << html_escaped(translated(f.title, of_pictures)) << "\">\n";
         all.insert(all.end(), o.findings.begin(), o.findings.end());
     }
     page << "<h2>Summary</h2>\n<pre>" << html_escaped(table(all)) << "</pre>\n</body>\n</html>\n";

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "language.hpp"
+
 namespace thesis {
 
 /// One curve of a figure.
@@ -66,8 +68,9 @@ std::string general(double x);
 /// The closing table.
 std::string table(const std::vector<finding>& findings);
 
-/// Writes the tables, the pictures (SVG by gnuplot) and index.html into `directory`.
+/// Writes the tables, the pictures (SVG by gnuplot), their texts in that language, and index.html into `directory`.
 /// Throws std::runtime_error if that fails, naming what to install if gnuplot is missing.
-void write_pages(const std::string& directory, const std::vector<outcome>& outcomes);
+void write_pages(const std::string& directory, const std::vector<outcome>& outcomes,
+                 language of_pictures = language::english);
 
 }  // namespace thesis

@@ -114,14 +114,17 @@ STAGECRAFT_INLINE bool on_path(const std::string& program) {
 }
 
 STAGECRAFT_INLINE void draw(const script& picture, const std::filesystem::path& output) {
-    const std::string text = picture.text(output);
+    draw(picture.text(output), output);
+}
+
+STAGECRAFT_INLINE void draw(const std::string& commands, const std::filesystem::path& output) {
     if (!on_path("gnuplot")) throw gnuplot_missing();
     std::FILE* probe = std::fopen(output.c_str(), "wb");
     if (!probe) throw std::invalid_argument("output: cannot write '" + output.string() + "'");
     std::fclose(probe);
     std::FILE* pipe = ::popen("gnuplot", "w");
     if (!pipe) throw gnuplot_missing();
-    const bool written = std::fwrite(text.data(), 1, text.size(), pipe) == text.size();
+    const bool written = std::fwrite(commands.data(), 1, commands.size(), pipe) == commands.size();
     const int status = ::pclose(pipe);
     if (!written || status != 0) throw std::runtime_error("gnuplot failed on " + output.string());
 }

@@ -74,6 +74,8 @@ bool on_path(const std::string& program);
 /// Draws the picture into the file `output`. Throws gnuplot_missing without gnuplot, std::invalid_argument
 /// for a file that cannot be written, std::runtime_error where gnuplot fails.
 void draw(const script& picture, const std::filesystem::path& output);
+/// The same from the whole text of a script, which writes to `output`.
+void draw(const std::string& commands, const std::filesystem::path& output);
 
 }  // namespace stagecraft::theory::plot
 
