@@ -82,5 +82,20 @@ def perturbed_orders(site):
     return "\n\n".join(drawn)
 
 
+def every_kind(site):
+    rows = read(site, "examples/every_kind/times.csv")
+    errors = ["1e-4", "1e-6", "1e-8", "1e-10"]
+    table = ["| kind | problem | method | unknowns | " + " | ".join(f"microseconds to {e}" for e in errors) + " |",
+             "|---|---|---|---|" + "---|" * len(errors)]
+    curves = {}
+    for colour, kind in enumerate(distinct(rows, "kind")):
+        mine = [r for r in rows if r["kind"] == kind]
+        said = " | ".join(mine[0][c] for c in ("kind", "problem", "method", "unknowns"))
+        table.append(f"| {said} | " + " | ".join(cheapest(mine, float(e)) for e in errors) + " |")
+        curves[kind] = (points(mine, "error", "microseconds"), colour, False)
+    return "\n".join(table) + "\n\n" + draw(site, "every_kind", "Time over error, one problem of each kind", "error",
+                                            "time / microseconds", curves, reverse=True)
+
+
 def tables(site):
-    return {"perturbed_costs": perturbed_costs(site), "perturbed_orders": perturbed_orders(site)}
+    return {"every_kind": every_kind(site), "perturbed_costs": perturbed_costs(site), "perturbed_orders": perturbed_orders(site)}

@@ -34,6 +34,7 @@ READMES = {
     "theory/BIBLIOGRAPHY.md": "reference/bibliography.md",
     "examples/lessons/README.md": "tutorials/lessons.md",
     "examples/boundary_values/README.md": "explanation/boundary_values.md",
+    "examples/every_kind/README.md": "explanation/every_kind.md",
     "examples/extremes/README.md": "explanation/extremes.md",
     "examples/mechanics/README.md": "explanation/mechanics.md",
     "examples/campaign/README.md": "explanation/limits.md",
