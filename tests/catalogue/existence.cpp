@@ -174,3 +174,12 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_looked_at_is_refused_by_name) {
     BOOST_CHECK_THROW(of("pairs/nystrom_4.json"), tableaux::unusable_input);
     BOOST_CHECK_THROW(of("catalogue/kvaerno_3_2.json", 4), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_CASE(entries_of_too_few_digits_are_said_to_be_such) {
+    // The explicit midpoint rule for c2 = 1/3 to four digits, without c.
+    const auto few = certify_existence(
+        tableaux::read_method_text(
+            R"({"A": [["0", "0"], ["0.3333", "0"]], "b": ["-0.5", "1.5"], "claims": {"order": 2}})"),
+        60);
+    BOOST_TEST(few.theorem.find("too few digits") != std::string::npos);
+}

@@ -229,6 +229,15 @@ BOOST_AUTO_TEST_CASE(who_fails_is_named) {
     BOOST_REQUIRE(!nystrom.suspects.empty());
     BOOST_TEST(nystrom.suspects.front().entry == "b_bar[2]");
     BOOST_TEST(nystrom.suspects.front().suggest == "25/84");
+
+    // The row of a neighbour: several entries are wrong, and the row is named.
+    text = tableaux::text_of_file(folder + "/nystrom_5.json");
+    const std::string row = R"("3/10", "-2/35", "9/35")";
+    text.replace(text.find(row), row.size(), R"("-1/27", "7/27", "0")");
+    const auto repeated = certify_method(text);
+    BOOST_TEST(repeated.exit_code() == 1);
+    BOOST_TEST(repeated.suspects.empty());
+    BOOST_TEST(repeated.suspects_note == "row [4] of A_bar alone does not sum to c^2/2; it repeats row [3]");
 }
 
 BOOST_AUTO_TEST_CASE(a_nystrom_method_may_claim_order_13_unless_f_depends_on_the_velocity) {

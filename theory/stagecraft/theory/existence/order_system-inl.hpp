@@ -90,8 +90,13 @@ STAGECRAFT_INLINE stage_set order_system::failing_rows(std::size_t matrix, std::
     for (std::size_t i = 0; i < static_cast<std::size_t>(method_.stages) && k <= most_stages_; ++i) {
         if (holds(written_.defect(matrix, node, k, i))) continue;
         if (needed)
-            throw tableaux::undecided("c is not A*1 in row " + std::to_string(i + 1) +
-                                      ": existence is looked at where it is");
+            throw tableaux::undecided(
+                gap_.open
+                    ? "row " + std::to_string(i + 1) +
+                          " of A: its entries have too few digits to tell which identities they are meant to "
+                          "satisfy, its sum for a node among them; more digits, or fractions, tell it"
+                    : "the sum of row " + std::to_string(i + 1) +
+                          " of A is not its node: existence is looked at where it is");
         failing |= detail::bit(i);
     }
     bool of_use =

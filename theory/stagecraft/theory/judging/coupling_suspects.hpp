@@ -167,6 +167,30 @@ std::string find_coupled_exchange(const coupled_subject<K>& s, const coupled_tre
     return {};
 }
 
+/// "row 5 of A_bar ..." where it alone does not sum to c^2/2: several of its entries are wrong, as where a row of a neighbour
+/// was copied.
+template <class K>
+std::string find_wrong_row(const coupled_subject<K>& s) {
+    if (!s.nystrom()) return {};
+    const auto& t = s.partners.front().t;
+    const auto n = static_cast<Eigen::Index>(s.stages());
+    std::vector<Eigen::Index> wrong;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        K defect = K(t.c(i) * t.c(i));
+        for (Eigen::Index j = 0; j < n; ++j) defect -= K(2) * t.A(i, j);
+        if (certainly_nonzero(defect)) wrong.push_back(i);
+    }
+    if (n < 3 || wrong.size() != 1) return {};
+    const auto i = wrong.front();
+    std::string text = "row [" + std::to_string(i + 1) + "] of A_bar alone does not sum to c^2/2";
+    for (Eigen::Index k = 0; k < n; ++k) {
+        bool same = k != i;
+        for (Eigen::Index j = 0; same && j < n; ++j) same = !certainly_nonzero(K(t.A(i, j) - t.A(k, j)));
+        if (same) text += "; it repeats row [" + std::to_string(k + 1) + "]";
+    }
+    return text;
+}
+
 }  // namespace detail
 
 /// Names the single entries whose change restores every claim on the tableaux together, else two that are exchanged. The
@@ -201,6 +225,8 @@ void find_coupling_suspects(const coupled_subject<K>& s, file_certificate& certi
     }
     rank(certificate.suspects);
     if (certificate.suspects.empty()) certificate.suspects_note = find_coupled_exchange(s, trees);
+    if (certificate.suspects.empty() && certificate.suspects_note.empty())
+        certificate.suspects_note = find_wrong_row(s);
 }
 
 }  // namespace stagecraft::theory
