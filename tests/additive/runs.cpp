@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE runs
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stagecraft/additive.hpp>
 #include <stagecraft/coefficients/additive.hpp>
@@ -10,6 +12,7 @@
 #include <stagecraft/observe/save_every.hpp>
 #include <stagecraft/observe/solution.hpp>
 #include <stagecraft/problem/erased.hpp>
+#include <stagecraft/relaxation.hpp>
 #include <stagecraft/states.hpp>
 #include <stagecraft/tableaux/read_method.hpp>
 #include <string>
@@ -194,6 +197,121 @@ BOOST_AUTO_TEST_CASE(a_file_of_any_kind_runs_where_the_problem_is_of_its_kind) {
     expect(refusal([&] { sc::tableaux::read_additive(folder + "pairs/ruth_3.json"); }),
            "\"separable\", not \"additive\"");
     expect(refusal([&] { sc::tableaux::read_method(folder + "pairs/ruth_3.json"); }), "read_partitioned");
+}
+
+// Ketcheson's oscillator (2019), a half to each part: |y| is an invariant of their sum alone.
+auto halves_of_a_circle() {
+    return ode([](double, const VectorXd& y, VectorXd& f) { f << -y[1] / y.squaredNorm(), 0; },
+               [](double, const VectorXd& y, VectorXd& f) { f << 0, y[0] / y.squaredNorm(); },
+               [](double, const VectorXd& y, MatrixXd& J) {
+                   const double r = y.squaredNorm();
+                   J << 0, 0, (r - 2 * y[0] * y[0]) / (r * r), -2 * y[0] * y[1] / (r * r);
+               });
+}
+// For numbers alone: an invariant. For any numbers: its rate along f counts.
+const auto square = [](const VectorXd& y) { return y.squaredNorm(); };
+const auto any_square = [](const auto& y) { return y[0] * y[0] + y[1] * y[1]; };
+VectorXd on_circle(double t) { return vector({std::cos(t), std::sin(t)}); }
+
+BOOST_AUTO_TEST_CASE(relaxed_additive_methods_keep_an_invariant_of_the_sum_and_their_order) {
+    const auto p = halves_of_a_circle();
+    for (const char* name : {"ark3", "ark4", "ars_2_2_2", "ars_4_4_3"}) BOOST_TEST_CONTEXT(name) {
+            const auto m = method(name);
+            double before = 0;
+            const double longest = m.order == 3 ? 0.0125 : 0.05;  // where the slope has settled
+            for (const double h : {longest, longest / 2}) {
+                const sc::options<double> o{.rtol = 1e-12, .fixed_step = h};
+                const auto r = sc::integrate(sc::relaxation(m, square), p, on_circle(0), 0, 10, o);
+                BOOST_TEST(r.ok());
+                BOOST_TEST(r.t == 10);
+                BOOST_TEST(std::abs(r.y.squaredNorm() - 1) < 1e-15 * 4);
+                const double error = (r.y - on_circle(10)).norm();
+                if (before > 0) BOOST_TEST(std::abs(std::log2(before / error) - m.order) < 0.1);
+                before = error;
+            }
+        }
+    // Ten thousand steps, every one of them.
+    double worst = 0;
+    const auto look = [&](double, const VectorXd& y) {
+        worst = std::max(worst, std::abs(y.squaredNorm() - 1));
+    };
+    const sc::options<double> o{.rtol = 1e-10, .fixed_step = 0.1};
+    const auto relaxed =
+        sc::integrate(sc::relaxation(method("ark4"), square), p, on_circle(0), 0, 1000, o, look);
+    BOOST_TEST(relaxed.report.steps == 10000);
+    BOOST_TEST(worst < 2e-15);
+    const auto plain = sc::integrate(method("ark4"), p, on_circle(0), 0, 1000, o);
+    BOOST_TEST(std::abs(plain.y.squaredNorm() - 1) > 1e-6);
+    const auto error = [](const auto& r) { return (r.y - on_circle(1000)).norm(); };
+    BOOST_TEST(error(relaxed) < error(plain));
+}
+
+BOOST_AUTO_TEST_CASE(a_dissipated_quantity_falls_with_relaxed_additive_methods_as_f_lets_it) {
+    // y' = -|y|^2 y in two halves: y = y0 / sqrt(1 + 2 t |y0|^2).
+    const auto half = [](double, const VectorXd& y, VectorXd& f) { f = -y.squaredNorm() / 2 * y; };
+    const auto p = ode(half, half, [](double, const VectorXd& y, MatrixXd& J) {
+        J = -y.squaredNorm() / 2 * MatrixXd::Identity(2, 2) - y * y.transpose();
+    });
+    for (const char* name : {"ark3", "ars_2_2_2"}) BOOST_TEST_CONTEXT(name) {
+            const auto m = method(name);
+            double before = 0;
+            for (const double h : {0.1, 0.05, 0.025}) {
+                double last = 1;
+                const auto falls = [&](double, const VectorXd& y) {
+                    BOOST_TEST(any_square(y) < last);
+                    last = any_square(y);
+                };
+                const sc::options<double> o{.rtol = 1e-12, .fixed_step = h};
+                const auto r =
+                    sc::integrate(sc::relaxation(m, any_square), p, vector({1, 0}), 0, 3, o, falls);
+                BOOST_TEST(r.ok());
+                const double error = std::abs(r.y[0] - 1 / std::sqrt(7));
+                if (before > 0) BOOST_TEST(std::abs(std::log2(before / error) - m.order) < 0.3);
+                before = error;
+            }
+        }
+}
+
+BOOST_AUTO_TEST_CASE(relaxed_additive_methods_choose_their_steps_go_on_and_refuse) {
+    const auto p = halves_of_a_circle();
+    const auto m = sc::relaxation(method("ark4"), square);
+    const sc::options<double> o{.rtol = 1e-7, .atol = 1e-7};
+    sc::solution<VectorXd> y;
+    const auto whole = sc::integrate(m, p, on_circle(0), 0, 20, o, y);
+    BOOST_TEST(whole.t == 20);
+    BOOST_TEST(std::abs(whole.y.squaredNorm() - 1) < 4e-15);
+    BOOST_TEST((whole.y - on_circle(20)).norm() < 1e-5);
+    for (const double t : {0.01, 3.3, 19.9}) BOOST_TEST((y(t) - on_circle(t)).norm() < 1e-4);
+    sc::checkpoint<VectorXd> middle;
+    sc::integrate(m, p, on_circle(0), 0, 20, o, sc::save_every(5, [&](auto point) {
+                      if (middle.y.size() == 0) middle = std::move(point);
+                  }));
+    const auto rest = sc::integrate(m, p, middle, 20);
+    BOOST_TEST((rest.y - whole.y).norm() == 0);
+    BOOST_TEST(rest.report.f_explicit == whole.report.f_explicit);
+    // Stiff: the fast component follows, the quantity that the other two keep is kept.
+    const auto stiff = ode(
+        [](double, const VectorXd& x, VectorXd& f) { f << -x[1], 0, x[0] * x[0] - x[1] * x[1]; },
+        [](double, const VectorXd& x, VectorXd& f) { f << 0, x[0], 1e6 * (x[0] * x[1] - x[2]); },
+        [](double, const VectorXd& x, MatrixXd& J) { J << 0, 0, 0, 1, 0, 0, 1e6 * x[1], 1e6 * x[0], -1e6; });
+    const auto of_two = [](const VectorXd& x) { return x[0] * x[0] + x[1] * x[1]; };
+    const auto r = sc::integrate(sc::relaxation(method("ark4"), of_two), stiff, vector({1, 0, 0}), 0, 10, o);
+    BOOST_TEST(r.ok());
+    BOOST_TEST(std::abs(of_two(r.y) - 1) < 4e-15);
+    BOOST_TEST(std::abs(r.y[2] - std::cos(10) * std::sin(10)) < 1e-5);
+    const auto unrelaxed = sc::integrate(method("ark4"), stiff, vector({1, 0, 0}), 0, 10, o);
+    BOOST_TEST(std::abs(of_two(unrelaxed.y) - 1) > 1e-13);
+    BOOST_TEST(r.report.steps < 1.1 * unrelaxed.report.steps);
+
+    const auto never = [](const VectorXd&) { return std::numeric_limits<double>::quiet_NaN(); };
+    expect(refusal([&] { sc::integrate(sc::relaxation(method("ark4"), never), p, on_circle(0), 0, 1); }),
+           "eta must be finite at y0");
+    const auto third = [](const VectorXd& x) { return x[0]; };
+    expect(refusal([&] {
+               sc::integrate(sc::relaxation(method("ark4"), third), constrained_kaps(0.1), vector({1, 1, 1}),
+                             0, 1);
+           }),
+           "without a mass matrix");
 }
 
 BOOST_AUTO_TEST_CASE(generated_headers_hold_the_files_to_the_last_bit) {

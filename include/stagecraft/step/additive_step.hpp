@@ -46,6 +46,7 @@ class additive_step : public step_defaults<Space> {
     using Scalar = typename Space::scalar;
     using blocks = typename Space::blocks;
     using per_stage = Eigen::Matrix<Scalar, Stages, 1>;
+    using slopes = stage_slopes<typename Space::vector, Stages, blocks>;
 
   public:
     using vector = typename Space::vector;
@@ -55,18 +56,18 @@ class additive_step : public step_defaults<Space> {
     additive_step(const additive_method<Scalar, Stages>& m, int n)
         : v_(m.implicit_part, n),
           w_(m.explicit_part, n),
+          left_explicit_(n),
+          left_slope_(n),
+          right_explicit_(n),
+          part_(n),
           is_(structure_of(m.implicit_part, v_.carry)),
           sequential_(m.implicit_part, n, false),
           order_(m.order),
           end_(n),
           left_implicit_(n),
-          left_explicit_(n),
-          left_slope_(n),
           right_implicit_(n),
-          right_explicit_(n),
           right_slope_(n),
-          given_(n),
-          part_(n) {
+          given_(n) {
         const auto &e = m.explicit_part, &i = m.implicit_part;
         const int s = m.stages();
         bool left = e.c[0] == Scalar(0);
@@ -306,7 +307,6 @@ class additive_step : public step_defaults<Space> {
     }
 
   private:
-    using slopes = stage_slopes<vector, Stages, blocks>;
     /// The explicit part as sequential_stages asks for it.
     struct partner {
         static constexpr bool exists = true;
@@ -357,6 +357,7 @@ class additive_step : public step_defaults<Space> {
                 "must have a last row equal to b in both parts");
     }
 
+  protected:
     /// f := M^-1 f_E(t, y), or f_E where M is singular. False where it is not finite.
     template <class System>
     bool find_explicit(const System& system, const Scalar& t, const vector& y, vector& f) {
@@ -369,6 +370,8 @@ class additive_step : public step_defaults<Space> {
         demand_no_constraint_in(f);
         return true;
     }
+
+  private:
     /// f_E, as a value, is zero in the equations that M leaves without a derivative. Where it is not at the start the run is
     /// refused, later it ends.
     void demand_no_constraint_in(const vector& f) const {
@@ -410,7 +413,15 @@ class additive_step : public step_defaults<Space> {
         w_.combine([&](int j) { return carried_(i, j); }, i, Scalar(1), given_);
         given_ += v_.carry[i] * left_implicit_;
     }
-    slopes v_, w_;  // of the implicit and of the explicit part
+
+  protected:                                             // what relaxed_step uses as well
+    slopes v_, w_;                                       // of the implicit and of the explicit part
+    std::vector<char> needs_explicit_, needs_implicit_;  // stages whose slopes are asked for
+    vector left_explicit_, left_slope_, right_explicit_, part_;
+    Scalar h_{0};
+    bool left_explicit_known_ = false, right_explicit_known_ = false;
+
+  private:
     tableau_structure is_;
     sequential_stages<vector, Stages, blocks> sequential_;
     int order_, power_ = 0;
@@ -418,17 +429,13 @@ class additive_step : public step_defaults<Space> {
     bool by_value_ = false;       // M is singular
     bool ends_in_stage_ = false;  // y1 is the last stage of both parts
     bool filtered_ = false, blind_ = false, wants_slopes_ = false;
-    std::vector<char> needs_explicit_, needs_implicit_;  // stages whose slopes are asked for
     per_stage implicit_difference_, explicit_difference_, last_difference_;
     per_stage value_difference_;  // of the values of f_E in the estimate where M is singular
     Eigen::Matrix<Scalar, Stages, Stages> carried_;
     cubic_output<Space> output_;
     constrained_end<vector, blocks> end_;  // where y1 is no stage and M singular
-    vector left_implicit_, left_explicit_, left_slope_, right_implicit_, right_explicit_, right_slope_;
-    vector given_, part_;
-    Scalar h_{0};
-    bool left_implicit_known_ = false, left_explicit_known_ = false, slope_known_ = false;
-    bool right_known_ = false, right_explicit_known_ = false, slopes_known_ = false;
+    vector left_implicit_, right_implicit_, right_slope_, given_;
+    bool left_implicit_known_ = false, slope_known_ = false, right_known_ = false, slopes_known_ = false;
 };
 
 }  // namespace stagecraft
