@@ -9,6 +9,13 @@
 
 namespace {
 std::atomic<long> allocations{0};
+// The bytes of those that are no smaller than this.
+std::atomic<std::size_t> large{~std::size_t{0}}, large_bytes{0};
+
+inline void count_allocation(std::size_t size) {
+    ++allocations;
+    if (size >= large) large_bytes += size;
+}
 }  // namespace
 
 extern "C" {
@@ -19,23 +26,23 @@ void* __real_aligned_alloc(std::size_t alignment, std::size_t size);
 int __real_posix_memalign(void** p, std::size_t alignment, std::size_t size);
 
 void* __wrap_malloc(std::size_t size) {
-    ++allocations;
+    count_allocation(size);
     return __real_malloc(size);
 }
 void* __wrap_calloc(std::size_t count, std::size_t size) {
-    ++allocations;
+    count_allocation(count * size);
     return __real_calloc(count, size);
 }
 void* __wrap_realloc(void* p, std::size_t size) {
-    ++allocations;
+    count_allocation(size);
     return __real_realloc(p, size);
 }
 void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
-    ++allocations;
+    count_allocation(size);
     return __real_aligned_alloc(alignment, size);
 }
 int __wrap_posix_memalign(void** p, std::size_t alignment, std::size_t size) {
-    ++allocations;
+    count_allocation(size);
     return __real_posix_memalign(p, alignment, size);
 }
 }

@@ -59,7 +59,10 @@ class step_between_slopes : public step_defaults<Space> {
     }
 
   protected:
-    explicit step_between_slopes(int n) : left_(vector::Zero(n)), right_(vector::Zero(n)), output_(Columns) {}
+    /// `room` false: a model makes room for the slopes where it finds that they are wanted.
+    explicit step_between_slopes(int n, bool room = true) : output_(Columns) {
+        if (room) left_.setZero(n), right_.setZero(n);
+    }
 
     vector left_, right_;  // slopes at the ends of the step
     hermite_output<Space> output_;

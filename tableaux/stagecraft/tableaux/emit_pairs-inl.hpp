@@ -78,6 +78,32 @@ STAGECRAFT_INLINE std::string method_function(const std::string& id, const table
            "() {\n    return coefficients::unpack_one<" + type + ", coefficients::" + id + ">();\n}\n";
 }
 
+inline const char* enumerator(storage_form form) {
+    return form == storage_form::shu_osher    ? "shu_osher"
+           : form == storage_form::williamson ? "williamson"
+           : form == storage_form::ketcheson  ? "ketcheson"
+                                              : "ketcheson_three";
+}
+
+/// The coefficients of a form, list by list.
+STAGECRAFT_INLINE std::string storage_data(const std::string& id, const tableau_file& file) {
+    const auto& rows = file.form->rows;
+    Eigen::MatrixXd lists(rows.size(), rows.front().size());
+    for (Eigen::Index i = 0; i < lists.rows(); ++i)
+        for (Eigen::Index j = 0; j < lists.cols(); ++j)
+            lists(i, j) = rounded<double>(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    return "\nstruct " + id + " {\n    static constexpr int stages = " + std::to_string(file.stages()) +
+           ", lists = " + std::to_string(rows.size()) +
+           ", order = " + std::to_string(file.claims.order.value_or(0)) +
+           ";\n    static constexpr storage_form form = storage_form::" + enumerator(file.form->which) +
+           ";\n" + array("rows", lists) + array("b_embedded", rounded<double>(file).b_embedded) + "};\n";
+}
+
+STAGECRAFT_INLINE std::string storage_function(const std::string& id, const tableau_file& file) {
+    return function_comment(file, file.kind()) + "low_storage_method<Scalar> " + id +
+           "() {\n    return coefficients::unpack_low_storage<Scalar, coefficients::" + id + ">();\n}\n";
+}
+
 /// Throws std::invalid_argument where `id` is no name of a function.
 inline void require_name(const std::string& id) {
     bool good = !id.empty() && !std::isdigit(static_cast<unsigned char>(id[0]));
@@ -98,12 +124,16 @@ inline std::string whole_header(const std::string& command, const char* include,
 STAGECRAFT_INLINE std::string methods_header(const std::vector<named_tableau>& methods,
                                              const std::string& command) {
     std::string data, functions;
+    const bool stored = !methods.empty() && methods.front().second.form;
     for (const auto& [id, file] : methods) {
         emitting::require_name(id);
-        data += emitting::method_data(id, file);
-        functions += emitting::method_function(id, file);
+        if (file.form.has_value() != stored)
+            throw std::invalid_argument("coefficients: " + id +
+                                        ": a header holds tableaux, or methods by their registers");
+        data += stored ? emitting::storage_data(id, file) : emitting::method_data(id, file);
+        functions += stored ? emitting::storage_function(id, file) : emitting::method_function(id, file);
     }
-    return emitting::whole_header(command, "unpack_one", data, functions);
+    return emitting::whole_header(command, stored ? "unpack_low_storage" : "unpack_one", data, functions);
 }
 
 STAGECRAFT_INLINE std::string pairs_header(const std::vector<named_pair>& methods,

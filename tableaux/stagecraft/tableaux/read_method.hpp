@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <stagecraft/any_method.hpp>
+#include <stagecraft/low_storage.hpp>
 #include <stagecraft/method/additive_method.hpp>
 #include <stagecraft/method/nystrom_method.hpp>
 #include <stagecraft/method/partitioned_method.hpp>
@@ -12,6 +13,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 // Methods of several tableaux from their files to a run: what integrate() takes.
 
@@ -46,6 +48,23 @@ auto named_by(const std::string& path, Make make) {
 }
 
 }  // namespace detail
+
+/// The registers of a file that gives a method by them, each coefficient rounded once to a Real, and the tableau that they mean.
+/// std::invalid_argument where it does not (file.form is empty).
+template <class Real = double>
+low_storage_method<Real> low_storage_of(const tableau_file& file) {
+    if (!file.form) throw std::invalid_argument("low_storage_of: the file gives A and b, no registers");
+    std::vector<std::vector<Real>> rows;
+    for (const auto& row : file.form->rows) {
+        rows.emplace_back();
+        for (const entry& e : row) rows.back().push_back(rounded<Real>(e));
+    }
+    std::vector<Real> b_embedded;
+    for (const entry& e : file.b_embedded) b_embedded.push_back(rounded<Real>(e));
+    auto m = low_storage<Real>(file.form->which, std::move(rows), b_embedded);
+    m.meaning.facts.order = file.claims.order.value_or(0);
+    return m;
+}
 
 /// The additive (implicit-explicit) method of a file of the form "additive" with two partners, the explicit one first: each
 /// entry rounded once to a Real, the orders found again (additive()). With stagecraft/additive.hpp it runs:
@@ -97,12 +116,26 @@ velocity_nystrom_method<Real> read_nystrom(const std::string& path, const readin
     return m;
 }
 
+/// The method of a file of the forms "2N", "2S", "3S*" and "shu-osher" in its own registers, for integrate() (low_storage.hpp),
+/// each coefficient rounded once. Throws unusable_input that names the file.
+template <class Real = double>
+low_storage_method<Real> read_low_storage(const std::string& path, const reading& how = {}) {
+    const method_file file = read_method_file(path, how);
+    const auto* one = std::get_if<tableau_file>(&file);
+    if (one == nullptr || !one->form)
+        throw unusable_input(path + ": has not the form \"2N\", \"2S\", \"3S*\" or \"shu-osher\"");
+    return low_storage_of<Real>(*one);
+}
+
 /// The method of a file of any kind that runs, for integrate() of stagecraft/any_method.hpp: a tableau, each entry rounded once
-/// to a Real, or what read_additive makes. Throws unusable_input as these do, and for other forms.
+/// to a Real, or what read_additive and read_low_storage make. Throws unusable_input as these do, and for other forms.
 template <class Real = double>
 any_method<Real> read_method(const std::string& path, const reading& how = {}) {
     const method_file file = read_method_file(path, how);
-    if (const auto* one = std::get_if<tableau_file>(&file)) return rounded<Real>(*one);
+    if (const auto* one = std::get_if<tableau_file>(&file)) {
+        if (one->form) return low_storage_of<Real>(*one);
+        return rounded<Real>(*one);
+    }
     const coupling form = std::get<partitioned_file>(file).coupling;
     if (form == coupling::additive) return read_additive<Real>(path, how);
     throw unusable_input(path + ": methods of the form \"" + std::string(name(form)) +
@@ -113,5 +146,6 @@ any_method<Real> read_method(const std::string& path, const reading& how = {}) {
 
 namespace stagecraft {
 using tableaux::read_additive;
+using tableaux::read_low_storage;
 using tableaux::read_method;
 }  // namespace stagecraft

@@ -32,7 +32,7 @@ STAGECRAFT_INLINE tableaux::coupling coupling_of(const document& d) {
         if (each.name == form) return each.value;
         allowed += (allowed.empty() ? "" : ", ") + std::string(each.name);
     }
-    reject(d, "/form", "form", in_quotes(form) + ", allowed: " + allowed + ", shu-osher, 2N, 2S");
+    reject(d, "/form", "form", in_quotes(form) + ", allowed: " + allowed + ", shu-osher, 2N, 2S, 3S*");
 }
 
 STAGECRAFT_INLINE claims coupled_claims(const document& d, int largest) {

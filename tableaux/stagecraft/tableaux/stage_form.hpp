@@ -1,60 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cstddef>
+#include <stagecraft/method/storage_form.hpp>
 #include <stagecraft/tableaux/tableau_file.hpp>
-#include <utility>
-#include <vector>
 
 /// From the coefficients of a form with few registers to the tableau that it means, in any numbers.
 
 namespace stagecraft::tableaux {
 
-/// u + h sum_k f_k F_k, where u stands for the value at the beginning: a register of such a code.
-template <class N>
-struct stage_register {
-    N u{0};
-    std::vector<N> f;
-
-    static stage_register nothing(std::size_t s) { return {N(0), std::vector<N>(s, N(0))}; }
-    static stage_register old_value(std::size_t s) { return {N(1), std::vector<N>(s, N(0))}; }
-    stage_register& add(const N& factor, const stage_register& other) {
-        u = u + factor * other.u;
-        for (std::size_t k = 0; k < f.size(); ++k) f[k] = f[k] + factor * other.f[k];
-        return *this;
-    }
-    stage_register& add_slope(std::size_t k, const N& factor) {
-        f[k] = f[k] + factor;
-        return *this;
-    }
-};
-
-/// The stages of a step and, last, its result, from the coefficients (stage_form::rows) as numbers. Shu and Osher 1988:
-/// u_0 = u, u_i = sum_{k<i} (alpha_ik u_k + h beta_ik f(u_k)), i = 1..s. Williamson 1980 (2N):
-/// v_i = A_i v_{i-1} + h f(u_{i-1}), u_i = u_{i-1} + B_i v_i. Ketcheson 2010 (2S): v = 0; for i = 1..s: v += delta_i u;
-/// u = gamma1_i u + gamma2_i v + beta_i h f(u).
-template <class N>
-std::vector<stage_register<N>> registers_of(stage_form::kind kind, const std::vector<std::vector<N>>& rows) {
-    using value = stage_register<N>;
-    const std::size_t s = kind == stage_form::kind::shu_osher ? rows.size() / 2 : rows.front().size();
-    std::vector<value> all{value::old_value(s)};
-    value v = value::nothing(s);
-    for (std::size_t i = 0; i < s; ++i) {
-        const value& u = all.back();
-        value next = value::nothing(s);
-        if (kind == stage_form::kind::shu_osher) {
-            for (std::size_t k = 0; k <= i; ++k) next.add(rows[i][k], all[k]).add_slope(k, rows[s + i][k]);
-        } else if (kind == stage_form::kind::williamson) {
-            v = value::nothing(s).add(rows[0][i], v).add_slope(i, N(1));
-            next.add(N(1), u).add(rows[1][i], v);
-        } else {
-            v.add(rows[2][i], u);
-            next.add(rows[0][i], u).add(rows[1][i], v).add_slope(i, rows[3][i]);
-        }
-        all.push_back(std::move(next));
-    }
-    return all;
-}
+using stagecraft::registers_of;
+using stagecraft::stage_register;
 
 /// The tableau that a form means, whose c are the row sums. Throws std::invalid_argument where a stage does not contain
 /// the value at the beginning once.

@@ -62,7 +62,7 @@ STAGECRAFT_INLINE std::vector<std::vector<entry>> shu_osher_rows(const document&
 }
 
 STAGECRAFT_INLINE bool is_stage_form(const std::string& form) {
-    return form == "shu-osher" || form == "2N" || form == "2S";
+    return form == "shu-osher" || form == "2N" || form == "2S" || form == "3S*";
 }
 
 STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading& how) {
@@ -70,8 +70,9 @@ STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading&
     const std::string form = text_field(d, "form");
     const kind which = form == "shu-osher" ? kind::shu_osher
                        : form == "2N"      ? kind::williamson
-                                           : kind::ketcheson;
-    std::set<std::string> known{"name", "source", "note", "form", "claims", "tolerance"};
+                       : form == "2S"      ? kind::ketcheson
+                                           : kind::ketcheson_three;
+    std::set<std::string> known{"name", "source", "note", "form", "claims", "tolerance", "b_embedded"};
     for (const std::string& name : stage_form::names(which)) known.insert(name);
     require_keys(d, known, {});
     for (const std::string& name : stage_form::names(which)) require_keys(d, known, {name.c_str()});
@@ -82,9 +83,14 @@ STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading&
         for (const std::string& name : stage_form::names(which))
             given.A.push_back(one_for_each_stage(d, name, given.A.empty() ? 0 : given.A.front().size()));
     }
+    if (d.root.contains("b_embedded"))
+        given.b_embedded = one_for_each_stage(d, "b_embedded", given.A.front().size());
+    else if (read_claims(d).embedded_order)
+        reject(d, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
     apply(with_tolerance_of(d, how), given);
     try {
         tableau_file file = expanded({which, std::move(given.A)});
+        file.b_embedded = std::move(given.b_embedded);
         file.short_decimals = given.short_decimals;
         return file;
     } catch (const std::invalid_argument& e) {

@@ -16,8 +16,9 @@ struct document;
 /// Whether a "form" is one of a single tableau.
 bool is_stage_form(const std::string& form);
 
-/// {"form":"shu-osher","alpha","beta"}, {"form":"2N","A","B"} or {"form":"2S","gamma1","gamma2","delta",
-/// "beta"} as a tableau, whose c are the row sums (registers_of).
+/// {"form":"shu-osher","alpha","beta"}, {"form":"2N","A","B"}, {"form":"2S","gamma1","gamma2","delta","beta"} or
+/// {"form":"3S*","gamma1","gamma2","gamma3","delta","beta"}, and "b_embedded" where there is one, as a tableau, whose c are
+/// the row sums (registers_of).
 tableau_file from_stage_form(const document& d, const reading& how);
 
 }  // namespace json_reader

@@ -12,8 +12,10 @@
 namespace stagecraft::tableaux {
 
 STAGECRAFT_INLINE const std::vector<std::string>& stage_form::names(kind k) {
-    static const std::vector<std::string> all[] = {
-        {"alpha", "beta"}, {"A", "B"}, {"gamma1", "gamma2", "delta", "beta"}};
+    static const std::vector<std::string> all[] = {{"alpha", "beta"},
+                                                   {"A", "B"},
+                                                   {"gamma1", "gamma2", "delta", "beta"},
+                                                   {"gamma1", "gamma2", "gamma3", "delta", "beta"}};
     return all[static_cast<int>(k)];
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stagecraft/method/storage_form.hpp>
 #include <stagecraft/tableau.hpp>
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/tableaux/entry.hpp>
@@ -28,7 +29,7 @@ constexpr std::string_view name(number_kind k) {
 
 /// The coefficients of an explicit method as codes for partial differential equations store it (registers_of).
 struct stage_form {
-    enum class kind { shu_osher, williamson, ketcheson };
+    using kind = storage_form;
     kind which = kind::shu_osher;
     /// Shu-Osher: the rows of alpha, filled up with zeros, then those of beta; else the lists in the order of names().
     std::vector<std::vector<entry>> rows;

@@ -18,15 +18,18 @@ Real nearest(const rational& q) {
     });
 }
 
+/// The Real nearest to an entry; to a decimal as it is written.
+template <class Real = double>
+Real rounded(const entry& e) {
+    return nearest<Real>(e.exact && e.exact->is_rational() ? e.exact->rational_part() : e.enclosure.middle());
+}
+
 /// The method of a tableau file in the numbers a stepper computes with, each entry rounded once: exact
 /// entries to the nearest double or long double, decimals from the number as it is written. The facts are
 /// what the file claims (`stagecraft certify` proves or refutes it). What it does not claim is 0 or false, R(inf) is NaN.
 template <class Real = double>
 tableau<Real> rounded(const tableau_file& file) {
-    auto t = to_tableau<Real>(file, [](const entry& e) {
-        return nearest<Real>(e.exact && e.exact->is_rational() ? e.exact->rational_part()
-                                                               : e.enclosure.middle());
-    });
+    auto t = to_tableau<Real>(file, [](const entry& e) { return rounded<Real>(e); });
     auto& f = t.facts;
     f.order = file.claims.order.value_or(0);
     f.stage_order = file.claims.stage_order.value_or(0);

@@ -12,7 +12,9 @@ namespace stagecraft::theory::detail {
 STAGECRAFT_INLINE std::vector<place> form_places(const tableaux::stage_form& form) {
     using kind = tableaux::stage_form::kind;
     const int rows = static_cast<int>(form.rows.size());
-    const int first = form.which == kind::shu_osher ? rows / 2 : form.which == kind::ketcheson ? 3 : 0;
+    const int first = form.which == kind::shu_osher    ? rows / 2
+                      : form.which == kind::williamson ? 0
+                                                       : rows - 1;  // beta
     std::vector<place> all;
     for (int i = first; i < rows; ++i) {
         const auto& row = form.rows[static_cast<std::size_t>(i)];

@@ -97,6 +97,8 @@ template <class K>
 void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const tableaux::entry&),
                         file_certificate& certificate) {
     const auto& form = *file.form;
+    tableaux::claims claims = file.claims;  // b_embedded is no coefficient of the form
+    claims.embedded_order.reset();
     form_values<K> values;
     for (const auto& row : form.rows) {
         values.emplace_back();
@@ -106,7 +108,7 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
     given.A = form.rows;
     const auto candidates = form_places(form);
     bool rounding = false;
-    for (const auto& r : find_form_repairs(form.which, values, file.claims, candidates)) {
+    for (const auto& r : find_form_repairs(form.which, values, claims, candidates)) {
         std::vector<suspect> found;
         rounding = append_suspects(given, std::vector{r}, found) || rounding;
         for (suspect& x : found) {
@@ -122,7 +124,7 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
     else if (certificate.suspects.empty() && rounding)
         note = only_rounding_fails;
     else if (certificate.suspects.empty()) {
-        note = find_exchanged(form, values, file.claims, candidates);
+        note = find_exchanged(form, values, claims, candidates);
         note = note.empty() ? "no change of a single coefficient restores every claim" : note + undone;
     }
 }
