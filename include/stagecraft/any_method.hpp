@@ -8,16 +8,18 @@
 #include <variant>
 
 #include <stagecraft/additive.hpp>
+#include <stagecraft/dense_method.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/low_storage.hpp>
 #include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
 
-/// A method whose kind is known at run time, that of a file, say (tableaux::read_method): a tableau, an additive method, or one of
-/// low storage.
+/// A method whose kind is known at run time, that of a file, say (tableaux::read_method): a tableau, with its published
+/// continuous solution where it has one, an additive method, or one of low storage.
 template <class Scalar>
-using any_method = std::variant<tableau<Scalar>, additive_method<Scalar>, low_storage_method<Scalar>>;
+using any_method =
+    std::variant<tableau<Scalar>, dense_method<Scalar>, additive_method<Scalar>, low_storage_method<Scalar>>;
 
 /// integrate() with the kind that the method is. The problem is of one kind, known at compile time: where the method is another,
 /// it is std::invalid_argument. Costs no more than the integrators for the kinds that fit.

@@ -4,12 +4,23 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <stagecraft/coefficients/dense.hpp>
+#include <stagecraft/coefficients/explicit.hpp>
+#include <stagecraft/dense_method.hpp>
 #include <stagecraft/integrate.hpp>
 #include <stagecraft/method/continuous_weights.hpp>
 #include <stagecraft/method/structure.hpp>
 #include <stagecraft/observe/solution.hpp>
+#include <stagecraft/problem/with.hpp>
+#include <stagecraft/tableaux/read_method.hpp>
+#include <stdexcept>
 #include <string>
+#include <variant>
+#include <vector>
+
+#include "../message.hpp"
 
 // What lies between the ends of the steps of methods given by a tableau.
 
@@ -177,4 +188,104 @@ BOOST_AUTO_TEST_CASE(the_slope_at_the_right_end_costs_one_evaluation_a_run) {
 BOOST_AUTO_TEST_CASE(values_at_given_times_are_near_the_tolerance) {
     BOOST_TEST(error_at_given_times("dormand_prince_5_4", 1e-10) < 40);
     BOOST_TEST(error_at_given_times("prince_dormand_8_7", 1e-10) < 600);
+}
+
+// Published continuous solutions run: each file of tableaux/dense has at every theta the order that its certificate says.
+BOOST_AUTO_TEST_CASE(published_continuous_solutions_have_their_certified_order_at_every_theta) {
+    int files = 0;
+    for (const auto& item : std::filesystem::directory_iterator(STAGECRAFT_SOURCE_DIR "/tableaux/dense"))
+        BOOST_TEST_CONTEXT(item.path().stem().string()) {
+            const auto file =
+                std::get<sc::tableaux::tableau_file>(sc::tableaux::read_method_file(item.path().string()));
+            const auto m = sc::tableaux::dense_method_of<fifty>(file);
+            BOOST_TEST(m.dense_order == *file.claims.dense_order);
+            const int steps = m.dense_order > 5 ? 64 : 512;  // as far as the digits of the file reach
+            const fifty tiny("1e-40");
+            std::vector<fifty> coarse;
+            for (const fifty& h : {fifty(1) / steps, fifty(1) / (2 * steps)}) {
+                std::vector<fifty> errors;
+                const auto look = [&](const fifty&, const vector& y1, const fifty&, const auto& u) {
+                    for (int i = 1; i < 10; ++i) {
+                        const fifty r = 1 / (1 + h * i / 10);
+                        errors.push_back((u(h * i / 10) - vector(r, r * r)).norm());
+                    }
+                    BOOST_TEST((u(h) - y1).norm() < fifty("1e-46"));
+                };
+                const auto r = sc::integrate(m, hyperbola{}, vector(fifty(1), fifty(1)), fifty(0), h,
+                                             {.rtol = tiny, .atol = tiny, .fixed_step = h}, look);
+                BOOST_TEST(r.ok());
+                if (coarse.empty())
+                    coarse = errors;
+                else
+                    for (std::size_t i = 0; i < errors.size(); ++i) {
+                        const double seen = std::log2(static_cast<double>(coarse[i] / errors[i])) - 1;
+                        BOOST_TEST(std::abs(seen - m.dense_order) < 0.1,
+                                   "order " << seen << " at " << (i + 1) << "/10");
+                    }
+            }
+            ++files;
+        }
+    BOOST_TEST(files == 9);
+}
+
+// Three evaluations more in an accepted step, where somebody looks; y is that of the tableau alone.
+BOOST_AUTO_TEST_CASE(dop853_runs_with_its_own_continuous_solution) {
+    using scalar_state = Eigen::Matrix<double, 1, 1>;
+    const auto f = [](double t, const scalar_state& y, scalar_state& out) { out[0] = y[0] * std::cos(t); };
+    const auto dense = sc::dormand_prince_8_5_3_dense();
+    BOOST_TEST(dense.dense_order == 7);
+    BOOST_TEST(dense.further_stages() == 4);
+    const auto one = scalar_state::Ones();
+    const sc::options<double> steps{.fixed_step = 0.5};
+    sc::solution<scalar_state> y, own;
+    const auto alone = sc::integrate(dense, f, one, 0, 10, steps);
+    const auto looked_at = sc::integrate(dense, f, one, 0, 10, steps, y);
+    const auto plain = sc::integrate(sc::dormand_prince_8_5_3(), f, one, 0, 10, steps, own);
+    BOOST_TEST(alone.report.f == 12 * 20);
+    BOOST_TEST(looked_at.report.f == 15 * 20 + 1);
+    BOOST_TEST(looked_at.y[0] == plain.y[0]);
+    BOOST_TEST(alone.y[0] == plain.y[0]);
+    double worst = 0, worst_own = 0;
+    for (int k = 0; k <= 1000; ++k) {
+        const double t = k / 100., exact = std::exp(std::sin(t));
+        worst = std::max(worst, std::abs(y(t)[0] - exact));
+        worst_own = std::max(worst_own, std::abs(own(t)[0] - exact));
+    }
+    BOOST_TEST(worst < worst_own / 3, worst << " and " << worst_own);
+    // Steps that are chosen, from the file as well, which is the header to the last bit.
+    const std::string path = STAGECRAFT_SOURCE_DIR "/tableaux/dense/dormand_prince_8_5_3.json";
+    const sc::options<double> o{.rtol = 1e-9, .atol = 1e-9};
+    sc::solution<Eigen::VectorXd> of_header, of_file;
+    const auto g = [](double t, const Eigen::VectorXd& x, Eigen::VectorXd& out) { out = x * std::cos(t); };
+    const auto a = sc::integrate(dense, g, Eigen::VectorXd::Ones(1), 0, 10, o, of_header);
+    const auto b =
+        sc::integrate(sc::tableaux::read_method(path), g, Eigen::VectorXd::Ones(1), 0, 10, o, of_file);
+    BOOST_TEST(a.report.steps == b.report.steps);
+    for (const double t : {0.77, 4.1, 9.3}) {
+        BOOST_TEST(std::abs(of_header(t)[0] - std::exp(std::sin(t))) < 1e-8);
+        BOOST_TEST(std::abs(of_header(t)[0] - of_file(t)[0]) < 1e-13);
+    }
+}
+
+// With a singular M there are no slopes: the tableau's own continuous solution takes its place.
+BOOST_AUTO_TEST_CASE(published_continuous_solutions_give_way_and_wrong_ones_are_refused) {
+    const auto m = sc::tableaux::dense_method_of(std::get<sc::tableaux::tableau_file>(
+        sc::tableaux::read_method_file(STAGECRAFT_SOURCE_DIR "/tableaux/dense/kennedy_carpenter_ark4.json")));
+    using pair = Eigen::Vector2d;
+    const auto dae = [](double, const pair& y, pair& f) { f << -y[1], y[1] - y[0]; };
+    const Eigen::Matrix2d M{{1, 0}, {0, 0}};
+    double worst = 0;
+    const auto look = [&](double t, const pair&, double h, const auto& u) {
+        worst = std::max(worst, std::abs(u(t - h / 2)[0] - std::exp(-(t - h / 2))));
+    };
+    BOOST_TEST(
+        sc::integrate(m, sc::with_mass(dae, M), pair(1, 1), 0, 1, {.rtol = 1e-6, .atol = 1e-6}, look).ok());
+    BOOST_TEST(worst < 1e-3);
+    auto wrong = m;
+    wrong.b_theta.conservativeResize(5, 3);
+    BOOST_TEST(message([&] {
+                   sc::integrate(
+                       wrong, [](double, const pair& y, pair& f) { f = -y; }, pair(1, 1), 0, 1);
+               }).find("b_theta must have a row") != std::string::npos);
+    BOOST_CHECK_THROW(sc::tableaux::dense_method_of(catalogue().at("kutta_3")), std::invalid_argument);
 }

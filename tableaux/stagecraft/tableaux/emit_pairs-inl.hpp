@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "stagecraft/compiled.hpp"
+#include "stagecraft/tableaux/dense_from_file.hpp"
 #include "stagecraft/tableaux/emit.hpp"
 #include "stagecraft/tableaux/tableau_from_file.hpp"
 
@@ -104,6 +105,24 @@ STAGECRAFT_INLINE std::string storage_function(const std::string& id, const tabl
            "() {\n    return coefficients::unpack_low_storage<Scalar, coefficients::" + id + ">();\n}\n";
 }
 
+/// A tableau with its continuous solution.
+STAGECRAFT_INLINE std::string dense_data(const std::string& id, const tableau_file& file) {
+    const auto m = dense_method_of<double>(file);
+    return "\nstruct " + id + " {\n    static constexpr int stages = " + std::to_string(m.stages()) +
+           ", further_stages = " + std::to_string(m.further_stages()) +
+           ", degree = " + std::to_string(m.degree()) +
+           ", order = " + std::to_string(file.claims.order.value_or(0)) +
+           ", dense_order = " + std::to_string(m.dense_order) + ";\n" +
+           arrays(m.method, {"c", "A", "b", "b_embedded"}) + array("c_more", m.c_more) +
+           array("A_more", m.A_more) + array("b_theta", m.b_theta) + "};\n";
+}
+
+STAGECRAFT_INLINE std::string dense_function(const std::string& id, const tableau_file& file) {
+    const std::string s = std::to_string(dense_method_of<double>(file).stages());
+    return function_comment(file, file.kind()) + "dense_method<Scalar, " + s + "> " + id +
+           "() {\n    return coefficients::unpack_dense<Scalar, coefficients::" + id + ">();\n}\n";
+}
+
 /// Throws std::invalid_argument where `id` is no name of a function.
 inline void require_name(const std::string& id) {
     bool good = !id.empty() && !std::isdigit(static_cast<unsigned char>(id[0]));
@@ -123,17 +142,32 @@ inline std::string whole_header(const std::string& command, const char* include,
 
 STAGECRAFT_INLINE std::string methods_header(const std::vector<named_tableau>& methods,
                                              const std::string& command) {
+    enum class kind { plain, stored, dense };
+    const auto kind_of = [](const tableau_file& file) {
+        return file.form ? kind::stored : file.b_theta.empty() ? kind::plain : kind::dense;
+    };
     std::string data, functions;
-    const bool stored = !methods.empty() && methods.front().second.form;
-    for (const auto& [id, file] : methods) {
+    const kind first = methods.empty() ? kind::plain : kind_of(methods.front().second);
+    for (const auto& [name, file] : methods) {
+        const std::string id = first == kind::dense ? name + "_dense" : name;
         emitting::require_name(id);
-        if (file.form.has_value() != stored)
-            throw std::invalid_argument("coefficients: " + id +
-                                        ": a header holds tableaux, or methods by their registers");
-        data += stored ? emitting::storage_data(id, file) : emitting::method_data(id, file);
-        functions += stored ? emitting::storage_function(id, file) : emitting::method_function(id, file);
+        if (kind_of(file) != first)
+            throw std::invalid_argument(
+                "coefficients: " + name +
+                ": a header holds tableaux, methods with b_theta, or methods by their "
+                "registers");
+        data += first == kind::stored  ? emitting::storage_data(id, file)
+                : first == kind::dense ? emitting::dense_data(id, file)
+                                       : emitting::method_data(id, file);
+        functions += first == kind::stored  ? emitting::storage_function(id, file)
+                     : first == kind::dense ? emitting::dense_function(id, file)
+                                            : emitting::method_function(id, file);
     }
-    return emitting::whole_header(command, stored ? "unpack_low_storage" : "unpack_one", data, functions);
+    return emitting::whole_header(command,
+                                  first == kind::stored  ? "unpack_low_storage"
+                                  : first == kind::dense ? "unpack_dense"
+                                                         : "unpack_one",
+                                  data, functions);
 }
 
 STAGECRAFT_INLINE std::string pairs_header(const std::vector<named_pair>& methods,

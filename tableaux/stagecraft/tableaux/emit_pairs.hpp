@@ -20,7 +20,8 @@ std::string pairs_header(const std::vector<named_pair>& methods, const std::stri
 using named_tableau = std::pair<std::string, tableau_file>;
 
 /// The same of files of one tableau: of each a function that returns a tableau<Scalar, stages>, or, where all give their
-/// registers, a low_storage_method<Scalar>.
+/// registers, a low_storage_method<Scalar>, where all have b_theta, a dense_method<Scalar, stages>, whose name ends in
+/// _dense.
 std::string methods_header(const std::vector<named_tableau>& methods, const std::string& command);
 
 }  // namespace stagecraft::tableaux

@@ -3,10 +3,12 @@
 
 #include <initializer_list>
 #include <stagecraft/any_method.hpp>
+#include <stagecraft/dense_method.hpp>
 #include <stagecraft/low_storage.hpp>
 #include <stagecraft/method/additive_method.hpp>
 #include <stagecraft/method/nystrom_method.hpp>
 #include <stagecraft/method/partitioned_method.hpp>
+#include <stagecraft/tableaux/dense_from_file.hpp>
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/tableaux/tableau_from_file.hpp>
 #include <stdexcept>
@@ -128,12 +130,13 @@ low_storage_method<Real> read_low_storage(const std::string& path, const reading
 }
 
 /// The method of a file of any kind that runs, for integrate() of stagecraft/any_method.hpp: a tableau, each entry rounded once
-/// to a Real, or what read_additive and read_low_storage make. Throws unusable_input as these do, and for other forms.
+/// to a Real, one with its b_theta, or what read_additive and read_low_storage make. Throws unusable_input as these do, and for other forms.
 template <class Real = double>
 any_method<Real> read_method(const std::string& path, const reading& how = {}) {
     const method_file file = read_method_file(path, how);
     if (const auto* one = std::get_if<tableau_file>(&file)) {
         if (one->form) return low_storage_of<Real>(*one);
+        if (!one->b_theta.empty()) return dense_method_of<Real>(*one);
         return rounded<Real>(*one);
     }
     const coupling form = std::get<partitioned_file>(file).coupling;
