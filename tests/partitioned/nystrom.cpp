@@ -39,7 +39,8 @@ const Vector4d aphelion(-1 - eccentricity, 0, 0, -std::sqrt((1 - eccentricity) /
 BOOST_AUTO_TEST_CASE(pairs_hold_the_tolerance_and_their_order_of_cost) {
     for (const auto& [name, order] : {std::pair<std::string, int>{"dormand_prince_rkn_4_3", 4},
                                       {"dormand_prince_rkn_5_4", 5},
-                                      {"dormand_prince_rkn_6_4", 6}}) {
+                                      {"dormand_prince_rkn_6_4", 6},
+                                      {"dormand_prince_rkn_8_6", 8}}) {
         const auto m = file(name);
         double last_error = 1;
         for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
@@ -135,6 +136,7 @@ BOOST_AUTO_TEST_CASE(orders_by_trees_are_those_of_the_files) {
     for (const auto& [name, p, embedded] : {std::tuple<std::string, int, int>{"dormand_prince_rkn_4_3", 4, 3},
                                             {"dormand_prince_rkn_5_4", 5, 4},
                                             {"dormand_prince_rkn_6_4", 6, 4},
+                                            {"dormand_prince_rkn_8_6", 8, 6},
                                             {"nystrom_4", 4, -1},
                                             {"nystrom_5", 5, -1},
                                             {"stoermer_verlet_nystrom", 2, -1}}) {
@@ -159,6 +161,7 @@ BOOST_AUTO_TEST_CASE(generated_methods_are_those_of_the_files) {
     same(dormand_prince_rkn_4_3(), "dormand_prince_rkn_4_3");
     same(dormand_prince_rkn_5_4(), "dormand_prince_rkn_5_4");
     same(dormand_prince_rkn_6_4(), "dormand_prince_rkn_6_4");
+    same(dormand_prince_rkn_8_6(), "dormand_prince_rkn_8_6");
     const auto same_pair = [](const auto& m, const std::string& name) {
         const auto read =
             tableaux::read_partitioned(STAGECRAFT_SOURCE_DIR "/tableaux/pairs/" + name + ".json");
