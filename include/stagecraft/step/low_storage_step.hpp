@@ -105,7 +105,7 @@ class low_storage_step : public step_between_slopes<Space> {
   private:
     static constexpr int error_column = 1;
 
-    const Scalar& at(std::size_t list, int i) const { return m_.rows[list][static_cast<std::size_t>(i)]; }
+    const Scalar& at(std::size_t which, int i) const { return m_.rows[which][static_cast<std::size_t>(i)]; }
     /// x := x + factor f(u), or factor f(u).
     template <class Column>
     void add(Column&& x, const Scalar& factor, bool first) {
