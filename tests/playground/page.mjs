@@ -125,6 +125,13 @@ try {
   assert.equal(await evaluate("document.querySelectorAll('#curves path.refused').length"), 2);  // and in the legend
   await type("#problem", "pendulum_3", "change");
   await until(`${words("equations")}.includes("p·p") && document.querySelector("#curves h3").textContent === "p₂ against p₁"`);
+  const rods = "document.querySelector('#curves .rods').getAttribute('points')";
+  assert.equal(await evaluate(rods), "0.0000,0.0000 1.0000,0.0000");  // level at t = 0, the fixed end first
+  const play = "#curves figure:nth-child(2) button";
+  await click(play);
+  await until(`${rods} !== "0.0000,0.0000 1.0000,0.0000"`);
+  await click(play);
+  assert.equal(await evaluate(`document.querySelector("${play}").textContent`), "Play");
   await type("#tolerance", "0");
   assert.match(await until("!document.getElementById('integrate-error').hidden && document.getElementById('integrate-error').textContent"), /tolerance: '0' is not/);
   assert.equal(await evaluate("document.getElementById('tolerance').getAttribute('aria-invalid')"), "true");

@@ -120,6 +120,21 @@ problem make_pendulum(double) {
     return of<5>(pendulum<OfPosition>{}, numbers({1, 0, 0, 0, 0}), pendulum_at);
 }
 
+/// Two rods of length 1 with masses of 1 at their ends, g = 1, their angles from hanging down.
+struct double_pendulum {
+    template <class S>
+    void operator()(const S&, const vec<S, 4>& y, vec<S, 4>& f) const {
+        using std::cos;
+        using std::sin;
+        const S s = sin(y[0] - y[1]), c = cos(y[0] - y[1]);
+        const S first = -s * y[3] * y[3] - 2.0 * sin(y[0]), second = s * y[2] * y[2] - sin(y[1]);
+        f[0] = y[2];
+        f[1] = y[3];
+        f[2] = (first - c * second) / (1.0 + s * s);
+        f[3] = (2.0 * second - c * first) / (1.0 + s * s);
+    }
+};
+
 problem make_disc(double degrees) {
     const rolling_disc::disc<double> body;
     vec<double, 5> q = vec<double, 5>::Zero();
@@ -314,6 +329,18 @@ const std::vector<problem_kind> kinds{
      {},
      0,
      1},
+    {"double_pendulum",
+     "Double pendulum, from rest",
+     "2 α″ + β″ cos(α − β) + β′² sin(α − β) + 2 sin α = 0, β″ + α″ cos(α − β) − α′² sin(α − β) + sin β = 0",
+     "Hairer, Norsett, Wanner I, I.6",
+     {"α", "β", "α′", "β′"},
+     30,
+     1,
+     [](double degrees) {
+         const double angle = degrees * std::numbers::pi / 180;
+         return of<4>(double_pendulum{}, numbers({angle, angle, 0, 0}));
+     },
+     {"both angles, in degrees", 120, 0.0001, 180}},
     {"rolling_disc",
      "Rolling disc, nonholonomic, index 2",
      "M(q) v′ = F(q, v) − Gᵀλ, 0 = G(q) v",

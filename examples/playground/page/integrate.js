@@ -128,7 +128,8 @@ const integrate_view = (() => {
     if (answer.error) return;
     const why = answer.status === "success" ? "" : `: ${answer.status.replaceAll("_", " ")}, ${meanings[answer.status] ?? ""}`;
     facts([["ended", `at t = ${answer.t}${why}`], ...Object.entries(answer.report)]);
-    show_figures([solution_figure(p, answer), steps_figure(p, answer)]);
+    const moving = motion_figure(p, answer.points.filter((row) => row.every(Number.isFinite)));
+    show_figures([solution_figure(p, answer), ...(moving ? [moving] : []), steps_figure(p, answer)]);
   }
 
   /// The order that is proved of the method, where there is one.
