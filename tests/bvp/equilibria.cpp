@@ -187,3 +187,25 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_followed_says_so) {
     BOOST_CHECK_THROW(sc::equilibrium_continuation(line, zero(1), {.from = std::nan("")}),
                       std::invalid_argument);
 }
+
+// Steps may end on a special point, to the last bit: it is not lost between the two beside it.
+BOOST_AUTO_TEST_CASE(a_point_of_the_path_that_is_special_itself_is_found) {
+    const auto normal_form = [](const auto&, const auto& y, const auto& p, auto& f) {
+        const auto square = y[0] * y[0] + y[1] * y[1];
+        f[0] = p[0] * y[0] - y[1] - square * y[0], f[1] = y[0] + p[0] * y[1] - square * y[1];
+    };
+    for (const double step : {1.0, 0.5, 0.25, 0.3}) {
+        const sc::continuation_options<double> steps{.step = step, .largest_step = step};
+        auto o = steps;
+        o.from = -1, o.to = 1.7;
+        const auto hopf = specials_of(normal_form, zero(2), o);
+        BOOST_TEST_REQUIRE(hopf.size() == 1U);
+        BOOST_TEST((hopf[0].ok() && hopf[0].kind == sc::point_kind::hopf));
+        BOOST_TEST(std::abs(hopf[0].p[0]) < 1e-13);
+        o.from = -2, o.to = 2.7;
+        const auto pitchfork = specials_of(lorenz, zero(3), o);
+        BOOST_TEST_REQUIRE(pitchfork.size() == 1U);
+        BOOST_TEST((pitchfork[0].ok() && pitchfork[0].kind == sc::point_kind::branch_point));
+        BOOST_TEST(std::abs(pitchfork[0].p[0] - 1) < 1e-13);
+    }
+}

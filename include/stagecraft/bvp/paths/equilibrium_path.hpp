@@ -76,7 +76,7 @@ class rest_follower {
             state next;
             std::vector<state> special;
             while (!advance(now, step, next) || !specials(now, next, step, step < 2 * least, special)) {
-                step /= 2;
+                step *= Scalar(0.45);  // not a half, which might lead to the same point once more
                 if (step < least) {
                     path.push_back(failed(next));
                     return path;
@@ -158,11 +158,21 @@ class rest_follower {
         return now.tangent.dot(out.tangent) > Scalar(0.8) && now.tangent.dot(chord) > Scalar(0.95);
     }
 
+    /// Is every test known better than to its distance from zero?
+    bool decides(const state& s) const {
+        using std::abs;
+        const Scalar rounding = 1000 * f_.relative;
+        return abs(s.slope()) > rounding && abs(s.orientation) > rounding && s.spectrum.decides_pairs();
+    }
     /// Finds what lies between two points; false where smaller steps are to tell. `least`: they no longer do.
     bool specials(const state& now, const state& next, const Scalar& step, bool least,
                   std::vector<state>& found) {
         using std::abs;
         found.clear();
+        // A point on which a test vanishes decides nothing, on either side; unless it vanishes all along the path.
+        if (state beside;
+            !least && decides(now) && !decides(next) && advance(now, step / 2, beside) && decides(beside))
+            return false;
         const Scalar rounding = 1000 * f_.relative;
         const auto changes = [&](const auto& test) { return test(now) * test(next) < Scalar(0); };
         const auto fold = [](const state& s) { return s.slope(); };
