@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stagecraft/bvp/orbit_branches.hpp>
+#include <stagecraft/bvp/orbit_family.hpp>
 #include <stagecraft/coefficients/gauss.hpp>
 #include <stdexcept>
 #include <string>
@@ -17,9 +18,9 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 /// lure: the feedback control system x''' + p x'' + x' + x = x^2 of MatCont's tutorials: a Hopf point at p = 1, and period
-/// doublings, the first at 0.6303020 with the period 6.364071 by MatCont.
+/// doublings, the first at 0.6303020 with the period 6.364071 by MatCont. circle: r = 1 of period 2 pi, beside z' = z (p - z^2).
 struct model {
-    enum { lure, lorenz, brusselator } which;
+    enum { lure, lorenz, brusselator, circle } which;
     template <class T, class Y, class P>
     void operator()(const T&, const Y& y, const P& p, Y& f) const {
         if (which == lure) {
@@ -27,6 +28,9 @@ struct model {
         } else if (which == lorenz) {
             f[0] = 10. * (y[1] - y[0]), f[1] = p[0] * y[0] - y[1] - y[0] * y[2];
             f[2] = y[0] * y[1] - 8. / 3 * y[2];
+        } else if (which == circle) {
+            const auto inside = 1. - y[0] * y[0] - y[1] * y[1];
+            f[0] = y[0] * inside - y[1], f[1] = y[1] * inside + y[0], f[2] = y[2] * (p[0] - y[2] * y[2]);
         } else {
             f[0] = 1. + y[0] * y[0] * y[1] - (p[0] + 1.) * y[0], f[1] = p[0] * y[0] - y[0] * y[0] * y[1];
         }
@@ -98,7 +102,59 @@ BOOST_AUTO_TEST_CASE(orbits_on_the_other_side_end_at_once_and_other_points_are_r
     BOOST_TEST(orbits.back().p[0] >= 2.5);
     const auto none = follow(f, hopf, 1, 0.2);
     BOOST_TEST(none.size() <= 2U);
-    BOOST_TEST(none.back().message.find("come back to `from`") != std::string::npos);
+    BOOST_TEST(none.back().message.find("this Hopf point lie at larger p, and `to` is on the other side") !=
+               std::string::npos);
     BOOST_CHECK_THROW(follow(f, path.front(), 3, 0.1), std::invalid_argument);
     BOOST_CHECK_THROW(follow(f, orbits.front(), 3, 0.1), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(orbits_that_cross_at_a_branch_point) {
+    // z = 0 is crossed by z^2 = p at p = 0.
+    const model f{model::circle};
+    const auto round = [](double s) -> VectorXd {
+        return Eigen::Vector3d(std::cos(2 * pi * s), std::sin(2 * pi * s), 0);
+    };
+    const auto path = sc::detail::follow_orbits<double, 5, model, VectorXd>(
+        sc::gauss<5>(), f, round, {2 * pi, -0.3}, {.from = -0.3, .to = 0.5}, {});
+    const auto branch = only(path, sc::point_kind::branch_point);
+    BOOST_TEST(std::abs(branch.p[0]) < 1e-8);
+    BOOST_TEST_REQUIRE(branch.crossing_y.steps() > 0);
+    const auto others = follow(f, branch, 1, 0.1);
+    BOOST_TEST(others.back().p[0] >= 1);
+    for (const auto& o : others) {
+        BOOST_TEST(o.ok());
+        BOOST_TEST(std::abs(o.y(0.3)[2] * o.y(0.3)[2] - o.p[0]) < 1e-9);
+        BOOST_TEST(std::abs(o.period - 2 * pi) < 1e-9);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_family_with_a_conserved_quantity) {
+    // A pendulum: T = 4 K(sin(a/2)) with the amplitude a.
+    const auto pendulum = [](const auto&, const auto& y, auto& f) {
+        using std::sin;
+        f[0] = y[1], f[1] = -sin(y[0]);
+    };
+    const auto gradient = [](const auto& y, auto& g) {
+        using std::sin;
+        g[0] = sin(y[0]), g[1] = y[1];
+    };
+    const auto small = [](double s) -> VectorXd {
+        return 0.6 * Eigen::Vector2d(std::cos(2 * pi * s), -std::sin(2 * pi * s));
+    };
+    const auto family =
+        sc::orbit_family(sc::gauss<5>(), pendulum, gradient, small, 6.43, {.to = 12, .step = 0.3});
+    BOOST_TEST(family.size() > 4U);
+    BOOST_TEST(family.back().period >= 12);
+    for (const auto& o : family) {
+        BOOST_TEST((o.ok() && o.kind == sc::point_kind::regular), o.message);
+        const double energy = o.y(0.)[1] * o.y(0.)[1] / 2 + 1 - std::cos(o.y(0.)[0]),
+                     k = std::sqrt(energy / 2);  // sin(a/2)
+        BOOST_TEST(std::abs(o.period - 4 * std::comp_ellint_1(k)) < 1e-8);
+    }
+    const auto friction = [&](const auto& t, const auto& y, auto& f) {
+        pendulum(t, y, f);
+        f[1] -= 0.01 * y[1];
+    };
+    BOOST_CHECK_THROW(sc::orbit_family(sc::gauss<5>(), friction, gradient, small, 6.4, {.to = 12}),
+                      std::invalid_argument);
 }

@@ -28,6 +28,10 @@ struct orbit_point {
         message;  ///< of the last point: why the path ends there, in words; empty where p has passed `to`
     scalar arclength{0};  ///< in the space of (y(0), y(1), T, p)
     std::vector<scalar> mesh;
+    /// Branch points: an orbit on the path that crosses, close by, from which orbit_continuation() of bvp/orbit_branches.hpp
+    /// follows it. Empty (crossing_y.steps() == 0) where none was found.
+    scalar crossing_p{0}, crossing_period{0};
+    solution<Vector> crossing_y{};
 
     bool ok() const { return status == bvp_status::success; }
 };
@@ -127,6 +131,9 @@ std::vector<orbit_point<Vector>> follow_orbits(const tableau<Scalar, S>& method,
         path.push_back({Eigen::Matrix<Scalar, 1, 1>(s.p[1]), s.p[0], std::move(s.y), std::move(s.multipliers),
                         s.kind, s.status, s.message, s.arclength, std::move(s.mesh)});
         auto& point = path.back();
+        if (s.other_y.steps() > 0)
+            point.crossing_p = s.other_p[1], point.crossing_period = s.other_p[0],
+            point.crossing_y = std::move(s.other_y);
         if (s.kind == point_kind::regular && s.status != bvp_status::success) break;
         const bvp_status judged = judge_orbit(point.y, o.rtol);
         if (judged == bvp_status::success || (shrinks && judged == bvp_status::equilibrium)) continue;
