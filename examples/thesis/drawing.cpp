@@ -6,44 +6,23 @@
 #include <cstdio>
 #include <string>
 
+#include "placed.hpp"
+
 namespace thesis {
 
 namespace {
-
-constexpr double radius = 0.1;  // of the disc [m]
-constexpr int corners = 36;     // of the polygon that is drawn for its rim
-
-using point = Eigen::Vector3d;
-
-// The disc in the laboratory frame: contact point, direction of rolling, and from the contact point to the centre.
-struct placed {
-    point contact, ahead, up;
-    double turned;
-    explicit placed(const vector& y) : turned(y[4]) {
-        const double c = std::cos(y[2]), s = std::sin(y[2]);
-        contact = {c * y[0] - s * y[1], s * y[0] + c * y[1], 0};
-        ahead = {c, s, 0};
-        up = {s * std::sin(y[3]), -c * std::sin(y[3]), std::cos(y[3])};
-    }
-    point rim(double angle) const {
-        return contact + radius * (up + std::cos(angle) * ahead + std::sin(angle) * up);
-    }
-    // A spoke that pointed upwards at the start.
-    point mark() const { return rim(std::acos(-1.0) / 2 - turned); }
-    point centre() const { return contact + radius * up; }
-};
 
 // Seen from above at an angle, in pixels, in the middle of a picture 920 wide.
 class view {
   public:
     explicit view(const std::vector<placed>& all) {
         for (const placed& p : all)
-            for (int k = 0; k < corners; ++k) include(flat(p.rim(k * step)));
+            for (int k = 0; k < corners; ++k) include(seen(p.rim(k * step)));
         scale_ = std::min(860 / (high_[0] - low_[0]), 480 / (high_[1] - low_[1]));
         left_ = 460 - scale_ * (high_[0] - low_[0]) / 2;
     }
     std::string operator()(const point& p) const {
-        const Eigen::Vector2d f = flat(p);
+        const Eigen::Vector2d f = seen(p);
         char text[40];
         std::snprintf(text, sizeof text, "%.1f,%.1f", left_ + scale_ * (f[0] - low_[0]),
                       60 + scale_ * (high_[1] - f[1]));
@@ -58,12 +37,6 @@ class view {
     int height() const { return static_cast<int>(90 + scale_ * (high_[1] - low_[1])); }
 
   private:
-    static Eigen::Vector2d flat(const point& p) {
-        const double turn = 0.5, tilt = 0.6;  // [rad]
-        const double right = std::cos(turn) * p[0] + std::sin(turn) * p[1],
-                     away = -std::sin(turn) * p[0] + std::cos(turn) * p[1];
-        return {right, std::sin(tilt) * away + std::cos(tilt) * p[2]};
-    }
     void include(const Eigen::Vector2d& f) {
         low_ = low_.cwiseMin(f);
         high_ = high_.cwiseMax(f);
@@ -145,6 +118,7 @@ std::vector<drawing> disc_drawings(const trajectory& motion) {
     for (const auto& p : motion.path) all.emplace_back(p.y);
     const view eye(all);
     return {{"fig_4_1", "4.1 The rolling disc along its track", still(eye, all)},
+            {"fig_4_1_sketch", "4.1 The rolling disc and its coordinates", disc_sketch()},
             {"fig_4_1_moving", "4.1 The rolling disc, animated", animated(eye, all)}};
 }
 

@@ -71,6 +71,7 @@ inline constexpr std::array words{
     phrase{"The rolling disc along its track", "Die rollende Scheibe längs ihrer Spur"},
     phrase{"The rolling disc along the track of its contact point",
            "Die rollende Scheibe längs der Spur ihres Auflagepunkts"},
+    phrase{"The rolling disc and its coordinates", "Die rollende Scheibe und ihre Koordinaten"},
     phrase{"The rolling disc, animated", "Die rollende Scheibe, bewegt"},
     phrase{"The rolling disc, one second of its motion in eight",
            "Die rollende Scheibe, eine Sekunde ihrer Bewegung in acht"},
