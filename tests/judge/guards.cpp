@@ -372,4 +372,17 @@ BOOST_AUTO_TEST_CASE(no_run_ends_with_a_step_that_is_all_rounding) {
     BOOST_TEST(guard.look(step, 150.0) == 150.0);
     step.ends = false;  // nor does it creep there in shorter and shorter ones
     BOOST_TEST(guard.look(step, 150.0) == 150.0);
+    // Behind one that has passed, a small estimate of the last step may be rounding too: where y stands still, it is zero.
+    sc::rounding_guard<double> other;
+    step.ends = true;
+    BOOST_TEST(other.look(step, 0.1) == 0.1);
+    step.ends = false;
+    sc::outlook<double> seen{0.5};
+    BOOST_TEST(other.look(step, 150.0) == 0.5);
+    other.accepted(step, seen);
+    BOOST_TEST(other.look(step, 0.1) == 0.1);
+    step.ends = true;
+    BOOST_TEST(other.look(step, 0.1) == 20.0);
+    step.rounding = 9;
+    BOOST_TEST(other.look(step, 0.1) == 0.1);
 }

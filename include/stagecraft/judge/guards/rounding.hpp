@@ -14,9 +14,10 @@ namespace stagecraft {
 /// where the stages change by their own rounding; if it is no more, the step is accepted: it leaves in y what rounding does,
 /// and no shorter step mends the others. The next one is as long as it has to be for rounding to be small. Unless the run has
 /// taken steps as long as that, its tolerance is below what rounding leaves, and it fails as before; and no run ends with
-/// such a step.
+/// such a step, nor behind one with an estimate that rounding may have made as small.
 ///
-/// Cost: where M = I the guard is not there; two estimates in attempts refused for their error that are no longer than the step before.
+/// Cost: where M = I the guard is not there; two estimates in attempts refused for their error that are no longer than the
+/// step before.
 template <class Scalar>
 class rounding_guard : public guard_defaults {
   public:
@@ -24,6 +25,10 @@ class rounding_guard : public guard_defaults {
     Scalar look(Step& step, const Scalar& error) {
         rounding_ = Scalar(0);
         using std::abs;
+        if (step.ends && seen_) {  // where y stands still to the last bit even a small estimate is rounding
+            const Scalar rounding = step.rounding_of_estimate();
+            if (rounding > several()) return larger(error, rounding);
+        }
         const bool shrinks = step.refused.for_error > 0 || !(abs(step.h) > abs(step.last.h));
         if (!(error >= Scalar(1)) || !shrinks) return error;
         const Scalar rounding = step.rounding_of_estimate();
@@ -39,6 +44,7 @@ class rounding_guard : public guard_defaults {
     void accepted(Step& step, outlook<Scalar>& seen) {
         if (rounding_ == Scalar(0)) return;
         seen.continues = false;
+        seen_ = true;
         step.count_at_rounding();
     }
     /// The next step is as long as rounding needs to be a tenth of the tolerance.
@@ -50,15 +56,16 @@ class rounding_guard : public guard_defaults {
 
     template <class Bag>
     void carry(Bag& bag) {
-        bag(at_end_);
+        bag(at_end_, seen_);
     }
 
   private:
     /// One rounding of each stage stands for those of all their operations.
     static Scalar several() { return Scalar(10); }
     Scalar rounding_{0};  // of an estimate that is no more, else 0
-    bool at_end_ =
-        false;  // a step that ends the run has been refused: what is left would become shorter and shorter
+    bool seen_ = false;   // some step has been accepted for that
+    // A step that ends the run has been refused: what is left would become shorter and shorter.
+    bool at_end_ = false;
 };
 
 }  // namespace stagecraft
