@@ -33,7 +33,9 @@ BOOST_AUTO_TEST_CASE(order_conditions_in_doubles_give_the_claimed_orders) {
     for (const auto& [name, file] : catalogue()) BOOST_TEST_CONTEXT(name) {
             auto m = sc::tableaux::rounded<double>(file);
             m.facts = {};
-            BOOST_TEST(sc::classical_order(m) == file.claims.order.value());
+            // In doubles trees are looked at up to order 8; collocation tells of more.
+            const int claimed = file.claims.order.value(), found = sc::classical_order(m);
+            BOOST_TEST((found == claimed || (found == sc::largest_tree_order && found < claimed)));
             if (!file.claims.embedded_order) continue;
             ++embedded;
             BOOST_TEST(sc::order_by_trees(m, m.b_embedded, sc::largest_tree_order) ==
