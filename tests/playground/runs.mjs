@@ -45,9 +45,9 @@ for (const problem of ["pendulum_3", "pendulum_2"])
   assert.ok(Math.abs(state_at_end("radau_iia 3", problem, period, 1e-9)[0] - 1) < 1e-6, problem);
 // From a small angle both rods swing in two modes, of frequencies w with w^2 = 2 -+ sqrt 2, in which the second angle is +- sqrt 2
 // times the first; from a large one the energy stays.
-const angle = 1e-3 * Math.PI / 180, t_end = 20, root = Math.SQRT2;
+const angle = 1e-2 * Math.PI / 180, t_end = 20, root = Math.SQRT2;
 const modes = [-1, 1].map((side) => (1 - side / root) / 2 * angle * Math.cos(Math.sqrt(2 + side * root) * t_end));
-near(state_at_end("gauss 3", "double_pendulum", t_end, 1e-12, "0.001").slice(0, 2),
+near(state_at_end("gauss 3", "double_pendulum", t_end, 1e-12, "0.01").slice(0, 2),
      [modes[0] + modes[1], root * (modes[0] - modes[1])], 1e-6, "double pendulum");
 const [alpha, beta, u, v] = state_at_end("gauss 3", "double_pendulum", t_end, 1e-10);
 const energy = u * u + v * v / 2 + u * v * Math.cos(alpha - beta) - 2 * Math.cos(alpha) - Math.cos(beta);
