@@ -25,14 +25,13 @@ class rounding_guard : public guard_defaults {
     Scalar look(Step& step, const Scalar& error) {
         rounding_ = Scalar(0);
         using std::abs;
-        if (step.ends && seen_) {  // where y stands still to the last bit even a small estimate is rounding
-            const Scalar rounding = step.rounding_of_estimate();
-            if (rounding > several()) return larger(error, rounding);
-        }
         const bool shrinks = step.refused.for_error > 0 || !(abs(step.h) > abs(step.last.h));
-        if (!(error >= Scalar(1)) || !shrinks) return error;
+        const bool too_large = error >= Scalar(1) && shrinks;
+        const bool doubtful = step.ends && seen_;  // where y stands still an estimate is zero
+        if (!too_large && !doubtful) return error;
         const Scalar rounding = step.rounding_of_estimate();
-        if (error > several() * rounding) return error;
+        if (doubtful && rounding > several()) return larger(error, rounding);
+        if (!too_large || error > several() * rounding) return error;
         at_end_ = at_end_ || (step.ends && rounding > Scalar(1));
         const bool unattainable = at_end_ || several() * rounding * abs(step.h) > step.longest();
         if (rounding > Scalar(1) && unattainable) return error;
