@@ -20,10 +20,15 @@ placed chosen() {
     return placed(y);
 }
 
-std::string at(const point& p) {
+// In pixels, right and down.
+Eigen::Vector2d pixel(const point& p) {
     const Eigen::Vector2d f = seen(p);
+    return {210 + 1500 * f[0], 425 - 1500 * f[1]};
+}
+std::string at(const point& p) {
+    const Eigen::Vector2d x = pixel(p);
     char text[40];
-    std::snprintf(text, sizeof text, "%.1f,%.1f", 210 + 1500 * f[0], 425 - 1500 * f[1]);
+    std::snprintf(text, sizeof text, "%.1f,%.1f", x[0], x[1]);
     return text;
 }
 
@@ -49,10 +54,9 @@ std::string angle(const point& from, const point& a, const point& b, double dist
 }
 
 std::string letter(const point& p, const char* text, int right, int down) {
-    const Eigen::Vector2d f = seen(p);
+    const Eigen::Vector2d x = pixel(p);
     char placed_at[80];
-    std::snprintf(placed_at, sizeof placed_at, "x=\"%.1f\" y=\"%.1f\"", 210 + 1500 * f[0] + right,
-                  425 - 1500 * f[1] + down);
+    std::snprintf(placed_at, sizeof placed_at, "x=\"%.1f\" y=\"%.1f\"", x[0] + right, x[1] + down);
     return std::string("<text ") + placed_at + " font-size=\"20\" font-style=\"italic\">" + text +
            "</text>\n";
 }
