@@ -70,6 +70,28 @@ Dense range_of(const Dense& projection, int k) {
     return Dense(factors.householderQ()).leftCols(k);
 }
 
+/// The directions of v' = A v near a state that some solutions approach.
+template <class Scalar>
+struct directions_of_approach {
+    using dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    dense linear;       ///< A
+    dense others;       ///< the projection on what does not decay
+    dense away;         ///< rows that vanish on what does
+    Scalar slowest{0};  ///< the rate at which that decays, at least
+    Scalar growth{0};   ///< the rate at which the others grow, at least
+
+    /// With the spectrum of A, of which something decays.
+    void split(const dense& A, const limit_spectrum<Scalar>& modes) {
+        const Eigen::Index n = A.rows();
+        const int k = static_cast<int>(n) - modes.decaying;
+        linear = A;
+        slowest = modes.slowest();
+        others = k > 0 ? projection_above(A, Scalar(-slowest / 2)) : dense::Zero(n, n);
+        away = range_of(dense(others.transpose()), k).transpose();
+        growth = k > 0 ? std::max(modes.rates[static_cast<std::size_t>(modes.decaying)], Scalar(0)) : slowest;
+    }
+};
+
 /// Why there is no condition at infinity by the eigenvalues at the end of the interval and far beyond, in words; null where
 /// there is nothing against it. Rates that fall like 1/t are those of powers of t.
 template <class Scalar>

@@ -15,7 +15,7 @@ namespace stagecraft::detail {
 /// The equilibrium at one end of a connecting orbit of y' = f(y, p), seen in the direction of time in which the orbit approaches
 /// it: forwards at the end, backwards at the beginning. Functions is two_point_functions.
 template <class Vector, class Parameters, class Functions>
-class connection_end {
+class connection_end : public directions_of_approach<typename Vector::Scalar> {
   public:
     using scalar = typename Vector::Scalar;
     using dense = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -23,13 +23,10 @@ class connection_end {
     connection_end(Functions& functions, std::string name, bool forwards)
         : functions_(functions), name_(std::move(name)), n_(functions.size()), forwards_(forwards) {}
 
-    Vector y;           ///< the equilibrium
-    dense away;         ///< rows that vanish on what approaches it
-    scalar slowest{0};  ///< the rate at which that does, at least
-    scalar growth{0};   ///< the rate at which the others leave it, at least
+    Vector y;  ///< the equilibrium
 
     /// How many directions leave it.
-    int leaving() const { return static_cast<int>(away.rows()); }
+    int leaving() const { return static_cast<int>(this->away.rows()); }
 
     /// Newton's iteration for the equilibrium at p, from the guess.
     void find(const Vector& guess, const Parameters& p) {
@@ -48,9 +45,9 @@ class connection_end {
     /// Looks at the directions at the equilibrium.
     void look(const Parameters& p) {
         functions_.f(scalar(0), y, p);
-        A_ = functions_.jacobian(scalar(0)).topLeftCorner(n_, n_);
-        if (!forwards_) A_ = -A_;
-        const limit_spectrum<scalar> modes(A_);
+        dense A = functions_.jacobian(scalar(0)).topLeftCorner(n_, n_);
+        if (!forwards_) A = -A;
+        const limit_spectrum<scalar> modes(A);
         demand(modes.known, "f_y is not finite there");
         int none = 0;
         for (const scalar& rate : modes.rates) none += rate >= -modes.none && rate <= modes.none;
@@ -62,18 +59,14 @@ class connection_end {
                                                "positive real parts"
                                              : "is left by no orbit: all eigenvalues of f_y there have "
                                                "negative real parts");
-        slowest = modes.slowest();
-        const int k = n_ - modes.decaying;
-        growth = k > 0 ? modes.rates[static_cast<std::size_t>(modes.decaying)] : slowest;
-        others_ = k > 0 ? projection_above(A_, scalar(-slowest / 2)) : dense::Zero(n_, n_);
-        away = range_of(dense(others_.transpose()), k).transpose();
+        this->split(A, modes);
     }
     /// What drives an orbit at `at` in the directions that leave the equilibrium, beside the linear part: integrated from the end
     /// on, it is what of them is left out there.
     Vector driving(const Vector& at, const Parameters& p) const {
         Vector f = functions_.f(scalar(0), at, p).head(n_);
         if (!forwards_) f = -f;
-        return others_ * (f - A_ * (at - y));
+        return this->others * (f - this->linear * (at - y));
     }
 
   private:
@@ -85,7 +78,6 @@ class connection_end {
     std::string name_;
     int n_;
     bool forwards_;
-    dense A_, others_;
 };
 
 }  // namespace stagecraft::detail

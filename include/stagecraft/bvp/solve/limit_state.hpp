@@ -17,7 +17,7 @@ namespace stagecraft::detail {
 
 /// The equation near the limit that solutions approach, seen through f and its Jacobian. Functions is two_point_functions.
 template <class Vector, class Parameters, class Functions>
-class limit_state {
+class limit_state : public directions_of_approach<typename Vector::Scalar> {
   public:
     using scalar = typename Vector::Scalar;
     using dense = Eigen::Matrix<scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -33,11 +33,6 @@ class limit_state {
           most_(std::min(scalar(1e-6),
                          std::max(scalar(rtol / 10), 1000 * std::numeric_limits<scalar>::epsilon()))) {}
 
-    dense away;         ///< rows that vanish on what decays
-    dense others;       ///< the projection on what does not decay
-    scalar slowest{0};  ///< the rate at which the rest does, at least
-    scalar growth{0};   ///< the rate at which the others grow, at least
-
     Vector limit(const scalar& t, const Parameters& p) const { return limit_(t, p); }
 
     /// Looks at the limit at t; throws where it is none.
@@ -50,19 +45,13 @@ class limit_state {
         const char* fault =
             fault_of(here, spectrum(linearisation(far, p)), spectrum(linearisation(twice, p)));
         demand(!fault, fault ? fault : "");
-        others = projection_above(A, scalar(-here.slowest() / 2));
-        const int k = n_ - here.decaying;
-        away = range_of(dense(others.transpose()), k).transpose();
-        slowest = here.slowest();
-        growth = here.decaying < n_ ? here.rates[static_cast<std::size_t>(here.decaying)] : slowest;
-        growth = std::max(growth, scalar(0));
-        A_ = A;
+        this->split(A, here);
     }
     /// What drives y - limit in the directions that do not decay, at y near the limit, beside the linear part: integrated
     /// from the end on it is what of them is left out there. Of the last linearisation that was looked at.
     Vector driving(const scalar& t, const Vector& y, const Parameters& p) {
         const Vector off = y - limit_(t, p);
-        return others * (f(t, y, p) - slope_of_limit(t, p) - A_ * off);
+        return this->others * (f(t, y, p) - slope_of_limit(t, p) - this->linear * off);
     }
     /// A length over which y - limit falls to a hundredth, by the eigenvalues at its end: the conditions there are wrong by the
     /// square of what is left.
@@ -138,7 +127,6 @@ class limit_state {
     limit_function limit_;
     scalar a_;
     int n_;
-    dense A_;      // the linearisation looked at last
     scalar most_;  // of the defect
 };
 
