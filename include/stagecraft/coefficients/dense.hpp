@@ -1,25 +1,15 @@
-// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients tableaux/dense/bogacki_shampine_3_2.json tableaux/dense/dormand_prince_5_4_quartic.json tableaux/dense/tsitouras_5_4.json tableaux/dense/dormand_prince_8_5_3.json
+// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients tableaux/catalogue/bogacki_shampine_3_2.json tableaux/catalogue/dormand_prince_5_4.json tableaux/catalogue/tsitouras_5_4.json tableaux/catalogue/dormand_prince_8_5_3.json tableaux/dense/bogacki_shampine_3_2.json tableaux/dense/dormand_prince_5_4_quartic.json tableaux/dense/tsitouras_5_4.json tableaux/dense/dormand_prince_8_5_3.json
 // clang-format off
 #pragma once
 
+#include <stagecraft/coefficients/explicit.hpp>
 #include <stagecraft/coefficients/unpack_dense.hpp>
 
 namespace stagecraft {
 namespace coefficients {
 
-struct bogacki_shampine_3_2_dense {
-    static constexpr int stages = 4, further_stages = 0, degree = 3, order = 3, dense_order = 3;
-    static constexpr double c[] = {
-        0x0p+0, 0x1p-1, 0x1.8p-1, 0x1p+0};
-    static constexpr double A[] = {
-        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1p-1, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x0p+0, 0x1.8p-1, 0x0p+0, 0x0p+0,
-        0x1.c71c71c71c71cp-3, 0x1.5555555555555p-2, 0x1.c71c71c71c71cp-2, 0x0p+0};
-    static constexpr double b[] = {
-        0x1.c71c71c71c71cp-3, 0x1.5555555555555p-2, 0x1.c71c71c71c71cp-2, 0x0p+0};
-    static constexpr double b_embedded[] = {
-        0x1.2aaaaaaaaaaabp-2, 0x1p-2, 0x1.5555555555555p-2, 0x1p-3};
+struct bogacki_shampine_3_2_dense : bogacki_shampine_3_2 {
+    static constexpr int further_stages = 0, degree = 3, dense_order = 3;
     static constexpr double b_theta[] = {
         0x1p+0, -0x1.5555555555555p+0, 0x1.1c71c71c71c72p-1,
         0x0p+0, 0x1p+0, -0x1.5555555555555p-1,
@@ -27,22 +17,8 @@ struct bogacki_shampine_3_2_dense {
         0x0p+0, -0x1p+0, 0x1p+0};
 };
 
-struct dormand_prince_5_4_quartic_dense {
-    static constexpr int stages = 7, further_stages = 0, degree = 4, order = 5, dense_order = 4;
-    static constexpr double c[] = {
-        0x0p+0, 0x1.999999999999ap-3, 0x1.3333333333333p-2, 0x1.999999999999ap-1, 0x1.c71c71c71c71cp-1, 0x1p+0, 0x1p+0};
-    static constexpr double A[] = {
-        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.999999999999ap-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.3333333333333p-4, 0x1.ccccccccccccdp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.f49f49f49f49fp-1, -0x1.ddddddddddddep+1, 0x1.c71c71c71c71cp+1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.79eec0fc37181p+1, -0x1.7310bd29520e4p+3, 0x1.3a552363c529p+3, -0x1.29c9eba1e3345p-2, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.6c52bf5a814bp+1, -0x1.583e0f83e0f84p+3, 0x1.1d016a3721e8bp+3, 0x1.1d1745d1745d1p-2, -0x1.1818970d9cc2fp-2, 0x0p+0, 0x0p+0,
-        0x1.7555555555555p-4, 0x0p+0, 0x1.cc0499a5605fbp-2, 0x1.4d55555555555p-1, -0x1.4a1cfb2b78c13p-2, 0x1.0c30c30c30c31p-3, 0x0p+0};
-    static constexpr double b[] = {
-        0x1.7555555555555p-4, 0x0p+0, 0x1.cc0499a5605fbp-2, 0x1.4d55555555555p-1, -0x1.4a1cfb2b78c13p-2, 0x1.0c30c30c30c31p-3, 0x0p+0};
-    static constexpr double b_embedded[] = {
-        0x1.7048d159e26afp-4, 0x0p+0, 0x1.d05f703aa30fap-2, 0x1.3a66666666666p-1, -0x1.16075785e4908p-2, 0x1.6cbd323989ffp-4, 0x1.999999999999ap-6};
+struct dormand_prince_5_4_quartic_dense : dormand_prince_5_4 {
+    static constexpr int further_stages = 0, degree = 4, dense_order = 4;
     static constexpr double b_theta[] = {
         0x1p+0, -0x1.6d421c90ad023p+1, 0x1.892ee3cc04af1p+1, -0x1.208439215a046p+0,
         0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -53,22 +29,8 @@ struct dormand_prince_5_4_quartic_dense {
         0x0p+0, 0x1.61e97be1b9227p+0, -0x1.e1e97be1b9227p+1, 0x1.30f4bdf0dc914p+1};
 };
 
-struct tsitouras_5_4_dense {
-    static constexpr int stages = 7, further_stages = 0, degree = 4, order = 5, dense_order = 4;
-    static constexpr double c[] = {
-        0x0p+0, 0x1.49ba5e353f7cfp-3, 0x1.4ed916872b021p-2, 0x1.ccccccccccccdp-1, 0x1.f5c5e85edbf1dp-1, 0x1p+0, 0x1p+0};
-    static constexpr double A[] = {
-        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.49ba5e353f7cfp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        -0x1.15e4e4fe8123ep-7, 0x1.57883daf1f0b3p-2, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.72d5e94fe3235p+1, -0x1.9701343d4287bp+2, 0x1.172fd92eea8fap+2, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.54daf827440c7p+2, -0x1.77f6daaa052d3p+3, 0x1.dfb6eaa5e5f6ap+2, -0x1.7adc1b510a9a4p-4, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.772216029aa0ep+2, -0x1.9d7894a598ba8p+3, 0x1.05198ab50d56dp+3, -0x1.253648f20ef47p-4, -0x1.cf28fdbb9db09p-6, 0x0p+0, 0x0p+0,
-        0x1.8b1a71ed4a6eep-4, 0x1.47ae147ae147bp-7, 0x1.eb683148e0688p-2, 0x1.6106b4b6adddbp+0, -0x1.a520ff752ea91p+1, 0x1.29901d4cd6786p+1, 0x0p+0};
-    static constexpr double b[] = {
-        0x1.8b1a71ed4a6eep-4, 0x1.47ae147ae147bp-7, 0x1.eb683148e0688p-2, 0x1.6106b4b6adddbp+0, -0x1.a520ff752ea91p+1, 0x1.29901d4cd6786p+1, 0x0p+0};
-    static constexpr double b_embedded[] = {
-        0x1.83cff7d9328f8p-4, 0x1.2ced54d406734p-7, 0x1.f37a1e0e25e09p-2, 0x1.3bfaece37faffp+0, -0x1.5a96517b13c84p+1, 0x1.dddb5c29d3aeap+0, 0x1.f07c1f07c1f08p-7};
+struct tsitouras_5_4_dense : tsitouras_5_4 {
+    static constexpr int further_stages = 0, degree = 4, dense_order = 4;
     static constexpr double b_theta[] = {
         0x1p+0, -0x1.61c11fea8621ap+1, 0x1.74e58e12b5912p+1, -0x1.0d9735318a381p+0,
         0x0p+0, 0x1.0db8bac710cb2p-3, -0x1.c985f06f69446p-3, 0x1.a0902de00d1b7p-4,
@@ -79,27 +41,8 @@ struct tsitouras_5_4_dense {
         0x0p+0, 0x1.8p+0, -0x1p+2, 0x1.4p+1};
 };
 
-struct dormand_prince_8_5_3_dense {
-    static constexpr int stages = 12, further_stages = 4, degree = 7, order = 8, dense_order = 7;
-    static constexpr double c[] = {
-        0x0p+0, 0x1.aee6838dae63ap-5, 0x1.432ce2aa42cacp-4, 0x1.e4c353ff64302p-4, 0x1.2068c499c08d9p-2, 0x1.5555555555555p-2, 0x1p-2, 0x1.3b13b13b13b14p-2, 0x1.4d74d74d74d75p-1, 0x1.3333333333333p-1, 0x1.b6db6db6db6dbp-1, 0x1p+0};
-    static constexpr double A[] = {
-        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.aee6838dae63ap-5, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.432ce2aa42cacp-6, 0x1.e4c353ff64302p-5, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.e4c353ff64302p-6, 0x0p+0, 0x1.6b927eff8b241p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.ee50d7ecde9fap-3, 0x0p+0, -0x1.c4e3ab5ad1507p-1, 0x1.d983d7ac79ef5p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.2f684bda12f68p-5, 0x0p+0, 0x0p+0, 0x1.5ddb63bdb6d36p-3, 0x1.00f533f66f19ap-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.3p-5, 0x0p+0, 0x0p+0, 0x1.5cad30f3347edp-3, 0x1.ed4b3c332e04dp-5, -0x1.2p-6, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.2fdb8fee78792p-5, 0x0p+0, 0x0p+0, 0x1.5cf23f6595d72p-3, 0x1.b758640dea698p-4, -0x1.f5fcc20fcd32fp-7, 0x1.0f1d92efb0b71p-7, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.3f8b78b985813p-1, 0x0p+0, 0x0p+0, -0x1.ae31bacc6bc8ap+1, -0x1.bc873f08e11f9p-1, 0x1.b9793d88d1855p+4, 0x1.42770f892ad69p+4, -0x1.5beb4865c42f9p+5, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.e9205e321b655p-2, 0x0p+0, 0x0p+0, -0x1.3e7a8a34bd27fp+1, -0x1.2e3a9968c93c8p-1, 0x1.53ae4a6d655eep+4, 0x1.e8ef7b5f258b8p+3, -0x1.0a4e418d711b9p+5, -0x1.4d1b3d9b4a876p-6, 0x0p+0, 0x0p+0, 0x0p+0,
-        -0x1.dfd121f1d399bp-1, 0x0p+0, 0x0p+0, 0x1.4bed869fb0b9dp+2, 0x1.1768702792ea9p+0, -0x1.04cb0e2110c1cp+3, -0x1.2852305e975a8p+4, 0x1.6bd4f06cb863ap+4, 0x1.3f2e777cf109dp+1, -0x1.85fc60d2b572cp+1, 0x0p+0, 0x0p+0,
-        0x1.22fbd3b09fcdcp+1, 0x0p+0, 0x0p+0, -0x1.511a963cafe55p+3, -0x1.001c935ac72acp+1, -0x1.1f57c8eff3006p+4, 0x1.bf2ea18b58a01p+4, -0x1.6df3a7d1cec13p+1, -0x1.1bee71a9f33a9p+3, 0x1.8b89c42c81861p+3, 0x1.496ac6253e202p-1, 0x0p+0};
-    static constexpr double b[] = {
-        0x1.bcc6368d1177cp-5, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.1cd1ed2ad5ae2p+2, 0x1.e43a845d5ab9fp+0, -0x1.7346ecf96af43p+2, 0x1.3ea1df2f0eb98p-2, -0x1.37a028f43b002p-3, 0x1.9c657697fe72dp-3, 0x1.6e44f50ab6bc2p-5};
-    static constexpr double b_embedded[] = {
-        0x1.514b7c078f7f5p-5, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.6b3ae3c040853p+2, 0x1.319249ac6a71ep+1, -0x1.ddcc14d921885p+2, 0x1.52af3d1ffb505p-1, -0x1.f2032181a118ap-2, 0x1.e93c37e5cba25p-4, 0x1.12b3b7c8090d2p-4};
+struct dormand_prince_8_5_3_dense : dormand_prince_8_5_3 {
+    static constexpr int further_stages = 4, degree = 7, dense_order = 7;
     static constexpr double c_more[] = {
         0x1p+0, 0x1.999999999999ap-4, 0x1.999999999999ap-3, 0x1.8e38e38e38e39p-1};
     static constexpr double A_more[] = {

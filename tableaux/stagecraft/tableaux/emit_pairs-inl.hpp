@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <stdexcept>
+#include <vector>
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/dense_from_file.hpp"
@@ -105,16 +106,29 @@ STAGECRAFT_INLINE std::string storage_function(const std::string& id, const tabl
            "() {\n    return coefficients::unpack_low_storage<Scalar, coefficients::" + id + ">();\n}\n";
 }
 
-/// A tableau with its continuous solution.
-STAGECRAFT_INLINE std::string dense_data(const std::string& id, const tableau_file& file) {
+/// Whether the arrays of two tableaux are the same, to the bit.
+inline bool same_arrays(const tableau<double>& a, const tableau<double>& b) {
+    return a.stages() == b.stages() && a.b_embedded.size() == b.b_embedded.size() && a.A == b.A &&
+           a.b == b.b && a.c == b.c && a.b_embedded == b.b_embedded;
+}
+
+/// A tableau with its continuous solution; where one of `known` is that tableau, its struct has the arrays.
+STAGECRAFT_INLINE std::string dense_data(const std::string& id, const tableau_file& file,
+                                         const std::vector<named_tableau>& known) {
     const auto m = dense_method_of<double>(file);
-    return "\nstruct " + id + " {\n    static constexpr int stages = " + std::to_string(m.stages()) +
-           ", further_stages = " + std::to_string(m.further_stages()) +
-           ", degree = " + std::to_string(m.degree()) +
-           ", order = " + std::to_string(file.claims.order.value_or(0)) +
-           ", dense_order = " + std::to_string(m.dense_order) + ";\n" +
-           arrays(m.method, {"c", "A", "b", "b_embedded"}) + array("c_more", m.c_more) +
-           array("A_more", m.A_more) + array("b_theta", m.b_theta) + "};\n";
+    std::string of_tableau;
+    for (const auto& [name, other] : known)
+        if (other.claims.order == file.claims.order && same_arrays(rounded<double>(other), m.method))
+            of_tableau = name;
+    const bool alone = of_tableau.empty();
+    const std::string own = alone ? "stages = " + std::to_string(m.stages()) +
+                                        ", order = " + std::to_string(file.claims.order.value_or(0)) + ", "
+                                  : "";
+    return "\nstruct " + id + (alone ? "" : " : " + of_tableau) + " {\n    static constexpr int " + own +
+           "further_stages = " + std::to_string(m.further_stages()) +
+           ", degree = " + std::to_string(m.degree()) + ", dense_order = " + std::to_string(m.dense_order) +
+           ";\n" + (alone ? arrays(m.method, {"c", "A", "b", "b_embedded"}) : "") +
+           array("c_more", m.c_more) + array("A_more", m.A_more) + array("b_theta", m.b_theta) + "};\n";
 }
 
 STAGECRAFT_INLINE std::string dense_function(const std::string& id, const tableau_file& file) {
@@ -130,12 +144,16 @@ inline void require_name(const std::string& id) {
     if (!good) throw std::invalid_argument("coefficients: '" + id + "' is no name of a function");
 }
 
-inline std::string whole_header(const std::string& command, const char* include, const std::string& data,
-                                const std::string& functions) {
+inline std::string whole_header(const std::string& command, const std::string& include,
+                                const std::string& data, const std::string& functions) {
     return "// SPDX-License-Identifier: BSL-1.0 | written by: " + command +
-           "\n// clang-format off\n#pragma once\n\n#include <stagecraft/coefficients/" + include +
-           ".hpp>\n\nnamespace stagecraft {\nnamespace coefficients {\n" + data +
+           "\n// clang-format off\n#pragma once\n\n" + include +
+           "\nnamespace stagecraft {\nnamespace coefficients {\n" + data +
            "\n}  // namespace coefficients\n" + functions + "\n}  // namespace stagecraft\n";
+}
+
+inline std::string include_line(const std::string& name) {
+    return "#include <stagecraft/coefficients/" + name + ".hpp>\n";
 }
 
 }  // namespace emitting
@@ -147,8 +165,14 @@ STAGECRAFT_INLINE std::string methods_header(const std::vector<named_tableau>& m
         return file.form ? kind::stored : file.b_theta.empty() ? kind::plain : kind::dense;
     };
     std::string data, functions;
-    const kind first = methods.empty() ? kind::plain : kind_of(methods.front().second);
+    kind first = methods.empty() ? kind::plain : kind_of(methods.front().second);
+    std::vector<named_tableau> known;
+    for (const auto& method : methods)
+        if (kind_of(method.second) == kind::dense && first == kind::plain) first = kind::dense;
+    for (const auto& method : methods)
+        if (first == kind::dense && kind_of(method.second) == kind::plain) known.push_back(method);
     for (const auto& [name, file] : methods) {
+        if (first == kind::dense && kind_of(file) == kind::plain) continue;
         const std::string id = first == kind::dense ? name + "_dense" : name;
         emitting::require_name(id);
         if (kind_of(file) != first)
@@ -157,17 +181,17 @@ STAGECRAFT_INLINE std::string methods_header(const std::vector<named_tableau>& m
                 ": a header holds tableaux, methods with b_theta, or methods by their "
                 "registers");
         data += first == kind::stored  ? emitting::storage_data(id, file)
-                : first == kind::dense ? emitting::dense_data(id, file)
+                : first == kind::dense ? emitting::dense_data(id, file, known)
                                        : emitting::method_data(id, file);
         functions += first == kind::stored  ? emitting::storage_function(id, file)
                      : first == kind::dense ? emitting::dense_function(id, file)
                                             : emitting::method_function(id, file);
     }
-    return emitting::whole_header(command,
-                                  first == kind::stored  ? "unpack_low_storage"
-                                  : first == kind::dense ? "unpack_dense"
-                                                         : "unpack_one",
-                                  data, functions);
+    const std::string include = emitting::include_line(first == kind::stored  ? "unpack_low_storage"
+                                                       : first == kind::dense ? "unpack_dense"
+                                                                              : "unpack_one");
+    return emitting::whole_header(
+        command, (known.empty() ? "" : emitting::include_line("explicit")) + include, data, functions);
 }
 
 STAGECRAFT_INLINE std::string pairs_header(const std::vector<named_pair>& methods,
@@ -180,7 +204,7 @@ STAGECRAFT_INLINE std::string pairs_header(const std::vector<named_pair>& method
         data += emitting::pair_data(id, file);
         functions += emitting::pair_function(id, file);
     }
-    return emitting::whole_header(command, "unpack_pair", data, functions);
+    return emitting::whole_header(command, emitting::include_line("unpack_pair"), data, functions);
 }
 
 }  // namespace stagecraft::tableaux

@@ -21,7 +21,8 @@ using named_tableau = std::pair<std::string, tableau_file>;
 
 /// The same of files of one tableau: of each a function that returns a tableau<Scalar, stages>, or, where all give their
 /// registers, a low_storage_method<Scalar>, where all have b_theta, a dense_method<Scalar, stages>, whose name ends in
-/// _dense.
+/// _dense. Tableaux beside methods with b_theta are those of coefficients/explicit.hpp: they are not written again, and a
+/// method that is one of them, to the bit, takes its arrays from there.
 std::string methods_header(const std::vector<named_tableau>& methods, const std::string& command);
 
 }  // namespace stagecraft::tableaux
