@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE curves
 #include <stagecraft/theory/plot/gnuplot.hpp>
+#include <stagecraft/theory/plot/tree_sheet.hpp>
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -101,6 +102,25 @@ BOOST_AUTO_TEST_CASE(zeros_of_polynomials_with_complex_coefficients) {
     BOOST_TEST(std::min(std::abs(z[0] - 2.0), std::abs(z[1] - 2.0)) < 1e-14);
     BOOST_TEST(std::min(std::abs(z[0] - complex(0, 1)), std::abs(z[1] - complex(0, 1))) < 1e-14);
     BOOST_TEST(zeros({complex(3)}).empty());
+}
+
+// All 200 trees to order 8: nodes of one height are apart, so no two meet and no edges cross.
+BOOST_AUTO_TEST_CASE(nodes_of_a_drawn_tree_are_apart) {
+    for (int n = 1; n <= 8; ++n)
+        for (const rooted_tree& t : trees_of_order(n)) {
+            const placed_tree p = placed(t);
+            BOOST_REQUIRE(p.nodes.size() == static_cast<std::size_t>(n));
+            for (std::size_t i = 0; i < p.nodes.size(); ++i) {
+                const auto& a = p.nodes[i];
+                BOOST_REQUIRE((a.x >= 0 && a.x <= p.width && a.height <= p.height));
+                BOOST_REQUIRE((a.parent < 0) == (i == 0));
+                if (i > 0) BOOST_REQUIRE(p.nodes[static_cast<std::size_t>(a.parent)].height == a.height - 1);
+                for (std::size_t j = 0; j < i; ++j)
+                    if (p.nodes[j].height == a.height) BOOST_REQUIRE(a.x - p.nodes[j].x >= 1);
+            }
+        }
+    BOOST_CHECK_THROW(tree_sheet(0), std::invalid_argument);
+    BOOST_CHECK_THROW(tree_sheet(11), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(windows_steps_and_output_names_are_checked) {

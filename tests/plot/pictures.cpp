@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -42,6 +44,34 @@ outcome run(const folder& f, const std::string& arguments, const std::string& en
         (environment + " '" + binary + "/stagecraft' plot " + arguments + " 2> '" + log.string() + "'")
             .c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(log)};
+}
+
+long count(const std::string& text, const std::string& what) {
+    long n = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+    return n;
+}
+
+/// One picture whose groups close, whose commands end with a semicolon, and whose lengths TeX can hold (16383 pt, 575 cm).
+void check_tikz(const std::string& text) {
+    BOOST_TEST(count(text, "\\begin{tikzpicture}") == 1);
+    BOOST_TEST(text.ends_with("\\end{tikzpicture}\n"));
+    BOOST_TEST(count(text, "\\begin{") == count(text, "\\end{"));
+    BOOST_TEST(count(text, "{") == count(text, "}"));
+    BOOST_TEST(count(text, "$") % 2 == 0);
+    BOOST_TEST(text.find("nan") == std::string::npos);
+    std::istringstream lines(text);
+    double largest = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line[0] == '%') continue;
+        const bool drawn = line.starts_with("\\draw") || line.starts_with("\\clip") ||
+                           line.starts_with("\\fill") || line.starts_with("\\node");
+        BOOST_TEST(drawn == line.ends_with(";"), line.substr(0, 80));
+        for (auto at = line.find('('); drawn && at != std::string::npos; at = line.find('(', at + 1))
+            if (std::isdigit(static_cast<unsigned char>(line[at + 1])) || line[at + 1] == '-')
+                largest = std::max(largest, std::abs(std::stod(line.substr(at + 1))));
+    }
+    BOOST_TEST(largest < 1500);
 }
 }  // namespace
 
@@ -83,6 +113,71 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order) {
            {"radau_iia, s = 3 (slope 3.1)", "radau_iia, s = 1 (slope 1.0)"});
 }
 
+BOOST_AUTO_TEST_CASE(several_regions_share_a_window_and_each_has_a_line_and_a_name) {
+    const folder f;
+    const std::string files = source + "/tableaux/";
+    const fs::path picture = f.path / "regions.svg";
+    const auto draw = [&](const std::string& arguments) {
+        const auto done = run(f, "region " + arguments + " -o '" + picture.string() + "'");
+        BOOST_TEST(done.exit_code == 0, done.messages);
+        return text_of(picture);
+    };
+    const std::string svg = draw("radau_iia:3 gauss 2 '" + files + "catalogue/classical_rk4.json' '" + files +
+                                 "pairs/ark4.json' --implicit -5");
+    for (const char* name : {"radau_iia, s = 3", "gauss, s = 2", "(RK4)", "implicit part at z = -5"})
+        BOOST_TEST(count(svg, std::string(name) + "<") >= 1, name);
+    // The script says what is drawn in front: ticks and border stay visible on the shading.
+    const std::string script = draw("radau_iia 3 gauss:2 --script");
+    BOOST_TEST(count(script, "set tics front") == 1);
+    BOOST_TEST(count(script, "|R| \u2264 1 of ") == 4);  // two methods, both and one of them
+    BOOST_TEST(count(script, "lc rgb '#1f4e79'") == 1);
+    BOOST_TEST(count(script, "lc rgb '#b71c1c'") == 1);
+    BOOST_TEST(count(draw("radau_iia 3"), "|R| \u2264 1 of radau_iia, s = 3<") >= 1);
+}
+
+// 1 + 2 + 2*3 + 4*4 + 9*5 nodes of the trees to order 5, each tree one node more than edges; alpha sums to (n - 1)! over the trees
+// of an order (Hairer-Norsett-Wanner I.II.2).
+BOOST_AUTO_TEST_CASE(the_trees_are_a_sheet_with_their_conditions) {
+    const folder f;
+    const fs::path picture = f.path / "trees.svg", latex = f.path / "trees.tikz";
+    BOOST_TEST(run(f, "trees 5 -o '" + picture.string() + "'", "PATH=/nowhere").exit_code == 0);
+    const std::string svg = text_of(picture);
+    BOOST_TEST(count(svg, "<circle") == 70);
+    BOOST_TEST(count(svg, "<path") == 70 - 17);
+    BOOST_TEST(count(svg, "dot(b, c*(A*(c*c))) == 1/15<") == 1);
+    BOOST_TEST(count(svg, "order 5   \u03b3 = 15   \u03c3 = 2   \u03b1 = 4<") == 1);
+    long sum = 0;
+    for (auto at = svg.find(">order 5"); at != std::string::npos; at = svg.find(">order 5", at + 1))
+        sum += std::stol(svg.substr(svg.find("\u03b1 = ", at) + std::string("\u03b1 = ").size()));
+    BOOST_TEST(sum == 24);
+    BOOST_TEST(run(f, "trees 5 -o '" + latex.string() + "'").exit_code == 0);
+    const std::string tikz = text_of(latex);
+    BOOST_TEST(count(tikz, "circle[radius") == 70);
+    BOOST_TEST(count(tikz, "\\draw") == 70 - 17);
+    BOOST_TEST(count(tikz, "\\frac{1}{15}$") == 1);
+    check_tikz(tikz);
+}
+
+BOOST_AUTO_TEST_CASE(regions_are_written_for_latex) {
+    const folder f;
+    const fs::path latex = f.path / "region.tikz";
+    const auto written = [&](const std::string& arguments) {
+        const auto done = run(f, "region " + arguments + " -o '" + latex.string() + "'", "PATH=/nowhere");
+        BOOST_TEST(done.exit_code == 0, done.messages);
+        check_tikz(text_of(latex));
+        return text_of(latex);
+    };
+    const std::string one = written("radau_iia 3");
+    BOOST_TEST(count(one, "$|R| \\le 1$ of radau\\_iia, s = 3}") == 1);
+    BOOST_TEST(count(one, "{$\\times$};") == 3);  // poles
+    BOOST_TEST(count(one, "{$\\circ$};") == 2);   // zeros
+    const std::string several =
+        written("radau_iia 3 gauss:2 '" + source + "/tableaux/catalogue/classical_rk4.json'");
+    BOOST_TEST(count(several, "$|R| \\le 1$ of ") == 5);
+    BOOST_TEST(count(several, "dash pattern=on 10pt off 4pt") >= 2);  // in the picture and the legend
+    BOOST_TEST(count(several, "\\definecolor") == 6);                 // three lines and three shades
+}
+
 BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_clear_message) {
     const folder f;
     const auto done = run(f, "region gauss 2 -o '" + (f.path / "x.svg").string() + "'", "PATH=/nowhere");
@@ -94,21 +189,35 @@ BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_clear_message) {
 BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_2) {
     const folder f;
     const std::string out = " -o '" + (f.path / "x.svg").string() + "'";
-    for (const auto& [arguments, part] : {std::pair<std::string, std::string>{"pie gauss 2" + out, "kind"},
-                                          {"region gauss" + out, "stages"},
-                                          {"region gauss 0" + out, "stages"},
-                                          {"region gaus 2" + out, "family"},
-                                          {"region gauss 2", "--output"},
-                                          {"region gauss 2 -o '" + f.path.string() + "/x.gif'", "output"},
-                                          {"region gauss 2 -o /nowhere/x.svg", "output"},
-                                          {"region gauss 2 -w 1,0,0,1" + out, "window"},
-                                          {"tableau gauss 2 -w 0,1,0,1" + out, "window"},
-                                          {"region gauss 2 3" + out, "METHOD"},
-                                          {"region gauss 2 --problem smooth" + out, "problem"},
-                                          {"error gauss 2 --problem nix" + out, "prothero-robinson"},
-                                          {"error gauss 2 radau_iia" + out, "stages"},
-                                          {"error gauss 2 -w 0,1,0,1" + out, "window"},
-                                          {"region /nowhere.json" + out, "/nowhere.json"}}) {
+    const std::string rk4 = source + "/tableaux/catalogue/classical_rk4.json";
+    for (const auto& [arguments, part] :
+         {std::pair<std::string, std::string>{"pie gauss 2" + out, "kind"},
+          {"region gauss" + out, "stages"},
+          {"region gauss 0" + out, "stages"},
+          {"region gaus 2" + out, "family"},
+          {"region gauss 2", "--output"},
+          {"region gauss 2 -o '" + f.path.string() + "/x.gif'", "output"},
+          {"region gauss 2 -o /nowhere/x.svg", "output"},
+          {"region gauss 2 -w 1,0,0,1" + out, "window"},
+          {"tableau gauss 2 -w 0,1,0,1" + out, "window"},
+          {"region gauss 2 3" + out, "METHOD"},
+          {"region radau_iia:x" + out, "stages"},
+          {"region '" + rk4 + "' 3" + out, "stages"},
+          {"order-star gauss:2 gauss:3" + out, "METHOD"},
+          {"region gauss:1 gauss:2 gauss:3 gauss:4 gauss:5 gauss:6 gauss:7 "
+           "gauss:8 gauss:9" +
+               out,
+           "METHOD: 9 methods"},
+          {"trees 11" + out, "N: '11'"},
+          {"trees gauss 2" + out, "N: "},
+          {"trees 3 -o '" + f.path.string() + "/x.png'", "output"},
+          {"tableau gauss 2 -o '" + f.path.string() + "/x.tikz'", "output"},
+          {"region gauss 2 --script -o '" + f.path.string() + "/x.tikz'", "script"},
+          {"region gauss 2 --problem smooth" + out, "problem"},
+          {"error gauss 2 --problem nix" + out, "prothero-robinson"},
+          {"error gauss 2 radau_iia" + out, "stages"},
+          {"error gauss 2 -w 0,1,0,1" + out, "window"},
+          {"region /nowhere.json" + out, "/nowhere.json"}}) {
         const auto done = run(f, arguments);
         BOOST_TEST(done.exit_code == 2, arguments);
         BOOST_TEST(done.messages.find(part) != std::string::npos, arguments << ": " << done.messages);

@@ -6,3 +6,5 @@
 #include "stagecraft/theory/plot/method_data-inl.hpp"
 #include "stagecraft/theory/plot/pictures-inl.hpp"
 #include "stagecraft/theory/plot/region-inl.hpp"
+#include "stagecraft/theory/plot/region_tikz-inl.hpp"
+#include "stagecraft/theory/plot/tree_sheet-inl.hpp"

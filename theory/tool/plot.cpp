@@ -4,10 +4,14 @@
 #include <stagecraft/tableaux/tableau_from_file.hpp>
 #include <stagecraft/theory/plot/coupled_region.hpp>
 #include <stagecraft/theory/plot/method_data.hpp>
+#include <stagecraft/theory/plot/region_tikz.hpp>
+#include <stagecraft/theory/plot/tree_sheet.hpp>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -21,6 +25,7 @@
 #include "error_picture.hpp"
 #include "method_argument.hpp"
 #include "reading_options.hpp"
+#include "whole_number.hpp"
 
 namespace {
 
@@ -28,13 +33,18 @@ using namespace stagecraft;
 namespace plot = theory::plot;
 
 struct arguments {
-    std::string kind, method, stages, output, problem;
+    std::string kind, output, problem;
     std::vector<std::string> methods;
     std::vector<double> window;
     std::optional<double> implicit;
     tool::reading_options entries;
     bool script_only = false;
 };
+
+/// A script for gnuplot, or a picture that needs no other program.
+using picture = std::variant<plot::script, std::string>;
+
+bool is_tikz(const std::filesystem::path& output) { return output.extension() == ".tikz"; }
 
 std::optional<plot::window> window_of(const arguments& a) {
     if (a.window.empty()) return std::nullopt;
@@ -44,43 +54,61 @@ std::optional<plot::window> window_of(const arguments& a) {
     return view;
 }
 
-/// The region of the explicit part of an additive pair, the implicit one being at a fixed point.
-plot::script coupled_picture(const arguments& a, const tableaux::partitioned_file& file) {
-    if (a.kind != "region") throw std::invalid_argument("kind: of several tableaux only region is drawn");
-    const double z = a.implicit.value_or(0);
-    const auto r = plot::coupled_stability_function(file, z);
-    const auto view = window_of(a);
+/// The stability function of the explicit part of an additive pair, the implicit one being at a fixed point.
+plot::named_function coupled_function(const arguments& a, const tableaux::partitioned_file& file,
+                                      const std::string& name) {
     char at[64];
-    std::snprintf(at, sizeof at, "explicit part, implicit part at z = %g", z);
-    return plot::region_picture(file.name, r, view ? *view : plot::region_window(r), at);
+    std::snprintf(at, sizeof at, ", implicit part at z = %g", a.implicit.value_or(0));
+    return {(file.name.empty() ? name : file.name) + at,
+            plot::coupled_stability_function(file, a.implicit.value_or(0))};
 }
 
-plot::script picture_of(const arguments& a, const plot::subject& m) {
-    if (a.implicit) throw std::invalid_argument("implicit: only an additive pair has that part");
+using anything = std::variant<plot::subject, plot::named_function>;
+
+/// A method as it can be drawn: several tableaux have a stability function only.
+anything read(const arguments& a, const tool::method_words& m) {
+    if (tool::is_family(m.method)) {
+        const auto [family, s] = tool::member_of_family(m.method, m.stages, 30);
+        return plot::subject_of_family(family, s);
+    }
+    tool::require_no_stages(m.stages);
+    const auto file = tableaux::read_method_file(m.method, a.entries.reading());
+    if (const auto* several = std::get_if<tableaux::partitioned_file>(&file)) {
+        if (a.kind != "region") throw std::invalid_argument("kind: of several tableaux only region is drawn");
+        return coupled_function(a, *several, m.method);
+    }
+    plot::subject one = plot::subject_of_file(std::get<tableaux::tableau_file>(file));
+    if (one.name.empty()) one.name = m.method;
+    return one;
+}
+
+plot::named_function function_of(const anything& m) {
+    if (const auto* pair = std::get_if<plot::named_function>(&m)) return *pair;
+    const auto& one = std::get<plot::subject>(m);
+    return {one.name, one.data.r};
+}
+
+/// The regions of all of them in one window; of one with zeros, poles and R in the title.
+picture region_figure(const arguments& a, const std::vector<anything>& methods) {
+    std::vector<plot::named_function> all;
+    for (const auto& m : methods) all.push_back(function_of(m));
+    plot::require_regions(all);
+    const auto asked = window_of(a);
+    const plot::window view = asked ? *asked : plot::common_window(all);
+    if (is_tikz(a.output)) return {plot::regions_tikz(all, view)};
+    if (all.size() > 1) return {plot::regions_picture(all, view)};
+    const auto* one = std::get_if<plot::subject>(&methods[0]);
+    return {plot::region_picture(all[0].name, all[0].r, view, one ? one->r_text : "")};
+}
+
+picture picture_of(const arguments& a, const plot::subject& m) {
     const std::optional<plot::window> view = window_of(a);
-    if (a.kind == "region")
-        return plot::region_picture(m.name, m.data.r, view ? *view : plot::region_window(m.data.r), m.r_text);
     if (a.kind == "order-star")
-        return plot::order_star_picture(m.name, m.data, view ? *view : m.data.natural_window(), m.r_text);
+        return {plot::order_star_picture(m.name, m.data, view ? *view : m.data.natural_window(), m.r_text)};
     if (view) throw std::invalid_argument("window: only region and order-star have one");
     if (a.kind == "E-polynomial")
-        return plot::e_polynomial_picture(m.name, m.data.r, m.e_polynomial, m.e_text);
-    if (a.kind == "tableau") return plot::tableau_picture(m.name, m.tableau);
-    throw std::invalid_argument("kind: unknown '" + a.kind +
-                                "', allowed: region, order-star, E-polynomial, tableau, error");
-}
-
-plot::script picture_of_family(const arguments& a) {
-    const auto [family, s] = tool::member_of_family(a.method, a.stages, 30);
-    return picture_of(a, plot::subject_of_family(family, s));
-}
-
-plot::script picture_of_file(const arguments& a) {
-    tool::require_no_stages(a.stages);
-    const auto file = tableaux::read_method_file(a.method, a.entries.reading());
-    if (const auto* several = std::get_if<tableaux::partitioned_file>(&file))
-        return coupled_picture(a, *several);
-    return picture_of(a, plot::subject_of_file(std::get<tableaux::tableau_file>(file)));
+        return {plot::e_polynomial_picture(m.name, m.data.r, m.e_polynomial, m.e_text)};
+    return {plot::tableau_picture(m.name, m.tableau)};
 }
 
 tool::named_method runnable(const std::string& method, const std::string& stages) {
@@ -95,36 +123,61 @@ tool::named_method runnable(const std::string& method, const std::string& stages
 }
 
 /// METHOD [S] METHOD [S] ...
-plot::script error_picture(const arguments& a) {
+plot::script error_figure(const arguments& a) {
     if (!a.window.empty()) throw std::invalid_argument("window: only region and order-star have one");
     std::vector<tool::named_method> all;
-    for (std::size_t k = 0; k < a.methods.size(); ++k) {
-        const std::string method = a.methods[k];
-        const bool counted = tool::is_family(method) && k + 1 < a.methods.size();
-        all.push_back(runnable(method, counted ? a.methods[++k] : ""));
-    }
+    for (const auto& m : tool::methods_of(a.methods)) all.push_back(runnable(m.method, m.stages));
     return tool::error_picture(all, a.problem.empty() ? "smooth" : a.problem);
 }
 
-plot::script picture_of(arguments a) {
-    if (a.kind == "error") return error_picture(a);
-    if (!a.problem.empty()) throw std::invalid_argument("problem: only error has one");
-    if (a.methods.size() > 2) throw std::invalid_argument("METHOD: only error takes several");
-    a.method = a.methods[0];
-    if (a.methods.size() > 1) a.stages = a.methods[1];
-    return tool::is_family(a.method) ? picture_of_family(a) : picture_of_file(a);
+/// plot trees N
+picture tree_figure(const arguments& a) {
+    if (!a.window.empty()) throw std::invalid_argument("window: only region and order-star have one");
+    if (a.methods.size() != 1)
+        throw std::invalid_argument("N: trees takes one number, the largest order, and no method");
+    const auto sheet = plot::tree_sheet(tool::whole_number("N", a.methods[0], 1, plot::most_sheet_order));
+    if (is_tikz(a.output)) return {plot::tikz(sheet)};
+    if (std::filesystem::path(a.output).extension() == ".svg") return {plot::svg(sheet)};
+    throw std::invalid_argument("output: '" + a.output +
+                                "' must end in .svg or .tikz, which trees are written as");
+}
+
+picture picture_of(const arguments& a) {
+    static constexpr std::array kinds{"region", "order-star", "E-polynomial", "tableau", "error", "trees"};
+    if (std::find(kinds.begin(), kinds.end(), a.kind) == kinds.end())
+        throw std::invalid_argument("kind: unknown '" + a.kind +
+                                    "', allowed: region, order-star, E-polynomial, tableau, error, trees");
+    if (!a.problem.empty() && a.kind != "error") throw std::invalid_argument("problem: only error has one");
+    if (is_tikz(a.output) && a.kind != "region" && a.kind != "trees")
+        throw std::invalid_argument("output: '" + a.output + "', only region and trees are written as .tikz");
+    if (a.kind == "error") return {error_figure(a)};
+    if (a.kind == "trees") return tree_figure(a);
+    std::vector<anything> methods;
+    for (const auto& m : tool::methods_of(a.methods)) methods.push_back(read(a, m));
+    const bool pair = std::any_of(methods.begin(), methods.end(), [](const anything& m) {
+        return std::holds_alternative<plot::named_function>(m);
+    });
+    if (a.implicit && !pair) throw std::invalid_argument("implicit: only an additive pair has that part");
+    if (a.kind == "region") return region_figure(a, methods);
+    if (methods.size() > 1) throw std::invalid_argument("METHOD: only region and error take several");
+    return picture_of(a, std::get<plot::subject>(methods[0]));
+}
+
+void write(const std::string& text, const std::string& output) {
+    std::ofstream out(output);
+    if (!(out << text)) throw std::invalid_argument("output: cannot write " + output);
 }
 
 void run(const arguments& a) {
-    const plot::script picture = picture_of(a);
-    if (a.script_only) {
-        std::ofstream out(a.output);
-        if (!(out << picture.text("picture.svg")))
-            throw std::invalid_argument("output: cannot write " + a.output);
-        return;
+    const picture p = picture_of(a);
+    if (const auto* text = std::get_if<std::string>(&p)) {
+        if (a.script_only) throw std::invalid_argument("script: gnuplot does not draw this picture");
+        return write(*text, a.output);
     }
+    const auto& script = std::get<plot::script>(p);
+    if (a.script_only) return write(script.text("picture.svg"), a.output);
     try {
-        plot::draw(picture, a.output);
+        plot::draw(script, a.output);
     } catch (const plot::gnuplot_missing& e) {
         std::cerr << "stagecraft: " << e.what() << '\n';
         throw CLI::RuntimeError(2);
@@ -132,16 +185,20 @@ void run(const arguments& a) {
 }
 
 const tool::command plot_command{[](CLI::App& app) {
-    auto* sub =
-        app.add_subcommand("plot", "Draw a method: region, order-star, E-polynomial, tableau or error");
+    auto* sub = app.add_subcommand(
+        "plot", "Draw methods (region, order-star, E-polynomial, tableau, error), or rooted trees");
     const auto a = std::make_shared<arguments>();
-    sub->add_option("KIND", a->kind, "region, order-star, E-polynomial, tableau or error")->required();
-    sub->add_option("METHOD", a->methods,
-                    "a family (see `families`) and its number of stages, or a tableau file; of error several")
+    sub->add_option("KIND", a->kind, "region, order-star, E-polynomial, tableau, error or trees")->required();
+    sub->add_option(
+           "METHOD", a->methods,
+           "a family (see `families`) and its number of stages, `radau_iia 3` or `radau_iia:3`, or a tableau "
+           "file; of region and error several; of trees the largest order")
         ->required()
         ->expected(1, -1);
     sub->add_option("--problem", a->problem, "of error: " + tool::error_problems() + " (default smooth)");
-    sub->add_option("-o,--output", a->output, "file to write: .svg, .png or .pdf")->required();
+    sub->add_option("-o,--output", a->output,
+                    "file to write: .svg, .png or .pdf; of region and trees also .tikz, to \\input in LaTeX")
+        ->required();
     sub->add_option("-w,--window", a->window, "LEFT,RIGHT,BOTTOM,TOP in the complex plane")->delimiter(',');
     sub->add_option("--implicit", a->implicit,
                     "of an additive pair: where on the real axis the implicit part is (default 0)");

@@ -54,8 +54,9 @@ STAGECRAFT_INLINE script& script::label(std::string_view text, double x, double 
 STAGECRAFT_INLINE script& script::plane(const window& w) {
     require_window(w);
     settings_ << "set size ratio -1\nset xrange [" << w.left << ':' << w.right << "]\nset yrange ["
-              << w.bottom << ':' << w.top << "]\nset xlabel 'Re z'\nset ylabel 'Im z'\n"
-              << "set xzeroaxis lc rgb '#909090' lt 1\nset yzeroaxis lc rgb '#909090' lt 1\n";
+              << w.bottom << ':' << w.top << "]\nset xlabel 'Re z' offset 0,0.8\nset ylabel 'Im z'\n"
+              << "set xzeroaxis lc rgb '#909090' lt 1\nset yzeroaxis lc rgb '#909090' lt 1\n"
+              << "set tics front\nset border front\n";
     size.height = static_cast<int>(70 + (size.width - 90) * w.height() / w.width());
     size.height = size.height < 300 ? 300 : size.height > 1200 ? 1200 : size.height;
     return *this;
@@ -76,6 +77,12 @@ STAGECRAFT_INLINE script& script::points(const std::vector<complex>& all, std::s
     open_data();
     for (const complex z : all) data_ << z.real() << ' ' << z.imag() << '\n';
     return part("with points " + std::string(style));
+}
+
+STAGECRAFT_INLINE script& script::legend(std::string_view title, std::string_view colour) {
+    parts_ += std::string(parts_.empty() ? "" : ", ") + "1/0 with boxes fs solid noborder fc rgb '" +
+              std::string(colour) + "' title " + gnuplot_string(title) + " noenhanced";
+    return *this;
 }
 
 STAGECRAFT_INLINE std::string script::text(const std::filesystem::path& output) const {

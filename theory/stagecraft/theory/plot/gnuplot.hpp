@@ -38,7 +38,7 @@ class script {
     script& set(const std::string& line);
     script& title(std::string_view first, std::string_view second = {});
     script& label(std::string_view text, double x, double y, std::string_view how = "center");
-    /// The axes of the complex plane, drawn to scale.
+    /// The axes of the complex plane, drawn to scale, their ticks over what is filled.
     script& plane(const window& w);
     /// Filled patches, `colour(level)` as "#rrggbb"; neighbouring rows overlap a little to hide the seams.
     template <class Colour>
@@ -53,6 +53,9 @@ class script {
     }
     script& lines(const std::vector<curve>& all, std::string_view style);
     script& points(const std::vector<complex>& all, std::string_view style);
+
+    /// A patch of a colour "#rrggbb" in the legend.
+    script& legend(std::string_view title, std::string_view colour);
 
     /// The script, writing to `output`; the name's ending decides: .svg, .png or .pdf. Throws
     /// std::invalid_argument for another ending.

@@ -30,8 +30,79 @@ STAGECRAFT_INLINE script region_picture(const std::string& name, const rational_
     p.plane(view).title("Stability region: " + name, subtitle);
     p.patches(shades([&](complex z) { return std::abs(r(z)) <= 1 ? 0.0 : 1.0; }, view, 900, 450, 1),
               [](int) { return colours::inside; });
+    p.legend("|R| \u2264 1 of " + name, colours::inside);
     p.lines(region_boundary(r, view), colours::boundary);
     zeros_and_poles(p, r);
+    return p;
+}
+
+STAGECRAFT_INLINE line_style region_line(std::size_t k) {
+    static const line_style all[most_regions] = {
+        {"#1f4e79", {}}, {"#b71c1c", {10, 4}}, {"#2e7d32", {4, 4}}, {"#d17a00", {12, 4, 3, 4}},
+        {"#6a1b9a", {}}, {"#00838f", {10, 4}}, {"#5d4037", {4, 4}}, {"#303030", {12, 4, 3, 4}}};
+    return all[k % most_regions];
+}
+
+STAGECRAFT_INLINE std::string region_shade(std::size_t of_them, std::size_t all) {
+    const double part = all < 2 ? 0.5 : static_cast<double>(of_them - 1) / static_cast<double>(all - 1);
+    const auto between = [part](int pale, int dark) { return static_cast<int>(pale + part * (dark - pale)); };
+    char colour[8];
+    std::snprintf(colour, sizeof colour, "#%02x%02x%02x", between(0xec, 0xb4), between(0xf3, 0xcd),
+                  between(0xfa, 0xe6));
+    return colour;
+}
+
+STAGECRAFT_INLINE window common_window(const std::vector<named_function>& methods) {
+    window all = region_window(methods.at(0).r);
+    for (const auto& m : methods) {
+        const window w = region_window(m.r);
+        all = {std::min(all.left, w.left), std::max(all.right, w.right), std::min(all.bottom, w.bottom),
+               std::max(all.top, w.top)};
+    }
+    return all;
+}
+
+STAGECRAFT_INLINE int regions_outside(const std::vector<named_function>& methods, complex z) {
+    return static_cast<int>(std::count_if(methods.begin(), methods.end(),
+                                          [z](const auto& m) { return !(std::abs(m.r(z)) <= 1); }));
+}
+
+STAGECRAFT_INLINE void require_regions(const std::vector<named_function>& methods) {
+    if (methods.empty() || methods.size() > most_regions)
+        throw std::invalid_argument("METHOD: " + std::to_string(methods.size()) +
+                                    " methods, region takes 1 to " + std::to_string(most_regions));
+}
+
+STAGECRAFT_INLINE std::vector<patch> region_patches(const std::vector<named_function>& methods,
+                                                    const window& view, int columns, int rows) {
+    const int n = static_cast<int>(methods.size());
+    const auto value = [&](complex z) { return (regions_outside(methods, z) + 0.5) / n; };
+    return shades(value, view, columns, rows, n);
+}
+
+STAGECRAFT_INLINE script regions_picture(const std::vector<named_function>& methods, const window& view) {
+    require_regions(methods);
+    const std::size_t n = methods.size();
+    script p;
+    std::size_t longest = 0;
+    for (const auto& m : methods) longest = std::max(longest, m.name.size());
+    p.size.width = std::max(p.size.width, 260 + 7 * static_cast<int>(std::min<std::size_t>(longest, 140)));
+    p.plane(view).title("Stability regions");
+    p.patches(region_patches(methods, view, 900, 450),
+              [n](int outside) { return region_shade(n - static_cast<std::size_t>(outside), n); });
+    p.set("set key below left Left reverse maxcols 1 font ',12'");
+    p.size.height += 22 * static_cast<int>(n + 1);
+    for (std::size_t k = 0; k < n; ++k) {
+        const line_style style = region_line(k);
+        std::string dashes;
+        for (const int length : style.dashes) dashes += (dashes.empty() ? "" : ",") + std::to_string(length);
+        p.lines(region_boundary(methods[k].r, view),
+                "lc rgb '" + std::string(style.colour) + "' lw 2 dt " +
+                    (dashes.empty() ? "1" : "(" + dashes + ")") + " title " +
+                    gnuplot_string("|R| \u2264 1 of " + methods[k].name) + " noenhanced");
+    }
+    p.legend("|R| \u2264 1 of all of them", region_shade(n, n));
+    if (n > 1) p.legend("|R| \u2264 1 of one of them", region_shade(1, n));
     return p;
 }
 
