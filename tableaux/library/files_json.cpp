@@ -15,5 +15,6 @@
 #include "stagecraft/tableaux/program_variables-inl.hpp"
 #include "stagecraft/tableaux/read-inl.hpp"
 #include "stagecraft/tableaux/read_partitioned-inl.hpp"
+#include "stagecraft/tableaux/read_rosenbrock-inl.hpp"
 #include "stagecraft/tableaux/stage_forms-inl.hpp"
 #include "stagecraft/tableaux/tableau_json-inl.hpp"

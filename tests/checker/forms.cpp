@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(every_file_keeps_the_schema_and_so_does_its_certificate) {
     const validator method(root / "tableaux/schema/method.schema.json");
     const validator certificate(root / "tableaux/schema/certificate.schema.json");
     int files = 0;
-    for (const char* folder : {"catalogue", "pairs", "dense"})
+    for (const char* folder : {"catalogue", "pairs", "dense", "rosenbrock"})
         for (const auto& item : fs::directory_iterator(root / "tableaux" / folder))
             BOOST_TEST_CONTEXT(item.path()) {
                 const std::string text = tableaux::text_of_file(item.path().string());

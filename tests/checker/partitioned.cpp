@@ -332,9 +332,10 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_file_is_said_with_line_and_entry) {
     BOOST_TEST(complaint("{\"form\":\"additive\",\n\"partners\":[" + one +
                          ",\n{\"A\":[[\"1/0\"]],\"b\":[\"1\"]}]}") ==
                "line 3, partners[2].A[1][1]: '1/0' division by zero");
-    BOOST_TEST(
-        complaint("{\"form\":\"other\",\"partners\":[]}") ==
-        "line 1, form: 'other', allowed: additive, partitioned, separable, nystrom, shu-osher, 2N, 2S, 3S*");
+    BOOST_TEST(complaint("{\"form\":\"other\",\"partners\":[]}") ==
+               "line 1, form: 'other', allowed: additive, partitioned, separable, nystrom, rosenbrock, "
+               "shu-osher, 2N, 2S, "
+               "3S*");
     BOOST_TEST(complaint("{\"form\":\"additive\",\"partners\":[" + one + "]}") ==
                "line 1, partners: must be a list of 2 to 4 tableaux or names of files");
     BOOST_TEST(complaint("{\"form\":\"additive\",\"partners\":[" + one +

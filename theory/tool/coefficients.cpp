@@ -41,7 +41,10 @@ void write_files(const std::vector<std::string>& files) {
             std::visit([](const auto& file) { return stagecraft::theory::certify(file).exit_code(); }, read);
         if (exit_code != 0)
             throw tableaux::unusable_input(path + ": a claim is not proved; see stagecraft certify");
-        if (const auto* several = std::get_if<tableaux::partitioned_file>(&read))
+        const auto* several = std::get_if<tableaux::partitioned_file>(&read);
+        if (several && several->coupling == tableaux::coupling::rosenbrock)
+            throw tableaux::unusable_input(path + ": no run takes a Rosenbrock method");
+        if (several)
             pairs.emplace_back(id, *several);
         else
             methods.emplace_back(id, std::get<tableaux::tableau_file>(read));

@@ -15,6 +15,7 @@ STAGECRAFT_INLINE number_kind partitioned_file::kind() const {
 
 STAGECRAFT_INLINE std::string partner_name(const partitioned_file& file, std::size_t k) {
     if (file.coupling == coupling::nystrom) return k == 0 ? "the formula for y" : "the formula for y'";
+    if (file.coupling == coupling::rosenbrock) return k == 0 ? "A" : "Gamma";
     const std::string& given = file.partners[k].name;
     return given.empty() ? "tableau " + std::to_string(k + 1) : given;
 }

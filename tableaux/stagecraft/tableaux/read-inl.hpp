@@ -54,6 +54,12 @@ STAGECRAFT_INLINE tableaux::claims read_claims(const document& d) {
     return claims;
 }
 
+STAGECRAFT_INLINE void reject_rosenbrock_claims(const document& d) {
+    for (const auto claim : rosenbrock_claims)
+        if (const std::string key(claim); d.root.contains("claims") && d.root["claims"].contains(key))
+            reject(d, "/claims/" + key, "claims." + key, "only a method of the form \"rosenbrock\" has one");
+}
+
 STAGECRAFT_INLINE tableau_file tableau(const document& d, const reading& how) {
     if (!d.root.is_object()) reject(d, "", "", "a tableau must be a JSON object");
     if (d.root.contains("tableau")) return tableau(d.part("/tableau", "tableau", d.root["tableau"]), how);
@@ -62,6 +68,7 @@ STAGECRAFT_INLINE tableau_file tableau(const document& d, const reading& how) {
         file.name = text_field(d, "name");
         file.source = text_field(d, "source");
         file.claims = read_claims(d);
+        reject_rosenbrock_claims(d);
         return file;
     }
     static const std::set<std::string> known{"name",   "source",     "note",     "A",      "b",
@@ -80,6 +87,7 @@ STAGECRAFT_INLINE tableau_file tableau(const document& d, const reading& how) {
         file.b_embedded = numbers(d, d.root["b_embedded"], "/b_embedded", "b_embedded", s);
     if (d.root.contains("b_theta")) file.b_theta = polynomials(d, s);
     file.claims = read_claims(d);
+    reject_rosenbrock_claims(d);
     for (const char* claim : {"dense_order", "dense_smoothness"})
         if (file.b_theta.empty() && d.root.contains("claims") && d.root["claims"].contains(claim))
             reject(d, std::string("/claims/") + claim, std::string("claims.") + claim, "there is no b_theta");

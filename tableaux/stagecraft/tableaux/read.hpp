@@ -15,6 +15,9 @@ struct document;
 
 tableaux::claims read_claims(const document& d);
 
+/// Throws where the document claims what only Rosenbrock methods have.
+void reject_rosenbrock_claims(const document& d);
+
 /// The tableau that a document holds, as read_tableau.
 tableau_file tableau(const document& d, const reading& how);
 

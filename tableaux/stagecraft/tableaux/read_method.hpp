@@ -141,6 +141,7 @@ any_method<Real> read_method(const std::string& path, const reading& how = {}) {
     }
     const coupling form = std::get<partitioned_file>(file).coupling;
     if (form == coupling::additive) return read_additive<Real>(path, how);
+    if (form == coupling::rosenbrock) throw unusable_input(path + ": no run takes a Rosenbrock method");
     throw unusable_input(path + ": methods of the form \"" + std::string(name(form)) +
                          "\" are read by read_partitioned and read_nystrom");
 }

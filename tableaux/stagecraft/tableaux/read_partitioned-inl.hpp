@@ -10,6 +10,7 @@
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/json_document.hpp"
 #include "stagecraft/tableaux/read.hpp"
+#include "stagecraft/tableaux/read_rosenbrock.hpp"
 #include "stagecraft/tableaux/reading.hpp"
 #include "stagecraft/tableaux/stage_forms.hpp"
 
@@ -43,6 +44,7 @@ STAGECRAFT_INLINE claims coupled_claims(const document& d, int largest) {
                    "must be at most " + std::to_string(largest));
     if (stated.dense_order || stated.dense_smoothness)
         reject(d, "/claims", "claims", "dense output belongs to one of the tableaux");
+    reject_rosenbrock_claims(d);
     for (const auto& c : yes_no_claims)
         if (c.name != "symplectic" && stated.*(c.value))
             reject(
@@ -110,6 +112,10 @@ STAGECRAFT_INLINE partitioned_file partitioned(const document& d, const reading&
     file.name = text_field(d, "name");
     file.source = text_field(d, "source");
     const reading with_its_own = with_tolerance_of(d, how);
+    if (file.coupling == coupling::rosenbrock) {
+        rosenbrock(d, with_its_own, file);
+        return file;
+    }
     if (file.coupling == coupling::nystrom)
         read_nystrom(d, with_its_own, file);
     else

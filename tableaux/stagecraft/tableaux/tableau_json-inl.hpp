@@ -33,9 +33,31 @@ STAGECRAFT_INLINE nlohmann::ordered_json to_json(const tableau_file& file) {
     return j;
 }
 
+STAGECRAFT_INLINE void add_rosenbrock(const partitioned_file& file, nlohmann::ordered_json& j) {
+    const auto values = to_json(file.partners[0]);
+    auto matrix = to_json(file.partners[1])["A"];
+    const auto s = static_cast<std::size_t>(file.stages());
+    if (file.one_gamma || file.transformed) {
+        j["gamma"] = file.one_gamma ? matrix[0][0] : nlohmann::ordered_json::array();
+        for (std::size_t i = 0; i < s; ++i) {
+            if (!file.one_gamma) j["gamma"].push_back(matrix[i][i]);
+            matrix[i][i] = "0";
+        }
+    }
+    j[file.transformed ? "a" : "A"] = values["A"];
+    j[file.transformed ? "C" : "Gamma"] = std::move(matrix);
+    j[file.transformed ? "m" : "b"] = values["b"];
+    if (values.contains("b_embedded"))
+        j[file.difference ? "e" : file.transformed ? "m_embedded" : "b_embedded"] = values["b_embedded"];
+    if (values.contains("c")) j["c"] = values["c"];
+    if (const auto sums = to_json(file.partners[1]); sums.contains("c")) j["d"] = sums["c"];
+}
+
 STAGECRAFT_INLINE nlohmann::ordered_json to_json(const partitioned_file& file) {
     nlohmann::ordered_json j{{"name", file.name}, {"source", file.source}, {"form", name(file.coupling)}};
-    if (file.coupling == coupling::nystrom) {
+    if (file.coupling == coupling::rosenbrock) {
+        add_rosenbrock(file, j);
+    } else if (file.coupling == coupling::nystrom) {
         const auto position = to_json(file.partners[0]), velocity = to_json(file.partners[1]);
         j["c"] = position["c"];
         j["A_bar"] = position["A"];

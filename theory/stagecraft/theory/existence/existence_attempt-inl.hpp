@@ -33,6 +33,8 @@ STAGECRAFT_INLINE existence_subject subject_of(const tableaux::method_file& file
         const auto& several = std::get<tableaux::partitioned_file>(file);
         if (several.coupling == tableaux::coupling::nystrom)
             throw tableaux::unusable_input("exists: not of Nystrom methods");
+        if (several.coupling == tableaux::coupling::rosenbrock)
+            throw tableaux::unusable_input("exists: not of Rosenbrock methods");
         s.partners = several.partners;
         s.claims = several.claims;
         s.coupling = several.coupling;

@@ -14,6 +14,7 @@
 #include "stagecraft/theory/judging/coupling_suspects.hpp"
 #include "stagecraft/theory/judging/in_its_time.hpp"
 #include "stagecraft/theory/judging/judge_coupling.hpp"
+#include "stagecraft/theory/judging/judge_rosenbrock.hpp"
 #include "stagecraft/theory/judging/other_readings.hpp"
 
 namespace stagecraft::theory {
@@ -42,7 +43,12 @@ STAGECRAFT_INLINE file_certificate judged(const tableaux::partitioned_file& file
     certificate.data = std::string(name(file.coupling)) + ", " + std::string(tableaux::name(file.kind()));
     certificate.stages = file.stages();
     certificate.tableau = to_json(file);
-    with_subject(file, by_enclosures, [&](const auto& s) { judge(s, certificate); });
+    with_subject(file, by_enclosures, [&](const auto& s) {
+        if (file.coupling == tableaux::coupling::rosenbrock)
+            judge_rosenbrock(s, certificate);
+        else
+            judge(s, certificate);
+    });
     if (!judged_alone(file)) return certificate;
     for (std::size_t k = 0; k < file.partners.size(); ++k) {
         certificate.partners.push_back(theory::certify(partner_alone(file, k)));

@@ -27,6 +27,7 @@ STAGECRAFT_INLINE tableaux::tableau_file partner_alone(const tableaux::partition
 }
 
 STAGECRAFT_INLINE std::vector<coupled_place> coupled_places(const tableaux::partitioned_file& file) {
+    if (file.coupling == tableaux::coupling::rosenbrock) return rosenbrock_places(file);
     const bool nystrom = file.coupling == tableaux::coupling::nystrom;
     std::vector<coupled_place> all;
     for (std::size_t k = 0; k < file.partners.size(); ++k) {
@@ -42,6 +43,7 @@ STAGECRAFT_INLINE std::vector<coupled_place> coupled_places(const tableaux::part
 
 STAGECRAFT_INLINE std::string name(const coupled_place& p, const tableaux::partitioned_file& file) {
     std::string text = p.place.name();
+    if (file.coupling == tableaux::coupling::rosenbrock) return rosenbrock_name(p, file);
     if (file.coupling != tableaux::coupling::nystrom) return partner_name(file, p.partner) + ": " + text;
     if (p.partner == 0 && p.place.part != part::c) text.insert(1, "_bar");
     return text;
@@ -49,6 +51,7 @@ STAGECRAFT_INLINE std::string name(const coupled_place& p, const tableaux::parti
 
 STAGECRAFT_INLINE tree_table coupled_trees_claimed::table(const tableaux::partitioned_file& f,
                                                           std::optional<int> claimed) {
+    if (f.coupling == tableaux::coupling::rosenbrock) claimed = 1;  // whose trees are others
     return coupled_trees(f.coupling, f.uses_velocity, static_cast<int>(f.partners.size()),
                          std::max(claimed.value_or(1), 1));
 }

@@ -8,6 +8,8 @@
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/judge_claims.hpp>
 #include <stagecraft/theory/judging/judge_coupling.hpp>
+#include <stagecraft/theory/judging/judge_rosenbrock.hpp>
+#include <stagecraft/theory/judging/rosenbrock_suspects.hpp>
 #include <stagecraft/theory/judging/suspects.hpp>
 #include <stagecraft/theory/trees/coloured_trees.hpp>
 #include <string>
@@ -26,24 +28,12 @@ bool judged_alone(const tableaux::partitioned_file& file);
 /// The k-th tableau with what is claimed of it: its own claims, and the orders of the whole.
 tableaux::tableau_file partner_alone(const tableaux::partitioned_file& file, std::size_t k);
 
-/// An entry of one of the tableaux.
-struct coupled_place {
-    std::size_t partner = 0;
-    theory::place place;
-};
-
-/// The entries whose change leaves the kind of each tableau alone. Both formulas of a Nystrom method share the nodes.
+/// The entries whose change leaves the kind of each tableau alone. Both formulas of a Nystrom method share the nodes; of a Rosenbrock
+/// method the one gamma of a file counts once.
 std::vector<coupled_place> coupled_places(const tableaux::partitioned_file& file);
 
 /// "implicit part: A[4][3]"; of a Nystrom method as the file calls it, "b_bar[2]".
 std::string name(const coupled_place& p, const tableaux::partitioned_file& file);
-
-template <class K>
-void put(coupled_subject<K>& s, const coupled_place& p, const K& value) {
-    theory::put(s.partners[p.partner], p.place, value);
-    const bool shared = p.place.part == part::c && s.nystrom();
-    if (shared) theory::put(s.partners[1 - p.partner], p.place, value);
-}
 
 template <class To, class K, class Convert>
 coupled_subject<To> mapped(const coupled_subject<K>& s, Convert convert) {
@@ -106,6 +96,7 @@ struct coupled_trees_claimed {
 template <class K, class Quick>
 std::optional<K> restoring_value(const coupled_subject<K>& s, const Quick& quick, const coupled_place& p,
                                  const coupled_trees_claimed& trees) {
+    if (s.rosenbrock()) return rosenbrock_value(s, quick, p);
     const auto& partner = s.partners[p.partner];
     const bool in_row_sum = p.place.part == part::A || p.place.part == part::c;
     if (in_row_sum && partner.nodes_given && !s.nystrom()) {
@@ -123,6 +114,7 @@ std::optional<K> restoring_value(const coupled_subject<K>& s, const Quick& quick
 /// Whether something claimed of the whole, or of a tableau for itself, certainly fails.
 template <class K>
 bool refutes_a_coupled_claim(const coupled_subject<K>& s, const coupled_trees_claimed& trees) {
+    if (s.rosenbrock()) return refutes_a_rosenbrock_claim(s);
     const auto& claims = s.file->claims;
     const auto falls_short = [&](bool embedded, int claimed) {
         const auto& table = embedded ? trees.embedded : trees.order;

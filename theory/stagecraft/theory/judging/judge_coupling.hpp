@@ -25,6 +25,7 @@ struct coupled_subject {
     std::vector<subject<K>> partners;
 
     bool nystrom() const { return file->coupling == tableaux::coupling::nystrom; }
+    bool rosenbrock() const { return file->coupling == tableaux::coupling::rosenbrock; }
     int stages() const { return partners.front().stages(); }
 
     /// As the coloured trees want it, with the weights or the embedded ones.
