@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE command
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/family.hpp>
 #include <string>
@@ -38,6 +41,23 @@ void refused(const std::string& arguments, const std::string& line) {
     BOOST_TEST(r.status == 2);
     BOOST_TEST(r.output == line + "\n");
     BOOST_TEST(run(arguments).output == "");
+}
+
+/// What a command prints under `key`, and what `certify` says of that file.
+struct judged {
+    nlohmann::json tableau, certificate;
+};
+judged certified(const std::string& arguments, const std::string& key = "tableau") {
+    const result r = run(arguments);
+    BOOST_TEST(r.status == 0, arguments);
+    const auto tableau = nlohmann::json::parse(r.output).at(key);
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("stagecraft_command_" + std::to_string(::getpid()) + ".json");
+    std::ofstream(file) << tableau;
+    const result certificate = run("certify --json '" + file.string() + "'");
+    std::filesystem::remove(file);
+    BOOST_TEST(certificate.status == 0, arguments);
+    return {tableau, nlohmann::json::parse(certificate.output)};
 }
 
 }  // namespace
@@ -96,6 +116,52 @@ BOOST_AUTO_TEST_CASE(collocate_names_its_option_reads_short_decimals_and_nodes_n
         const result near = run(std::string("collocate --nodes ") + node + ",1/2", true);
         BOOST_TEST(near.status == 0, node << ": " << near.output);
     }
+}
+
+// Radau IIA: b + (f(t_0, y_0) - its extrapolation)/4 has order 3 (Hairer-Wanner II, formula IV.8.19, with another factor). Nodes 1/2, 1:
+// the method has order 2, and the formula on 0, 1/2, 1 is Simpson's. Trapezoidal rule: explicit Euler.
+BOOST_AUTO_TEST_CASE(collocate_embeds_the_formula_of_the_highest_order) {
+    const auto radau =
+        certified("collocate --polynomial '10*x^3-18*x^2+9*x-1' --embedded highest --format json");
+    BOOST_TEST(radau.tableau["b_embedded"][0] == "1/4");
+    BOOST_TEST(radau.certificate["embedded_order"]["verdict"] == "proved");
+    BOOST_TEST(radau.certificate["embedded_order"]["value"] == 3);
+    BOOST_TEST(radau.certificate["order"]["value"] == 5);
+    const auto simpson = certified("collocate --nodes 1/2,1 --embedded highest --json");
+    BOOST_TEST(simpson.tableau["b_embedded"] == nlohmann::json({"1/6", "2/3", "1/6"}));
+    BOOST_TEST(simpson.certificate["embedded_order"]["value"] == 3);
+    const auto euler = certified("collocate --nodes 0,1 --embedded highest --json");
+    BOOST_TEST(euler.tableau["b_embedded"] == nlohmann::json({"1", "0"}));
+    const result none = run("collocate --nodes 0 --embedded highest");
+    BOOST_TEST(none.status == 1);
+    BOOST_TEST(none.output.find("embedded: there is no embedded formula of order 1 or more") !=
+               std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(collocate_embeds_an_l_stable_formula_or_says_that_there_is_none) {
+    for (const auto& [nodes, order] : {std::pair{"1/6,2/3,1", 1}, {"1/3,2/3,1", 1}, {"1/4,1/2,3/4,1", 2}}) {
+        const std::string call = std::string("collocate --embedded l-stable --json --nodes ") + nodes;
+        BOOST_TEST(certified(call).certificate["embedded_order"]["value"] == order);
+        const auto alone = certified(call, "embedded_tableau").certificate;
+        BOOST_TEST(alone["L_stable"]["claim"]["verdict"] == "proved");
+        BOOST_TEST(alone["order"]["value"] == order);
+    }
+    // Gauss 2: R = (1 + z/2)/(1 - z/2 + z^2/12) is the only one of order 1 with a numerator of degree 1, and E(y) = y^4/144 - y^2/6.
+    // Gauss 3: E at small y excludes one side, at large y the other.
+    for (const char* polynomial : {"6*x^2-6*x+1", "20*x^3-30*x^2+12*x-1"}) {
+        const result none =
+            run(std::string("collocate --embedded l-stable --polynomial '") + polynomial + "'");
+        BOOST_TEST(none.status == 1);
+        BOOST_TEST(none.output.find("embedded: there is no L-stable embedded formula of order 1 or more: ") !=
+                   std::string::npos);
+    }
+    BOOST_TEST(
+        nlohmann::json::parse(run("collocate --nodes 1/2 --embedded l-stable --json").output)["embedded_note"]
+            .get<std::string>()
+            .starts_with("there is no"));
+    refused("collocate --nodes 1 --embedded best",
+            "stagecraft: --embedded: unknown 'best', allowed: highest, l-stable");
+    refused("collocate --nodes 1 --format xml", "stagecraft: --format: unknown 'xml', allowed: text, json");
 }
 
 BOOST_AUTO_TEST_CASE(exercise_lists_twelve_kinds_and_prints_text_latex_and_json) {
