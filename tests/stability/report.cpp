@@ -52,9 +52,33 @@ BOOST_AUTO_TEST_CASE(the_report_says_where_no_theorem_applies_and_covers_the_emb
         "<= 1 (R(inf) is infinite)");
     BOOST_TEST(line(report, "real stability interval").starts_with("real stability interval 2.785293563405"));
     BOOST_TEST(line(report, "A-stable").starts_with("A-stable  refuted: |R(iy)| > 1"));
+    // Houwen-Sommeijer 1987: log R(z) - z = -z^5/120 + z^6/144 + ...
+    BOOST_TEST(line(report, "dispersion") ==
+               "dispersion order 4  proved: y - arg R(iy) = 1/120*y^5 + O(y^7)");
+    BOOST_TEST(line(report, "dissipation") ==
+               "dissipation order 5  proved: 1 - |R(iy)| = 1/144*y^6 + O(y^8)");
     BOOST_TEST(line(text({sections.back()}), "R approximates").starts_with("R approximates e^z to order 2"));
     t.b_embedded.resize(0);
     BOOST_TEST(stability_report(t).size() == 3U);
+}
+
+// 1 + z: arctan y = y - y^3/3 + ..., |1 + iy| = 1 + y^2/2 + ...; z + z^2/2 as well: y - arg R = -y^3/6, 1 - |R| = -y^4/8.
+BOOST_AUTO_TEST_CASE(phase_errors_are_those_of_the_closed_forms) {
+    const auto check = [](const std::vector<quadratic>& r, int order, const char* turned, int kept,
+                          const char* lost) {
+        const auto e = phase_errors_of(r, [](const quadratic& d) { return !(d == quadratic(0)); });
+        BOOST_TEST(e.dispersion.value().order == order);
+        BOOST_TEST(e.dispersion.value().coefficient.str() == turned);
+        BOOST_TEST(e.dissipation.value().order == kept);
+        BOOST_TEST(e.dissipation.value().coefficient.str() == lost);
+    };
+    using tableaux::rational;
+    check({1, 1}, 2, "1/3", 1, "-1/2");
+    check({1, 1, rational(1, 2)}, 2, "-1/6", 3, "-1/8");
+    const std::vector<quadratic> rest{1};  // R = 1 turns nothing and loses nothing
+    const auto e = phase_errors_of(rest, [](const quadratic& d) { return !(d == quadratic(0)); });
+    BOOST_TEST(e.dispersion.value().coefficient.str() == "1");
+    BOOST_TEST(!e.dissipation);
 }
 
 BOOST_AUTO_TEST_CASE(families_have_the_report_of_their_tableau_and_beyond_it_that_of_legendre_coordinates) {

@@ -16,6 +16,7 @@
 #include "stagecraft/theory/judging/in_its_time.hpp"
 #include "stagecraft/theory/judging/order_finding.hpp"
 #include "stagecraft/theory/judging/properties.hpp"
+#include "stagecraft/theory/stability/phase_error.hpp"
 
 namespace stagecraft::theory {
 
@@ -123,6 +124,34 @@ STAGECRAFT_INLINE claim enclosed_prediction(const std::string& problem, const or
 
 namespace detail {
 
+/// Dispersion and dissipation of an explicit method: coefficients that the digits do not tell from 0 are taken for 0, where they
+/// show that to equality_level; the leading ones are certainly not 0.
+STAGECRAFT_INLINE std::vector<claim> enclosed_phase_errors(const enclosed_stability_function& f) {
+    bound residual = 0, bound_on_it = 0;
+    const auto differs = [&](const ball& d) {
+        if (certainly_nonzero(d)) return true;
+        residual = std::max(residual, d.magnitude());
+        bound_on_it = std::max(bound_on_it, d.radius());
+        return false;
+    };
+    const auto errors = phase_errors_of(f.numerator, differs);
+    const auto said = [&](const std::string& order, const std::string& leading) -> claim {
+        if (bound_on_it > equality_level)
+            return {order.substr(0, order.find(' ')),
+                    verdict::undecided(
+                        "the digits are too few to show the terms before the leading one to be 0")};
+        return {order, verdict::consistent(brief(residual), brief(bound_on_it), leading)};
+    };
+    std::vector<claim> all;
+    if (const auto& e = errors.dispersion)
+        all.push_back(
+            said(dispersion_text(e->order), leading_text("y - arg R(iy)", shown(e->coefficient), e->order)));
+    if (const auto& e = errors.dissipation)
+        all.push_back(
+            said(dissipation_text(e->order), leading_text("1 - |R(iy)|", shown(e->coefficient), e->order)));
+    return all;
+}
+
 /// What the stability function and the theorems that need it say, each within its share of the time.
 STAGECRAFT_INLINE void add_function_claims(const subject<ball>& s, const enclosed_stability_function& f,
                                            report_section& function, report_section& dae) {
@@ -133,6 +162,10 @@ STAGECRAFT_INLINE void add_function_claims(const subject<ball>& s, const enclose
     add("A(alpha)-stable", [&] { return enclosed_sector(s, f); });
     add("real stability interval", [&] { return enclosed_real_interval(f); });
     add("imaginary stability interval", [&] { return enclosed_imaginary_interval(f); });
+    if (f.degree == 0)
+        for (auto& c : within_its_time(0.3, [&] { return enclosed_phase_errors(f); },
+                                       {{"dispersion", verdict::undecided(out_of_its_time)}}))
+            function.claims.push_back(std::move(c));
     const auto predict = [&]() -> std::vector<claim> {
         const auto m = enclosed_traits_of(s, f);
         return {enclosed_prediction("index 1", predict_index1(m.traits), m),

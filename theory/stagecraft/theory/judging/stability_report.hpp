@@ -8,6 +8,7 @@
 
 #include "stagecraft/theory/dae/dae_order.hpp"
 #include "stagecraft/theory/judging/certificate.hpp"
+#include "stagecraft/theory/stability/phase_error.hpp"
 #include "stagecraft/theory/stability/sector_stability.hpp"
 #include "stagecraft/theory/stability/ssp.hpp"
 #include "stagecraft/theory/stability/symmetry.hpp"
@@ -42,7 +43,7 @@ std::string error_text(const std::vector<epsilon_term>& terms);
 }  // namespace detail
 
 /// What the stability function alone decides: approximation of the exponential, poles, R(inf), A-, strong A-,
-/// L-, A0-, I-stability, the sector, and the intervals on both axes.
+/// L-, A0-, I-stability, the sector, the intervals on both axes, and of explicit methods dispersion and dissipation.
 template <class K>
 std::vector<claim> function_claims(const stability_function<K>& r) {
     std::vector<claim> all;
@@ -84,6 +85,15 @@ std::vector<claim> function_claims(const stability_function<K>& r) {
     }
     all.push_back(detail::interval_claim("real stability interval", real_stability_interval(r)));
     all.push_back(detail::interval_claim("imaginary stability interval", imaginary_stability_interval(r)));
+    if (r.denominator.degree() == 0) {
+        const auto errors = phase_errors_of(r);
+        if (const auto& e = errors.dispersion)
+            all.push_back({dispersion_text(e->order),
+                           verdict::proved(leading_text("y - arg R(iy)", e->coefficient.str(), e->order))});
+        if (const auto& e = errors.dissipation)
+            all.push_back({dissipation_text(e->order),
+                           verdict::proved(leading_text("1 - |R(iy)|", e->coefficient.str(), e->order))});
+    }
     return all;
 }
 
