@@ -15,8 +15,10 @@ class attempts {
     const refusals<Scalar>& refused() const { return refused_; }
     status obstacle() const { return obstacle_; }
 
-    /// A step begins.
-    void begin() { *this = {}; }
+    /// A step begins. Nothing is written where nothing has been refused: of few unknowns that would take a tenth of a step.
+    void begin() {
+        if (refused_.all > 0) *this = {};
+    }
     /// A guard has forbidden an attempt.
     void forbidden(report<Scalar>& counts) {
         obstacle_ = status::step_underflow;
