@@ -158,8 +158,16 @@ Scalar absolute_tolerance(const options<Scalar>& o, Eigen::Index i) {
 template <class Vector, class Scalar>
 void set_weights(const options<Scalar>& o, const Vector& y, Vector& weights) {
     using std::abs;
-    for (Eigen::Index i = 0; i < y.size(); ++i) weights[i] = o.rtol * abs(y[i]) + absolute_tolerance(o, i);
-    weights = weights.cwiseInverse();  // in packets: a packet of quotients takes no longer than one
+    const auto tolerance = [&](Eigen::Index i) {
+        return Scalar(o.rtol * abs(y[i]) + absolute_tolerance(o, i));
+    };
+    constexpr int n = Vector::SizeAtCompileTime;
+    if constexpr (0 < n && n <= 4) {  // a packet would wait until all its numbers have reached the cache
+        for (Eigen::Index i = 0; i < n; ++i) weights[i] = Scalar(1) / tolerance(i);
+    } else {
+        for (Eigen::Index i = 0; i < y.size(); ++i) weights[i] = tolerance(i);
+        weights = weights.cwiseInverse();  // in packets: a packet of quotients takes no longer than one
+    }
 }
 
 }  // namespace stagecraft
