@@ -20,9 +20,9 @@ namespace stagecraft {
 /// of the continuous solution, which is made of the ends when all of them are done. Two vectors more, the slopes at the
 /// ends, where somebody looks at that solution.
 template <class Space>
-class low_storage_step : public step_between_slopes<Space> {
+class low_storage_step : public in_place_step<Space> {
     using Scalar = typename Space::scalar;
-    using base = step_between_slopes<Space>;
+    using base = in_place_step<Space>;
     using base::left_, base::right_, base::output_wanted_;
     using list = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
@@ -32,7 +32,7 @@ class low_storage_step : public step_between_slopes<Space> {
     using method_type = low_storage_method<Scalar>;
 
     low_storage_step(const method_type& m, int n)
-        : base(n, false), m_(m), order_(classical_order(m.meaning)), u_(n), f_(n) {
+        : base(n, false, m.meaning), m_(m), order_(classical_order(m.meaning)), u_(n), f_(n) {
         const auto& t = m_.meaning;
         if (m_.form == storage_form::shu_osher) more_.resize(n, assign_columns() - 2);
         if (t.b_embedded.size() == 0) return;
@@ -44,11 +44,10 @@ class low_storage_step : public step_between_slopes<Space> {
 
     template <class System>
     void prepare(const System&, const run_demands& demands) {
+        base::template refuse_mass<System>("low-storage");
         const auto refuse = [](bool bad, const char* what) {
             if (bad) throw std::invalid_argument(what);
         };
-        refuse(!System::mass_type::identity,
-               "integrate: a low-storage method does not serve a problem with mass()");
         refuse(order_ < 1, "integrate: the low-storage method has order 0: its coefficients do not fit");
         refuse(!demands.fixed && power_ == 0,
                "integrate: the low-storage method has no b_embedded to estimate errors with; use "
@@ -62,12 +61,9 @@ class low_storage_step : public step_between_slopes<Space> {
     }
 
     low_storage_step& stages() { return *this; }
-    const tableau<Scalar>& method() const { return m_.meaning; }
     int count() const { return m_.stages(); }
     int order() const { return order_; }
     int estimate_power() const { return power_; }
-    bool implicit() const { return false; }
-    static constexpr bool iterates() { return false; }
 
     bool needs_left_value(bool) const { return true; }
     void begin(const vector& f0) {
@@ -93,7 +89,6 @@ class low_storage_step : public step_between_slopes<Space> {
         done.iterations = 1;  // the step is chosen as that of an explicit tableau
         return done;
     }
-    void guess(const output*, const vector&, const Scalar&, output&, const Scalar& = Scalar(1)) {}
     void advance(const vector&, const output&, vector& y1) { y1 = u_; }
 
     template <class System>

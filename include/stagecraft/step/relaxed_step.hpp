@@ -234,18 +234,11 @@ class relaxed_step : public detail::step_for<Method>::template type<Space> {
 namespace detail {
 
 template <class Method, class Quantity>
-struct step_for<relaxed_method<Method, Quantity>> {
+struct step_for<relaxed_method<Method, Quantity>>
+    : step_for<Method> {  // its columns, and whether it takes parts
     static constexpr bool named = true;
-    static constexpr int columns = step_for<Method>::columns;
     template <class Space>
     using type = relaxed_step<Method, Quantity, Space>;
-};
-template <class Scalar, int Stages, class Quantity>
-struct step_for<relaxed_method<additive_method<Scalar, Stages>, Quantity>> {
-    static constexpr bool named = true, takes_parts = true;
-    static constexpr int columns = step_for<additive_method<Scalar, Stages>>::columns;
-    template <class Space>
-    using type = relaxed_step<additive_method<Scalar, Stages>, Quantity, Space>;
 };
 
 }  // namespace detail

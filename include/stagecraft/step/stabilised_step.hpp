@@ -18,9 +18,9 @@ namespace stagecraft {
 /// trapezoidal rule, 4/5 (y - y1) + 2/5 h (f(t, y) + f(t1, y1)) (Sommeijer, Shampine and Verwer 1998), for which
 /// f(t1, y1) is evaluated, the next step's first; it is O(h^{order + 1}).
 template <class Space>
-class stabilised_step : public step_between_slopes<Space> {
+class stabilised_step : public in_place_step<Space> {
     using Scalar = typename Space::scalar;
-    using base = step_between_slopes<Space>;
+    using base = in_place_step<Space>;
     using base::left_, base::right_, base::output_wanted_;
 
   public:
@@ -29,29 +29,25 @@ class stabilised_step : public step_between_slopes<Space> {
     using method_type = stabilised_method<Scalar>;
 
     stabilised_step(const method_type& method, int n)
-        : base(n), m_(method), rows_(method), radius_of_(n), y_(n), before_(n), f_(n) {
-        known_as_.A.setZero(1, 1);
-        known_as_.b.setConstant(1, Scalar(10 * static_cast<int>(m_.family) + m_.stages));
-        known_as_.c.setConstant(1, m_.damping);
-    }
+        : base(n, true, known_as(method)),
+          m_(method),
+          rows_(method),
+          radius_of_(n),
+          y_(n),
+          before_(n),
+          f_(n) {}
 
     template <class System>
     void prepare(const System&, const run_demands& demands) {
-        if constexpr (!System::mass_type::identity)
-            throw std::invalid_argument(
-                "integrate: a stabilised method does not serve a problem with mass()");
+        base::template refuse_mass<System>("stabilised");
         fixed_ = demands.fixed;
         output_wanted_ = demands.output;
     }
 
     stabilised_step& stages() { return *this; }
-    /// Family, stages and damping, by which a checkpoint knows the method again.
-    const tableau<Scalar>& method() const { return known_as_; }
     int count() const { return rows_.stages(); }
     int order() const { return m_.order; }
     int estimate_power() const { return m_.order + 1; }
-    bool implicit() const { return false; }
-    static constexpr bool iterates() { return false; }
 
     bool needs_left_value(bool) const { return !left_known_; }
     static constexpr bool ends_with_value() { return false; }
@@ -89,7 +85,6 @@ class stabilised_step : public step_between_slopes<Space> {
         done.end = newton_end::converged;
         return done;
     }
-    void guess(const output*, const vector&, const Scalar&, output&, const Scalar& = Scalar(1)) {}
     void advance(const vector&, const output&, vector& y1) { y1 = y_; }
     void accepted() {
         left_known_ = !fixed_ || output_wanted_;
@@ -117,10 +112,18 @@ class stabilised_step : public step_between_slopes<Space> {
   private:
     static constexpr int most_stages = 20000;  // rounding grows like s^2 eps
 
+    /// Family, stages and damping.
+    static tableau<Scalar> known_as(const method_type& m) {
+        tableau<Scalar> known;
+        known.A.setZero(1, 1);
+        known.b.setConstant(1, Scalar(10 * static_cast<int>(m.family) + m.stages));
+        known.c.setConstant(1, m.damping);
+        return known;
+    }
+
     method_type m_;
     stabilised_recurrence<Scalar> rows_;
     spectral_radius_of<vector> radius_of_;
-    tableau<Scalar> known_as_;
     vector y_, before_, f_;
     Scalar radius_{0};
     int since_radius_ = 25;

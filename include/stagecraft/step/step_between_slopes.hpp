@@ -2,10 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <stagecraft/dense_output.hpp>
 #include <stagecraft/step/hermite_output.hpp>
 #include <stagecraft/step/one_step_method.hpp>
+#include <stagecraft/tableau.hpp>
 
 namespace stagecraft {
 
@@ -67,6 +71,38 @@ class step_between_slopes : public step_defaults<Space> {
     vector left_, right_;  // slopes at the ends of the step
     hermite_output<Space> output_;
     bool output_wanted_ = true;
+};
+
+/// The same of explicit methods that step in place, and have no tableau of stages to solve for: they serve M = 1.
+template <class Space>
+class in_place_step : public step_between_slopes<Space> {
+    using base = step_between_slopes<Space>;
+
+  public:
+    using typename base::output;
+    using typename base::scalar;
+    using typename base::vector;
+
+    /// What a checkpoint knows the method again by.
+    const tableau<scalar>& method() const { return known_as_; }
+    static constexpr bool implicit() { return false; }
+    static constexpr bool iterates() { return false; }
+    void guess(const output*, const vector&, const scalar&, output&, const scalar& = scalar(1)) {}
+
+  protected:
+    in_place_step(int n, bool room, tableau<scalar> known_as)
+        : base(n, room), known_as_(std::move(known_as)) {}
+
+    /// Throws std::invalid_argument where the problem has a mass matrix; `kind` of method.
+    template <class System>
+    static void refuse_mass([[maybe_unused]] const char* kind) {
+        if constexpr (!System::mass_type::identity)
+            throw std::invalid_argument("integrate: a " + std::string(kind) +
+                                        " method does not serve a problem with mass()");
+    }
+
+  private:
+    tableau<scalar> known_as_;
 };
 
 }  // namespace stagecraft
