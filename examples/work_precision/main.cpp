@@ -22,6 +22,7 @@ void compete_on_split_problems(const settings&, std::vector<curve>&);
 void compete_on_stabilised(const settings&, std::vector<curve>&);
 #endif
 void print_symplectic();
+int compete_on_hard_problems(const settings&);
 
 int main(int argc, char** argv) {
     settings set;
@@ -54,6 +55,9 @@ int main(int argc, char** argv) {
                  "gray-scott");
     app.add_flag("--stabilised", stabilised, "only diffusion by stabilised methods: front-2d combustion-2d");
     app.add_flag("--symplectic", symplectic, "only symplectic pairs over long times");
+    bool hard = false;
+    app.add_flag("--hard", hard,
+                 "only these of the test set for initial value problems: pump water fekete nand crank");
     CLI11_PARSE(app, argc, argv);
     if (growth) {
         print_growth();
@@ -63,6 +67,7 @@ int main(int argc, char** argv) {
         print_symplectic();
         return 0;
     }
+    if (hard) return compete_on_hard_problems(set);
     if (set.tolerances.empty())
         for (int k = 2; k <= 12; ++k) set.tolerances.push_back(std::pow(10.0, -k));
     if (!radau.empty() && !peers::open_radau(radau)) {

@@ -17,7 +17,9 @@ outcome outcome_of(const Result& r) {
             .steps = r.report.steps + r.report.rejected(),
             .f = r.report.f,
             .jacobians = r.report.jacobians,
-            .factorisations = r.report.factorisations};
+            .factorisations = r.report.factorisations,
+            .rejected = r.report.rejected(),
+            .status = std::string(name(r.status))};
 }
 
 template <class Method, class Problem>

@@ -123,8 +123,13 @@ outcome radau(radau_function solver, const Problem& problem, double rtol, double
     };
     const auto solout = [](int*, double*, double*, double*, double*, int*, int*, double*, int*, int*) {};
 
-    double t = Problem::t0, t_end = t1, h = 0, atol = rtol * Problem::atol_scale, rpar = 0;
-    int itol = 0, ijac = 1, iout = 0, ipar = 0, idid = 0;
+    Eigen::VectorXd rtols(1), atols(1);  // of all components, or of each
+    if constexpr (requires { problem.atol(rtol); })
+        rtols = Eigen::VectorXd::Constant(n, rtol), atols = problem.atol(rtol);
+    else
+        rtols[0] = rtol, atols[0] = rtol * Problem::atol_scale;
+    double t = problem.t0, t_end = t1, h = 0, rpar = 0;
+    int itol = rtols.size() > 1, ijac = 1, iout = 0, ipar = 0, idid = 0;
     int ml = n, mu = n;
     if constexpr (banded) ml = Problem::lower, mu = Problem::upper;
     int imas = 0;
@@ -139,14 +144,20 @@ outcome radau(radau_function solver, const Problem& problem, double rtol, double
     iwork[8] = iwork[9] = first_row;
     if (first_row > 0) ml = mu = n - first_row;
 
-    solver(&n, f, &t, y.data(), &t_end, &h, &rtol, &atol, &itol, jac, &ijac, &ml, &mu, mass, &imas, &mlmas,
-           &mumas, solout, &iout, work.data(), &lwork, iwork.data(), &liwork, &rpar, &ipar, &idid);
+    solver(&n, f, &t, y.data(), &t_end, &h, rtols.data(), atols.data(), &itol, jac, &ijac, &ml, &mu, mass,
+           &imas, &mlmas, &mumas, solout, &iout, work.data(), &lwork, iwork.data(), &liwork, &rpar, &ipar,
+           &idid);
     return {.y = y,
             .ok = idid == 1,
             .steps = iwork[15],
             .f = iwork[13],
             .jacobians = iwork[14],
-            .factorisations = iwork[18]};
+            .factorisations = iwork[18],
+            .rejected = iwork[15] - iwork[16],
+            .status = idid == 1    ? "success"
+                      : idid == -3 ? "step too small"
+                      : idid == -4 ? "singular matrix"
+                                   : "failure " + std::to_string(idid)};
 }
 
 }  // namespace peers

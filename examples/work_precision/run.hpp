@@ -2,12 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 /// What one run of one solver on one problem gives.
 struct outcome {
     Eigen::VectorXd y;
     bool ok = false;
     long steps = 0, f = 0, jacobians = 0, factorisations = 0;
+    long rejected = 0;   ///< of the steps
+    std::string status;  ///< why the run ended
 };
 
 template <class Problem>
