@@ -60,5 +60,6 @@ chapter turning_modes();       ///< section 5.1, AMR p. 151
 chapter splines();             ///< chapter 6
 chapter orders();              ///< chapter 6
 chapter factorisation();       ///< section 6.2
+chapter bifurcations();        ///< not of the lecture: paths from an equilibrium to doubled orbits
 
 }  // namespace boundary_values

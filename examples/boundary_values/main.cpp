@@ -19,5 +19,6 @@ int main(int argc, char** argv) {
          {"modes", turning_modes},
          {"splines", splines},
          {"orders", orders},
-         {"factorisation", factorisation}});
+         {"factorisation", factorisation},
+         {"bifurcations", bifurcations}});
 }

@@ -152,6 +152,7 @@ inline constexpr std::array words{
            "und -1 sind asymptotisch stabil, 0 ist instabil"},
     phrase{"attracting", "anziehend"},
     phrase{"decays", "klingt ab"},
+    phrase{"Hopf point", "Hopf-Punkt"},
     phrase{"after it", "danach"},
     phrase{"before Newton's iteration", "vor dem Newton-Verfahren"},
     phrase{"equilibrium", "Gleichgewichtslage"},
@@ -163,9 +164,15 @@ inline constexpr std::array words{
     phrase{"grows", "wächst"},
     phrase{"grows, then decays", "wächst und klingt dann ab"},
     phrase{"multiple shooting", "Mehrzielmethode"},
+    phrase{"orbit of twice the period", "Orbit der doppelten Periode"},
+    phrase{"period doubling", "Periodenverdopplung"},
     phrase{"periodic", "periodisch"},
+    phrase{"periodic orbit", "periodischer Orbit"},
     phrase{"repelling", "abstoßend"},
+    phrase{"stable", "stabil"},
     phrase{"start", "Start"},
+    phrase{"the highest x", "das größte x"},
+    phrase{"unstable", "instabil"},
     phrase{"zero at 0 and at", "Null in 0 und in"},
 };
 
