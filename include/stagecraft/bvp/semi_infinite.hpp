@@ -17,6 +17,7 @@
 #include <stagecraft/bvp/options.hpp>
 #include <stagecraft/bvp/result.hpp>
 #include <stagecraft/bvp/solve.hpp>
+#include <stagecraft/bvp/solve/lengthening.hpp>
 #include <stagecraft/bvp/solve/limit_state.hpp>
 #include <stagecraft/problem/to_infinity.hpp>
 
@@ -41,65 +42,6 @@ struct lengthened_guess {
         return limit(t) + exp(-rate * (t - shorter->t1())) * left;
     }
 };
-
-/// Differences between the solutions on two intervals from a on, over the shorter of them.
-template <class Result>
-struct gap_between {
-    using scalar = typename Result::scalar;
-    scalar global{0};
-    Eigen::Matrix<scalar, Eigen::Dynamic, 1> components, parameters;
-
-    gap_between(const Result& shorter, const Result& longer, const scalar& floor)
-        : components(shorter.error.components.size()), parameters(shorter.p.size()) {
-        components.setZero();
-        for (std::size_t i = 0; i + 1 < shorter.mesh.size(); ++i)
-            for (const scalar& part : {scalar(0), scalar(1) / 2}) {
-                const scalar t = shorter.mesh[i] + part * (shorter.mesh[i + 1] - shorter.mesh[i]);
-                look(shorter.y(t), longer.y(t), components, floor);
-            }
-        const scalar end = shorter.mesh.back();  // where it is most, as a rule
-        look(shorter.y(end), longer.y(end), components, floor);
-        parameters.setZero();
-        look(shorter.p, longer.p, parameters, floor);
-    }
-
-  private:
-    template <class A, class B>
-    void look(const A& a, const B& b, Eigen::Matrix<scalar, Eigen::Dynamic, 1>& largest,
-              const scalar& floor) {
-        using std::abs;
-        for (Eigen::Index c = 0; c < a.size(); ++c) {
-            const scalar d = abs(a[c] - b[c]);
-            largest[c] = std::max(largest[c], d);
-            global = std::max(global, scalar(d / (floor + abs(b[c]))));
-        }
-    }
-};
-
-inline void add_work(bvp_report& all, const bvp_report& one) {
-    all.meshes += one.meshes, all.intervals = one.intervals, all.newton_steps += one.newton_steps;
-    all.f += one.f, all.f_jacobian += one.f_jacobian, all.jacobians += one.jacobians;
-    all.factorisations += one.factorisations, all.solves += one.solves;
-    all.error_solves += one.error_solves, all.conditioning_solves += one.conditioning_solves;
-}
-
-/// The mesh of the solution on [a, T] carried on to `end` by intervals as long as the last of it, eight at most. That of
-/// several pieces, which are solved on one mesh, has the points of all of them: one in so many is left.
-template <class Scalar>
-std::vector<Scalar> lengthened_mesh(std::vector<Scalar> mesh, const Scalar& end, int most, int pieces) {
-    std::vector<Scalar> left{mesh.front()};
-    for (std::size_t i = 1; i + 1 < mesh.size(); ++i)  // times of pieces may be one in rounding
-        if (i % static_cast<std::size_t>(pieces) == 0 && mesh[i] > left.back() && mesh[i] < mesh.back())
-            left.push_back(mesh[i]);
-    left.push_back(mesh.back());
-    mesh = std::move(left);
-    const Scalar from = mesh.back(), last = from - mesh[mesh.size() - 2];
-    const int more = std::clamp(static_cast<int>((end - from) / last), 1, 8);
-    for (int k = 1; k < more; ++k) mesh.push_back(from + (end - from) * Scalar(k) / Scalar(more));
-    mesh.push_back(end);
-    if (static_cast<int>(mesh.size()) > most / pieces) mesh.clear();
-    return mesh;
-}
 
 /// One part of a problem as a tuple, to_infinity() as none.
 template <class Part>
@@ -181,8 +123,8 @@ class search_to_infinity {
         Result last;
         lengthened_guess<Guess, vector> from{guess_, nullptr, vector(), scalar(0), {}};
         vector before;  // what was left out at the end of the last one
-        int stays = 0;
-        for (int k = 0; k < 16 && stays < 2; ++k) {
+        slow_approach<scalar> seen;
+        for (int k = 0; k < 16 && !seen.stays(); ++k) {
             state_.look(end, p);
             set_tolerance(own, k == 0 ? coarse : scalar(0));
             own.conditioning = o_.conditioning && k > 0;
@@ -203,7 +145,7 @@ class search_to_infinity {
                 const scalar cut =
                     count_what_is_cut_off(now, last, part, outside, std::max(falling, scalar(0)));
                 if (now.error.global <= o_.rtol) return now;
-                stays = fallen <= scalar(0.5) ? 0 : stays + 1;
+                seen.look(height(last, last.mesh.back()), height(now, end), last.mesh.back() - a_, end - a_);
                 digits = log(20 * cut / o_.rtol + 10);
                 rate = std::clamp(falling, scalar(state_.slowest / 100), state_.slowest);
             }
@@ -216,9 +158,17 @@ class search_to_infinity {
             own.mesh = lengthened_mesh(last.mesh, end, o_.max_intervals, pieces_);
         }
         last.status = bvp_status::tolerance_not_met;
-        last.message = "the solution found on finite intervals does not approach limit as they grow" +
-                       up_to(last.mesh.back());
+        last.message = seen.in_words(state_.slowest) + up_to(last.mesh.back());
         return last;
+    }
+    /// The largest |y - limit| over the last half of [a, end], as waves pass zero.
+    scalar height(const Result& r, const scalar& end) const {
+        scalar most(0);
+        for (int k = 0; k <= 32; ++k) {
+            const scalar t = end - (end - a_) * scalar(k) / scalar(64);
+            most = std::max(most, scalar((r.y(t) - state_.limit(t, r.p)).norm()));
+        }
+        return most;
     }
     /// A fifth of the tolerance is left for what is cut off.
     void set_tolerance(bvp_options<scalar>& own, const scalar& least) const {
@@ -242,7 +192,14 @@ class search_to_infinity {
     scalar count_what_is_cut_off(Result& now, const Result& shorter, const scalar& part,
                                  const vector& outside, const scalar& falling) const {
         const scalar floor = o_.atol > scalar(0) ? scalar(o_.atol / o_.rtol) : scalar(1);
-        const gap_between<Result> gap(shorter, now, floor);
+        gap_between<Result> gap(shorter, now, floor);
+        // A wave that passes zero at the end of the shorter one leaves no gap there: what was cut off is looked for behind it.
+        for (int k = 0; k <= 16; ++k) {
+            const scalar t =
+                shorter.mesh.back() + (now.mesh.back() - shorter.mesh.back()) * scalar(k) / scalar(32);
+            const vector at = now.y(t);
+            gap.widen(state_.undecaying(t, at, now.p), at, floor);
+        }
         const scalar kept = part < scalar(0.9) ? scalar(part / (1 - part)) : scalar(10);
         const vector y = now.y(now.mesh.back());
         const scalar rate = std::max(scalar(state_.growth + falling), scalar(state_.slowest / 100));

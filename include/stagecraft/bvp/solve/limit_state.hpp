@@ -53,6 +53,10 @@ class limit_state : public directions_of_approach<typename Vector::Scalar> {
         const Vector off = y - limit_(t, p);
         return this->others * (f(t, y, p) - slope_of_limit(t, p) - this->linear * off);
     }
+    /// The part of y - limit in the directions that do not decay.
+    Vector undecaying(const scalar& t, const Vector& y, const Parameters& p) const {
+        return this->others * (y - limit_(t, p));
+    }
     /// A length over which y - limit falls to a hundredth, by the eigenvalues at its end: the conditions there are wrong by the
     /// square of what is left.
     scalar first_length(const Parameters& p) {
@@ -100,7 +104,7 @@ class limit_state : public directions_of_approach<typename Vector::Scalar> {
         std::ostringstream text;
         text.precision(2);
         const bool falls = there < scalar(0.8) * here && beyond < scalar(0.8) * there;
-        if (least > most_ && falls && falls_exponentially(twice, beyond, p)) return;
+        if (least > most_ && falls_exponentially(twice, beyond, p)) return;
         if (falls)
             text << "f(t, limit) - limit' falls like a power of t, from " << here << " at t = " << t << " to "
                  << beyond << " at t = " << twice
@@ -115,11 +119,12 @@ class limit_state : public directions_of_approach<typename Vector::Scalar> {
     }
     /// Does the defect, which is `last` at t, fall to what it may be by far more than powers of t do over twice the time?
     bool falls_exponentially(scalar t, scalar last, const Parameters& p) {
-        for (int k = 0; k < 10; ++k) {
+        scalar earlier = last;  // a wave may pass zero at one of the times
+        for (int k = 0; k < 16; ++k) {
             t = a_ + 2 * (t - a_);
             const scalar now = defect(t, p);
-            if (now <= most_) return now < last / 100;
-            last = now;
+            if (now <= most_) return now < std::max(scalar(last / 100), scalar(earlier / 10000));
+            earlier = last, last = now;
         }
         return false;
     }
