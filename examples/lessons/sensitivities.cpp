@@ -15,7 +15,7 @@ int main() {
         f << b - a, a - b - c, c;
     };
     const Vector3d y0(1, 0, 0), k(0.04, 1e4, 3e7);
-    const options o{.rtol = 1e-8, .atol = 1e-12};
+    const options<double> o{.rtol = 1e-8, .atol = 1e-12};
 
     // dy/dk, three columns at the cost of some solves a step; times k: what a per cent changes.
     const auto forward = sensitivities(radau_iia<3>(), robertson, y0, k, 0, 40, o);

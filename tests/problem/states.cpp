@@ -19,7 +19,7 @@ using std::complex;
 
 namespace {
 
-const sc::options o{.rtol = 1e-9, .atol = 1e-9};
+const sc::options<double> o{.rtol = 1e-9, .atol = 1e-9};
 const auto method = sc::radau_iia<3>();
 
 }  // namespace

@@ -109,6 +109,7 @@ class equations_of_motion<Derived, Model, Scalar, Multipliers>
         y.segment(n_, n_) = v;
         if constexpr (!sized::constant_mass<Model>) y.segment(2 * n_, n_) = a;
         y.segment(multipliers_at(), m_) = lambda;
+        static_cast<const Derived&>(*this).settle(t, y);
         return y;
     }
     /// The multiplier in a state, G there, and the forces G^T lambda of the constraints on each coordinate.
@@ -126,6 +127,8 @@ class equations_of_motion<Derived, Model, Scalar, Multipliers>
     }
 
   protected:
+    /// What a formulation changes in a consistent start: nothing.
+    void settle(double, vector&) const {}
     vector position(const vector& y) const { return y.head(n_); }
     vector velocity(const vector& y) const { return y.segment(n_, n_); }
     vector multipliers(const vector& y, int k = 0) const { return y.segment(multipliers_at() + k * m_, m_); }

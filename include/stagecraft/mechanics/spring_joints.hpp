@@ -65,21 +65,20 @@ class regularised_position_problem
         }
         throw std::runtime_error("regularised_position: no position near q carries lambda");
     }
-    /// The same with the multiplier of the constraint itself at (q, v). Of a size known at run time v is moved as well,
-    /// until the dampers rest, and q and v must satisfy the constraints to 1e-9.
-    state initial_state(const position& q, const position& v, const Scalar& t = Scalar(0)) const {
-        if constexpr (fixed_size_model<Model>) {
-            return initial_state(q, v, consistent_multiplier(this->model(), q, v, t), t);
-        } else {
-            state y = base::initial_state(q, v, t);
-            this->deflect(y, contact_.stiffness, t);
-            return y;
-        }
+    /// The same with the multiplier of the constraint itself at (q, v).
+    state initial_state(const position& q, const position& v,
+                        const Scalar& t = Scalar(0)) const requires fixed_size_model<Model> {
+        return initial_state(q, v, consistent_multiplier(this->model(), q, v, t), t);
     }
+    /// Of a size known at run time v is moved as well, until the dampers rest, and q and v must satisfy the constraints to
+    /// 1e-9.
     using base::initial_state;
     const stagecraft::contact<Scalar>& contact() const { return contact_; }
 
   private:
+    void settle(double t, Eigen::VectorXd& y) const requires sized_mechanical_model<Model> {
+        this->deflect(y, contact_.stiffness, t);
+    }
     Scalar relaxation() const { return contact_.damping / contact_.stiffness; }  // (d/c) eps^(1-kappa)
 
     template <class S, class Gradient, class State>

@@ -32,7 +32,7 @@ template <class Function, class Action = no_action>
 struct event_function {
     Function g;
     event_options options;
-    [[no_unique_address]] Action action{};
+    [[no_unique_address]] Action action;
 };
 
 /// An observer that locates events on the continuous solution. Made by events(), which says how.
