@@ -254,6 +254,8 @@ BOOST_AUTO_TEST_CASE(a_contraction_that_no_shorter_step_makes_faster_is_that_of_
     BOOST_TEST(!sc::meets_a_kink(3.0, 3.0, 2));  // shorter steps may help yet
     sc::attempts<double> tries;
     BOOST_TEST(tries.theta_of_longer() == 0);
+    sc::report<double> counts;
+    tries.unsolved(sc::status::newton_failed, counts);
     tries.shortened(2);
     BOOST_TEST(tries.theta_of_longer() == 2);
     tries.begin();

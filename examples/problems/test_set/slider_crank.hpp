@@ -12,7 +12,7 @@ namespace problems::test_set {
 /// Mazzia-Magherini 2008; Simeon 1996). M y' = f, n = 24: positions p = (crank angle, rod angle, slider, two coefficients of
 /// bending, two of stretching), velocities v, accelerations w and multipliers lambda, the last two of index 2.
 ///
-/// The values of release 2.4 of the program, whose pi has eight digits; older ones in circulation (phi_2 = -0.3311734987910881)
+/// The values are those of newer ports of the program, whose pi has eight digits; older ones in circulation (phi_2 = -0.3311734987910881)
 /// belong to pi in full and to a start with fewer digits, which violates a constraint by 1e-8.
 ///
 ///     p' = v,   v' = w,   0 = M(p) w - F(p, v) + G(p)^T lambda,   0 = G(p) v - (0, 0, omega)
