@@ -189,7 +189,8 @@ STAGECRAFT_INLINE rational simple_tau(const sampled_excess& g, double best) {
         return inside;
     };
     const double low = end(-2 * g.bound()), high = end(2 * g.bound());
-    return tableaux::simplest_between(rational_of(low + (high - low) / 3), rational_of(high - (high - low) / 3));
+    return tableaux::simplest_between(rational_of(low + (high - low) / 3),
+                                      rational_of(high - (high - low) / 3));
 }
 
 /// Whether some x excludes all tau >= t and some x all tau <= t: exactly.
