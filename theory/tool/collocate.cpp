@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "command.hpp"
 #include "embedded_collocation.hpp"
@@ -42,8 +43,9 @@ nlohmann::ordered_json as_json(const tableaux::nodal_polynomial& w, const tablea
     auto& file = out["tableau"];
     file["b_embedded"] = e->b;
     file["claims"]["embedded_order"] = std::min(e->order, 14);
-    out["embedded_note"] = e->why;
-    out["embedded_tableau"] = tool::file_of(tool::with_stage(t, *e), *e, file["name"]);
+    auto alone = tool::file_of(tool::with_stage(t, *e), *e, file["name"]);
+    out["embedded_note"] = e->why;  // an ordered object is a vector: `file` is gone now
+    out["embedded_tableau"] = std::move(alone);
     return out;
 }
 
