@@ -50,7 +50,7 @@ const Point& only(const std::vector<Point>& path, point_kind kind) {
 lecture::picture drawn(const branch& rest, const branch& once, const branch& twice,
                        const std::vector<plot::complex>& hopf, const std::vector<plot::complex>& doublings) {
     auto p = lecture::curves("bifurcations", "x^{(3)} + p x^{(2)} + x^{(1)} + x = x^2", {},
-                             {0.55, 1.2, -0.05, 0.75}, "p", "the highest x");
+                             {0.55, 1.1, -0.05, 1.05}, "p", "the highest x");
     auto& s = p.script;
     const auto lines = [&s](const branch& b, const std::string& colour, const std::string& what) {
         const std::string line = "lc rgb '" + colour + "' lw 2 title '" + what;
