@@ -37,7 +37,7 @@ class attempts {
         ++refused_.all;
         ++refused_.by_newton;
     }
-    /// A shorter step is to be tried, as the iteration of this one contracted by theta.
+    /// Behind unsolved(): a shorter step is to be tried, as the iteration of this one contracted by theta.
     void shortened(const Scalar& theta) { theta_ = theta; }
     /// How the iteration of a longer step did; 0 where there was none.
     const Scalar& theta_of_longer() const { return theta_; }
