@@ -346,9 +346,7 @@ STAGECRAFT_INLINE entry read_entry(std::string_view text, const exact_decimals& 
 
 STAGECRAFT_INLINE entry entry_from_double(double x, std::string text) {
     if (!std::isfinite(x)) throw std::invalid_argument("non-finite");
-    int exponent = 0;
-    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-    const rational value = scaled(rational(mantissa), exponent - 53);
+    const rational value = exactly(x);
     const double next = std::nextafter(std::abs(x), std::numeric_limits<double>::infinity());
     const int ulp_exponent = std::ilogb(next - std::abs(x));
     entry e;

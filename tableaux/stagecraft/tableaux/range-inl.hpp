@@ -4,6 +4,7 @@
 #include "stagecraft/tableaux/range.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,6 +39,13 @@ STAGECRAFT_INLINE integer floor(const rational& x) {
 STAGECRAFT_INLINE rational scaled(const rational& x, int k) {
     const integer power = integer(1) << (k < 0 ? -k : k);
     return k < 0 ? x / rational(power) : x * rational(power);
+}
+
+STAGECRAFT_INLINE rational exactly(double x) {
+    if (!std::isfinite(x)) throw std::invalid_argument("exactly: the number must be finite");
+    int e = 0;
+    const auto m = static_cast<long long>(std::ldexp(std::frexp(x, &e), 53));
+    return scaled(rational(m), e - 53);
 }
 
 STAGECRAFT_INLINE rational simplest_between(const rational& low, const rational& high) {

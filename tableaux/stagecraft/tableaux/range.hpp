@@ -37,6 +37,9 @@ integer floor(const rational& x);
 /// x times 2^k.
 rational scaled(const rational& x, int k);
 
+/// The rational number that a finite double is. Throws std::invalid_argument for an infinity or a NaN.
+rational exactly(double x);
+
 /// The simplest rational in [low, high], low <= high (the one with the least denominator, and among those the one
 /// nearest to 0), by continued fractions.
 rational simplest_between(const rational& low, const rational& high);

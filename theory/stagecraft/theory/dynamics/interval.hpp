@@ -16,13 +16,7 @@
 
 namespace stagecraft::theory {
 
-/// The rational number that a finite double is. Throws std::invalid_argument for an infinity or a NaN.
-inline tableaux::rational exactly(double x) {
-    if (!std::isfinite(x)) throw std::invalid_argument("exactly: the number must be finite");
-    int e = 0;
-    const auto m = static_cast<long long>(std::ldexp(std::frexp(x, &e), 53));
-    return tableaux::scaled(tableaux::rational(m), e - 53);
-}
+using tableaux::exactly;
 
 /// A closed interval [low, high] of doubles that contains every result of its operands: the number in which a
 /// right-hand side is enclosed on a box. Ends are computed to nearest and moved outwards where that was not

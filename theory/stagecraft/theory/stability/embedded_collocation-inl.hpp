@@ -172,12 +172,6 @@ STAGECRAFT_INLINE double best_tau(const sampled_excess& g) {
     return (left + right) / 2;
 }
 
-STAGECRAFT_INLINE rational rational_of(double x) {
-    int exponent = 0;
-    const double m = std::frexp(x, &exponent);
-    return tableaux::scaled(rational(static_cast<long long>(std::ldexp(m, 53))), exponent - 53);
-}
-
 /// The number of least denominator in the middle third of the interval around `best` on which the least value is >= 0.
 STAGECRAFT_INLINE rational simple_tau(const sampled_excess& g, double best) {
     const auto end = [&](double outside) {
@@ -189,8 +183,8 @@ STAGECRAFT_INLINE rational simple_tau(const sampled_excess& g, double best) {
         return inside;
     };
     const double low = end(-2 * g.bound()), high = end(2 * g.bound());
-    return tableaux::simplest_between(rational_of(low + (high - low) / 3),
-                                      rational_of(high - (high - low) / 3));
+    return tableaux::simplest_between(tableaux::exactly(low + (high - low) / 3),
+                                      tableaux::exactly(high - (high - low) / 3));
 }
 
 /// Whether some x excludes all tau >= t and some x all tau <= t: exactly.
@@ -213,7 +207,7 @@ STAGECRAFT_INLINE std::optional<rational_polynomial> l_stable_numerator(const ra
     const double radius = std::pow(std::abs(q.leading().to<double>()), -1.0 / d);
     const sampled_excess g(e, radius);
     const double best = best_tau(g);
-    if (none_is_proved(e, g, rational_of(best))) return {};
+    if (none_is_proved(e, g, tableaux::exactly(best))) return {};
     if (g.least(best) > 0) {
         std::vector<rational> p = p0.coefficients();
         p.resize(static_cast<std::size_t>(d), rational(0));

@@ -43,6 +43,18 @@ struct coloured_method {
     column c;
 };
 
+/// M v, sum by sum.
+template <class K>
+typename coloured_method<K>::column product_of(const typename coloured_method<K>::matrix& M,
+                                               const typename coloured_method<K>::column& v) {
+    typename coloured_method<K>::column product(v.size());
+    for (Eigen::Index i = 0; i < v.size(); ++i) {
+        product[i] = M(i, 0) * v[0];
+        for (Eigen::Index j = 1; j < v.size(); ++j) product[i] = product[i] + M(i, j) * v[j];
+    }
+    return product;
+}
+
 /// visit(row, weight) for each tree with a condition, by the number of vertices: the elementary weight
 /// b^T phi, which the condition wants to be 1/gamma (gamma does not depend on the colours: Hairer-Norsett-
 /// Wanner I.II.15, Theorem 15.9, and II.14, Theorem 14.10). A vertex multiplies A phi of its children, each
@@ -51,14 +63,6 @@ template <class K, class Visit>
 void visit_coloured_trees(const coloured_method<K>& m, const tree_view& trees, Visit&& visit) {
     using column = typename coloured_method<K>::column;
     const auto s = m.b.front().size();
-    const auto times_a = [&](std::size_t colour, const column& v) {
-        column product(s);
-        for (Eigen::Index i = 0; i < s; ++i) {
-            product[i] = m.A[colour](i, 0) * v[0];
-            for (Eigen::Index j = 1; j < s; ++j) product[i] = product[i] + m.A[colour](i, j) * v[j];
-        }
-        return product;
-    };
     column one(s);
     for (Eigen::Index i = 0; i < s; ++i) one[i] = K(1);
     std::vector<column> stages, branches;  // phi and A phi, by row of the table
@@ -79,7 +83,7 @@ void visit_coloured_trees(const coloured_method<K>& m, const tree_view& trees, V
         for (Eigen::Index i = 1; i < s; ++i) weight = weight + m.b[colour][i] * phi[i];
         if (!visit(row, weight)) return;
         if (t.order == trees.max_order) continue;
-        branches.push_back(times_a(colour, phi));
+        branches.push_back(product_of<K>(m.A[colour], phi));
         stages.push_back(std::move(phi));
     }
 }

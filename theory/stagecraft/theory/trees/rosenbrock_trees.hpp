@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "stagecraft/theory/trees/coloured_trees.hpp"
+
 /// The trees of Rosenbrock and W methods, and their conditions.
 ///
 ///     k_i = h f(y_0 + sum_j alpha_ij k_j) + h T sum_j Gamma_ij k_j,   y_1 = y_0 + sum_i b_i k_i
@@ -76,18 +78,6 @@ struct rosenbrock_method {
 
     Eigen::Index stages() const { return b.size(); }
 };
-
-/// M v, sum by sum.
-template <class K>
-typename rosenbrock_method<K>::column product_of(const typename rosenbrock_method<K>::matrix& M,
-                                                 const typename rosenbrock_method<K>::column& v) {
-    typename rosenbrock_method<K>::column r(v.size());
-    for (Eigen::Index i = 0; i < v.size(); ++i) {
-        r[i] = M(i, 0) * v[0];
-        for (Eigen::Index j = 1; j < v.size(); ++j) r[i] = r[i] + M(i, j) * v[j];
-    }
-    return r;
-}
 
 /// visit(row, weight) for the trees, level by level: the elementary weight b^T phi. An only child enters by beta, others by alpha; with
 /// an arbitrary matrix a meagre vertex always takes alpha and a fat one Gamma; of index 1 a fat vertex takes omega of the product.
