@@ -6,6 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/theory/judging/rosenbrock_report.hpp>
+#include <stagecraft/theory/plot/method_data.hpp>
 #include <stagecraft/theory/trees/rosenbrock_trees.hpp>
 #include <string>
 #include <vector>
@@ -175,4 +177,39 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_file_is_said_with_line_and_entry) {
         "line 1, claims.symplectic: is not judged of a Rosenbrock method");
     BOOST_TEST(complaint(R"({"A":[["0"]],"b":["1"],"claims":{"w_order":1}})") ==
                "line 1, claims.w_order: only a method of the form \"rosenbrock\" has one");
+}
+
+BOOST_AUTO_TEST_CASE(stability_and_pictures_are_those_of_beta_and_b) {
+    const auto file_of = [](const std::string& name) {
+        return std::get<tableaux::partitioned_file>(tableaux::read_method_file(folder + name + ".json"));
+    };
+    // Hairer-Wanner II, table IV.7.2 has 89.3 and 89.5 degrees for the first two.
+    const auto sector = [&](const char* name) {
+        const auto claims = theory::stability_report(file_of(name)).front().claims;
+        return std::find_if(claims.begin(), claims.end(),
+                            [](const theory::claim& c) { return c.statement.starts_with("A(alpha)"); })
+            ->statement;
+    };
+    BOOST_TEST(sector("grk4t").starts_with("A(alpha)-stable up to 89.3541"));
+    BOOST_TEST(sector("veldhuizen_4_3_d_stable").starts_with("A(alpha)-stable up to 89.49"));
+    BOOST_TEST(sector("ros3p") == "A(alpha)-stable up to 90 degrees");
+    BOOST_TEST(theory::text(theory::stability_report(file_of("ros2")))
+                   .find("embedded method: stability function\n  R(z) = (-1/2*sqrt(2)*z + 1)/") !=
+               std::string::npos);
+
+    // RODAS3 at z = -1 by its stages, in doubles, as its file gives them transformed: (1/gamma - z) u = ... (there, IV.7).
+    const auto drawn = theory::plot::subject_of_file(file_of("rodas3"));
+    const double gamma = 0.5, z = -1;
+    const double a[4][4] = {{}, {}, {2}, {2, 0, 1}}, C[4][4] = {{}, {4}, {1, -1}, {1, -1, -8. / 3}},
+                 m[4] = {2, 0, 1, 1};
+    double u[4], end = 1;
+    for (int i = 0; i < 4; ++i) {
+        double stage = 1, sum = 0;
+        for (int j = 0; j < i; ++j) stage += a[i][j] * u[j], sum += C[i][j] * u[j];
+        u[i] = (z * stage + sum) / (1 / gamma - z);
+        end += m[i] * u[i];
+    }
+    BOOST_TEST(drawn.r(z).real() == end, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(message([&] { theory::plot::subject_of_file(file_of("../pairs/ark3")); }) ==
+               "form: 'additive', of several tableaux only a Rosenbrock method has one stability function");
 }

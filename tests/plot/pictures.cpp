@@ -176,6 +176,13 @@ BOOST_AUTO_TEST_CASE(regions_are_written_for_latex) {
     BOOST_TEST(count(several, "$|R| \\le 1$ of ") == 5);
     BOOST_TEST(count(several, "dash pattern=on 10pt off 4pt") >= 2);  // in the picture and the legend
     BOOST_TEST(count(several, "\\definecolor") == 6);                 // three lines and three shades
+    // Of few digits every coefficient counts, also those that are smaller than a thousand roundings: five zeros.
+    const fs::path few = f.path / "few_digits.json";
+    std::ofstream(few) << R"({"form": "2N", "A": ["0", "-1.0", "-1.55798", "-1.0", "-0.45031"],
+                             "B": ["0.2", "0.83204", "0.6", "0.35394", "0.2"]})";
+    BOOST_TEST(count(written("'" + few.string() + "'"), "{$\\circ$};") == 5);
+    BOOST_TEST(run(f, "order-star '" + few.string() + "' -o '" + latex.string() + ".svg'").messages ==
+               "stagecraft: order-star: the digits are too few to tell R from the exponential near 0\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_gnuplot_is_a_clear_message) {

@@ -15,6 +15,7 @@
 #include "stagecraft/theory/judging/nearest_family-inl.hpp"
 #include "stagecraft/theory/judging/other_readings-inl.hpp"
 #include "stagecraft/theory/judging/resolution-inl.hpp"
+#include "stagecraft/theory/judging/rosenbrock_report-inl.hpp"
 #include "stagecraft/theory/judging/rosenbrock_suspects-inl.hpp"
 #include "stagecraft/theory/judging/spectrum_json-inl.hpp"
 #include "stagecraft/theory/judging/suspects-inl.hpp"

@@ -73,11 +73,15 @@ anything read(const arguments& a, const tool::method_words& m) {
     }
     tool::require_no_stages(m.stages);
     const auto file = tableaux::read_method_file(m.method, a.entries.reading());
-    if (const auto* several = std::get_if<tableaux::partitioned_file>(&file)) {
+    const auto* several = std::get_if<tableaux::partitioned_file>(&file);
+    const bool rosenbrock = several && several->coupling == tableaux::coupling::rosenbrock;
+    if (rosenbrock && a.kind == "tableau")
+        throw std::invalid_argument("kind: tableau is drawn of methods of one tableau");
+    if (several && !rosenbrock) {
         if (a.kind != "region") throw std::invalid_argument("kind: of several tableaux only region is drawn");
         return coupled_function(a, *several, m.method);
     }
-    plot::subject one = plot::subject_of_file(std::get<tableaux::tableau_file>(file));
+    plot::subject one = std::visit([](const auto& f) { return plot::subject_of_file(f); }, file);
     if (one.name.empty()) one.name = m.method;
     return one;
 }
@@ -85,7 +89,7 @@ anything read(const arguments& a, const tool::method_words& m) {
 plot::named_function function_of(const anything& m) {
     if (const auto* pair = std::get_if<plot::named_function>(&m)) return *pair;
     const auto& one = std::get<plot::subject>(m);
-    return {one.name, one.data.r};
+    return {one.name, one.r};
 }
 
 /// The regions of all of them in one window; of one with zeros, poles and R in the title.
@@ -103,11 +107,15 @@ picture region_figure(const arguments& a, const std::vector<anything>& methods) 
 
 picture picture_of(const arguments& a, const plot::subject& m) {
     const std::optional<plot::window> view = window_of(a);
-    if (a.kind == "order-star")
-        return {plot::order_star_picture(m.name, m.data, view ? *view : m.data.natural_window(), m.r_text)};
+    if (a.kind == "order-star") {
+        if (!m.order_star)
+            throw std::invalid_argument(
+                "order-star: the digits are too few to tell R from the exponential near 0");
+        return {plot::order_star_picture(m.name, *m.order_star, view ? *view : m.order_star->natural_window(),
+                                         m.r_text)};
+    }
     if (view) throw std::invalid_argument("window: only region and order-star have one");
-    if (a.kind == "E-polynomial")
-        return {plot::e_polynomial_picture(m.name, m.data.r, m.e_polynomial, m.e_text)};
+    if (a.kind == "E-polynomial") return {plot::e_polynomial_picture(m.name, m.r, m.e_polynomial, m.e_text)};
     return {plot::tableau_picture(m.name, m.tableau)};
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <iostream>
 #include <memory>
-#include <stagecraft/tableaux/read.hpp>
+#include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/theory/judging/family_report.hpp>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "clock.hpp"
@@ -37,17 +38,18 @@ void run(const stability_request& r) {
                      {});
     }
     tool::require_no_stages(r.stages);
-    const auto file = tableaux::read_tableau_file(r.method, r.entries.reading());
+    const auto file = tableaux::read_method_file(r.method, r.entries.reading());
     const tableaux::time_share share(tool::seconds_for_decisions());
-    print(file.name, tool::stability_report(file), r.json, tableaux::to_json(file));
+    const auto report = tool::stability_report(file);
+    std::visit([&](const auto& f) { print(f.name, report, r.json, tableaux::to_json(f)); }, file);
 }
 
 const tool::command stability{[](CLI::App& app) {
     const auto request = std::make_shared<stability_request>();
-    auto* command = app.add_subcommand(
-        "stability",
-        "Decide every notion of stability and the DAE orders of a family's member or an exact tableau file; "
-        "of a rounded one what enclosures say");
+    auto* command = app.add_subcommand("stability",
+                                       "Decide every notion of stability and the DAE orders of a family's "
+                                       "member or an exact tableau file, a Rosenbrock "
+                                       "method's too; of a rounded one what enclosures say");
     command->add_option("METHOD", request->method, "a family (see `families`) or a tableau file (JSON)")
         ->required();
     command->add_option("S", request->stages, "number of stages of the family's member, at most 30");

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/tableaux/tableau_json.hpp>
 #include <stagecraft/tableaux/time_share.hpp>
 #include <stagecraft/theory/judging/enclosed_report.hpp>
 #include <stagecraft/theory/judging/family_report.hpp>
+#include <stagecraft/theory/judging/rosenbrock_report.hpp>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace stagecraft::tool {
@@ -22,6 +25,11 @@ inline std::vector<theory::report_section> stability_report(const tableaux::tabl
         } catch (const tableaux::out_of_time&) {
         }
     return theory::enclosed_stability_report(enclosed);
+}
+
+inline std::vector<theory::report_section> stability_report(const tableaux::method_file& file) {
+    if (const auto* one = std::get_if<tableaux::tableau_file>(&file)) return stability_report(*one);
+    return theory::stability_report(std::get<tableaux::partitioned_file>(file));
 }
 
 /// What `stability --json` prints; the tableau of a file, or null.

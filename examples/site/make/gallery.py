@@ -52,9 +52,10 @@ def block(text, language="text"):
     return f"```{language}\n{text}\n```\n"
 
 
-def pictures(site, page, argument, name):
+def pictures(site, page, argument, name, kinds=KINDS):
     out = []
-    for kind, said in KINDS.items():
+    for kind in kinds:
+        said = KINDS[kind]
         window = "" if kind == "E-polynomial" else f" --window={WINDOW}"
         drawn = site.picture(f"stagecraft plot {kind} {argument}{window} -o picture.svg", f"{name}, {said}")
         if drawn:
@@ -75,9 +76,10 @@ def method_page(site, path):
     if tableau:
         text += ["## Tableau\n", tableau]
     text += ["## Certificate\n", block(site.run(f"stagecraft certify {path}", {0, 1, 3}))]
-    if not several:
+    rosenbrock = method.get("form") == "rosenbrock"  # the region only: a picture is as large as a page
+    if rosenbrock or not several:
         text += ["## Stability\n", block(site.run(f"stagecraft stability {path}", {0, 1, 3})),
-                 "## Pictures\n", pictures(site, page, path, method["name"])]
+                 "## Pictures\n", pictures(site, page, path, method["name"], ["region"] if rosenbrock else KINDS)]
     text += ["## The file\n", f"`{path}`, for `certify`, `plot` and `read_tableau_file`:\n",
              block((site.repository / path).read_text().rstrip(), "json")]
     return page, "\n".join(text)
@@ -122,7 +124,7 @@ def judged(site, paths, page_of):
 def pages(site):
     """Writes the pages; {file: page} of the methods."""
     names = sorted(str(p.relative_to(site.repository)) for p in (site.repository / "tableaux").glob("*/*.json")
-                   if p.parent.name in ("catalogue", "pairs", "dense"))
+                   if p.parent.name in ("catalogue", "pairs", "dense", "rosenbrock"))
     families = {line.split()[0]: int(re.search(r"s >= (\d+)", line).group(1))
                 for line in site.run("stagecraft families").split("\n")}
     members = [(f, s) for f, least in families.items() for s in range(least, MOST_STAGES + 1)]
@@ -135,7 +137,7 @@ def pages(site):
     page_of_name = {json.loads((site.repository / path).read_text())["name"]: page for path, page in page_of.items()}
     table = re.sub(r"\|[^|]*\|$", "|", site.run("stagecraft table tableaux/catalogue"), flags=re.M)  # sources stand on the pages
     site.generated["methods"] = sortable(links(table, page_of_name))
-    for folder in "pairs", "dense":
+    for folder in "pairs", "dense", "rosenbrock":
         site.generated[folder] = sortable(judged(site, [p for p in names if p.startswith(f"tableaux/{folder}/")], page_of))
     rows = ["| method | order | by |", "|---|---|---|"]
     for (family, s), (page, _) in zip(members, of_families):

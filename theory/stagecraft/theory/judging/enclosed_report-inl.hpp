@@ -152,11 +152,11 @@ STAGECRAFT_INLINE std::vector<claim> enclosed_phase_errors(const enclosed_stabil
     return all;
 }
 
-/// What the stability function and the theorems that need it say, each within its share of the time.
-STAGECRAFT_INLINE void add_function_claims(const subject<ball>& s, const enclosed_stability_function& f,
-                                           report_section& function, report_section& dae) {
+STAGECRAFT_INLINE std::vector<claim> enclosed_function_claims(const subject<ball>& s,
+                                                              const enclosed_stability_function& f) {
+    std::vector<claim> all;
     const auto add = [&](const char* statement, auto decide) {
-        function.claims.push_back(claimed_in_its_time(statement, 0.3, decide));
+        all.push_back(claimed_in_its_time(statement, 0.3, decide));
     };
     add("R(infinity)", [&] { return enclosed_limit(s, f); });
     add("A(alpha)-stable", [&] { return enclosed_sector(s, f); });
@@ -165,28 +165,40 @@ STAGECRAFT_INLINE void add_function_claims(const subject<ball>& s, const enclose
     if (f.degree == 0)
         for (auto& c : within_its_time(0.3, [&] { return enclosed_phase_errors(f); },
                                        {{"dispersion", verdict::undecided(out_of_its_time)}}))
-            function.claims.push_back(std::move(c));
+            all.push_back(std::move(c));
+    return all;
+}
+
+STAGECRAFT_INLINE report_section enclosed_function_section(const subject<ball>& s,
+                                                           std::optional<enclosed_stability_function>& f) {
+    f = within_its_time(
+        0.3, [&] { return std::optional(stability_function_of(s)); }, std::nullopt);
+    report_section section{"stability function, by enclosures",
+                           {{"R(z)", verdict::undecided(out_of_its_time)}}};
+    if (f) section.claims = enclosed_function_claims(s, *f);
+    return section;
+}
+
+/// Orders by the theorems that apply.
+STAGECRAFT_INLINE report_section enclosed_dae_section(const subject<ball>& s,
+                                                      const enclosed_stability_function& f) {
     const auto predict = [&]() -> std::vector<claim> {
         const auto m = enclosed_traits_of(s, f);
         return {enclosed_prediction("index 1", predict_index1(m.traits), m),
                 enclosed_prediction("index 2", predict_index2(m.traits), m),
                 enclosed_prediction("index 3", predict_index3(m.traits), m)};
     };
-    dae.claims = within_its_time(0.3, predict, {{"orders", verdict::undecided(out_of_its_time)}});
+    return {"differential-algebraic problems, by enclosures",
+            within_its_time(0.3, predict, {{"orders", verdict::undecided(out_of_its_time)}})};
 }
 
 }  // namespace detail
 
 STAGECRAFT_INLINE std::vector<report_section> enclosed_stability_report(const subject<ball>& s) {
-    report_section function{"stability function, by enclosures", {}};
+    std::optional<enclosed_stability_function> f;
+    std::vector<report_section> all{detail::enclosed_function_section(s, f)};
+    if (f) all.push_back(detail::enclosed_dae_section(s, *f));
     report_section method{"tableau, by enclosures", {}};
-    report_section dae{"differential-algebraic problems, by enclosures", {}};
-    const auto f = detail::within_its_time(
-        0.3, [&] { return std::optional(stability_function_of(s)); }, std::nullopt);
-    if (f)
-        detail::add_function_claims(s, *f, function, dae);
-    else
-        function.claims = {{"R(z)", verdict::undecided(detail::out_of_its_time)}};
     for (const auto& [property, member] : tableaux::yes_no_claims)
         method.claims.push_back({std::string(property), detail::in_its_time(0.3, [&, name = property] {
                                      return property_of(s, name);
@@ -194,8 +206,8 @@ STAGECRAFT_INLINE std::vector<report_section> enclosed_stability_report(const su
     if (s.stages() <= 16)
         method.claims.push_back(
             detail::claimed_in_its_time("SSP radius", 0.5, [&] { return enclosed_ssp_radius(s); }));
-    if (!f) return {std::move(function), std::move(method)};
-    return {std::move(function), std::move(method), std::move(dae)};
+    all.insert(all.begin() + 1, std::move(method));
+    return all;
 }
 
 }  // namespace stagecraft::theory

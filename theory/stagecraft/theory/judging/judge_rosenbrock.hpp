@@ -7,6 +7,7 @@
 #include <stagecraft/tableaux/read_partitioned.hpp>
 #include <stagecraft/theory/judging/judge_claims.hpp>
 #include <stagecraft/theory/judging/judge_coupling.hpp>
+#include <stagecraft/theory/stability/rosenbrock_function.hpp>
 #include <stagecraft/theory/trees/rosenbrock_trees.hpp>
 #include <string>
 #include <string_view>
@@ -18,13 +19,6 @@
 namespace stagecraft::theory {
 
 namespace detail {
-
-/// The product of a row and a matrix.
-template <class K>
-typename rosenbrock_method<K>::column row_times(const typename rosenbrock_method<K>::column& row,
-                                                const typename rosenbrock_method<K>::matrix& M) {
-    return product_of<K>(M.transpose(), row);
-}
 
 /// The inverse of a lower triangular matrix; empty where a diagonal entry may be 0.
 template <class K>
@@ -42,37 +36,9 @@ typename rosenbrock_method<K>::matrix lower_inverse(const typename rosenbrock_me
     return inverse;
 }
 
-/// Gamma from C = diag(1/gamma_i) - Gamma^{-1}, with gamma on the diagonal of what is given: row by row and without a division.
-template <class K>
-typename rosenbrock_method<K>::matrix untransformed(const typename rosenbrock_method<K>::matrix& C) {
-    const auto s = C.rows();
-    typename rosenbrock_method<K>::matrix Gamma(s, s);
-    for (Eigen::Index i = 0; i < s; ++i)
-        for (Eigen::Index j = 0; j < s; ++j) {
-            K sum(i == j ? 1 : 0);
-            for (Eigen::Index k = j; k < i; ++k) sum = sum + C(i, k) * Gamma(k, j);
-            Gamma(i, j) = j > i ? K(0) : K(C(i, i) * sum);
-        }
-    return Gamma;
-}
-
-/// The method that the file gives, in alpha, Gamma and b (Hairer-Wanner II.IV.7): a = alpha Gamma^{-1} and m^T = b^T Gamma^{-1}.
 template <class K>
 rosenbrock_method<K> rosenbrock_of(const coupled_subject<K>& s) {
-    const auto& file = *s.file;
-    const auto &values = s.partners[0].t, &matrix = s.partners[1].t;
-    rosenbrock_method<K> m{values.A, matrix.A, {}, {}, values.b, values.b_embedded};
-    if (file.difference)
-        for (Eigen::Index i = 0; i < m.b.size(); ++i) m.b_embedded[i] = m.b[i] - m.b_embedded[i];
-    if (file.transformed) {
-        m.Gamma = untransformed<K>(matrix.A);
-        for (Eigen::Index i = 0; i < m.b.size(); ++i)
-            m.alpha.row(i) = row_times<K>(values.A.row(i).transpose(), m.Gamma).transpose();
-        m.b = row_times<K>(m.b, m.Gamma);
-        if (m.b_embedded.size() > 0) m.b_embedded = row_times<K>(m.b_embedded, m.Gamma);
-    }
-    m.beta = m.alpha + m.Gamma;
-    return m;
+    return theory::rosenbrock_of(*s.file, s.partners[0].t, s.partners[1].t);
 }
 
 /// alpha or Gamma as a tableau whose c, where they are given, are to be the row sums.
@@ -83,13 +49,10 @@ subject<K> with_row_sums(const coupled_subject<K>& s, const rosenbrock_method<K>
     return one;
 }
 
-/// beta and b, which have the stability function of the method.
+/// The linear part as a tableau on trial.
 template <class K>
-subject<K> linear_part(const rosenbrock_method<K>& m) {
-    subject<K> s{{}, false, true, true};
-    s.t.A = m.beta;
-    s.t.b = m.b;
-    s.t.c = product_of<K>(m.beta, ones<K>(m.stages()));
+subject<K> linear_subject(const rosenbrock_method<K>& m) {
+    subject<K> s{linear_part(m), false, true, true};
     for (Eigen::Index i = 0; i < m.stages(); ++i)
         s.strictly_lower = s.strictly_lower && !certainly_nonzero(m.beta(i, i));
     return s;
@@ -210,7 +173,7 @@ void judge_times(const coupled_subject<K>& s, const rosenbrock_method<K>& m, fil
 /// (Hairer-Wanner II.IV.7).
 template <class K>
 verdict rosenbrock_property(const rosenbrock_method<K>& m, std::string_view property) {
-    const auto linear = linear_part(m);
+    const auto linear = linear_subject(m);
     const verdict v = property_of(linear, property);
     if (property != "stiffly_accurate") return v;
     if (v.is_refuted() && v.reason().starts_with("A["))

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <initializer_list>
+#include <stdexcept>
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/rounded.hpp"
 #include "stagecraft/tableaux/tableau_file.hpp"
 #include "stagecraft/theory/models/legendre_model.hpp"
+#include "stagecraft/theory/stability/rosenbrock_function.hpp"
 
 namespace stagecraft::theory::plot {
 
@@ -24,11 +27,19 @@ polynomial<K> without_noise(const polynomial<K>& p, const K& noise) {
     return polynomial<K>(std::move(v));
 }
 
+/// Coefficients of P and Q up to one part in so many are zeros that rounding has moved: larger ones are seen in a picture.
+inline constexpr int parts_of_moved_zero = 100'000'000;
+
 template <class K>
 subject subject_of(std::string name, const stability_function<K>& exact, const K& noise = K(0)) {
-    const stability_function<K> r{without_noise(exact.numerator, noise),
-                                  without_noise(exact.denominator, noise)};
-    subject m{std::move(name), star_of(r, noise), {}, short_enough("R(z) = " + r.text()), {}, {}};
+    const K moved = std::min(noise, K(tableaux::rational(1, parts_of_moved_zero)));
+    const stability_function<K> r{without_noise(exact.numerator, moved),
+                                  without_noise(exact.denominator, moved)};
+    subject m{std::move(name), in_doubles(r), {}, {}, short_enough("R(z) = " + r.text()), {}, {}};
+    try {
+        m.order_star = star_of(r, noise);
+    } catch (const std::invalid_argument&) {  // rounding hides the difference to the exponential
+    }
     const auto e = without_noise(e_polynomial(r), noise);
     for (const K& a : e.coefficients()) m.e_polynomial.push_back(to_double(a));
     m.e_text = short_enough("E(y) = " + to_string(e, "y"));
@@ -60,6 +71,26 @@ STAGECRAFT_INLINE std::string shown(const tableaux::entry& e) {
     return text;
 }
 
+inline tableaux::quadratic exact_value(const tableaux::entry& e) { return *e.exact; }
+inline tableaux::rational middle_value(const tableaux::entry& e) { return e.enclosure.middle(); }
+
+/// R exactly, or over the middles of the entries with what their rounding makes of zeros left out; `tableau_in(convert)` is the
+/// tableau that has R, over the numbers that `convert` makes of entries.
+template <class File, class Make>
+subject subject_of_entries(const File& file, std::initializer_list<const tableaux::tableau_file*> tableaux_of,
+                           Make tableau_in) {
+    using tableaux::number_kind, tableaux::rational;
+    if (file.kind() == number_kind::quadratic)
+        return subject_of(file.name, stability_function_of(tableau_in(exact_value)));
+    rational noise = 0;
+    if (file.kind() > number_kind::quadratic)
+        for (const auto* t : tableaux_of)
+            t->for_each_entry([&](const tableaux::entry& e) {
+                noise = std::max(noise, rational(1000) * e.enclosure.width());
+            });
+    return subject_of(file.name, stability_function_of(tableau_in(middle_value)), noise);
+}
+
 }  // namespace detail
 
 STAGECRAFT_INLINE subject subject_of_family(tableaux::family f, int s) {
@@ -87,19 +118,21 @@ STAGECRAFT_INLINE subject subject_of_family(tableaux::family f, int s) {
     return m;
 }
 
+STAGECRAFT_INLINE subject subject_of_file(const tableaux::partitioned_file& file) {
+    require_rosenbrock(file);
+    const auto &values = file.partners[0], &matrix = file.partners[1];
+    return detail::subject_of_entries(
+        file, {&values, &matrix}, [&]<class K>(K (*in)(const tableaux::entry&)) {
+            return linear_part(rosenbrock_of(file, tableaux::to_tableau<K>(values, in),
+                                             tableaux::to_tableau<K>(matrix, in)));
+        });
+}
+
 STAGECRAFT_INLINE subject subject_of_file(const tableaux::tableau_file& file) {
-    using tableaux::number_kind, tableaux::quadratic, tableaux::rational;
-    const auto middle = [](const tableaux::entry& e) { return e.enclosure.middle(); };
-    rational noise = 0;
-    if (file.kind() > number_kind::quadratic)
-        file.for_each_entry(
-            [&](const tableaux::entry& e) { noise = std::max(noise, rational(1000) * e.enclosure.width()); });
-    subject m =
-        file.kind() == number_kind::quadratic
-            ? detail::subject_of(file.name, stability_function_of<quadratic>(tableaux::to_quadratic(file)))
-            : detail::subject_of(
-                  file.name, stability_function_of<rational>(tableaux::to_tableau<rational>(file, middle)),
-                  noise);
+    const auto middle = detail::middle_value;
+    subject m = detail::subject_of_entries(file, {&file}, [&]<class K>(K (*in)(const tableaux::entry&)) {
+        return tableaux::to_tableau<K>(file, in);
+    });
     for (const auto& row : file.A) {
         m.tableau.A.emplace_back();
         m.tableau.values.emplace_back();
