@@ -228,9 +228,7 @@ class search_for_connection {
         const gap_between<result> gap(shorter, now, floor);
         const scalar direct = cut[0] + cut[1], was = before[0] + before[1];
         const scalar part = was > scalar(0) ? std::min(scalar(direct / was), scalar(0.9)) : scalar(0.9);
-        const scalar kept = part / (1 - part), errors = 2 * (shorter.error.global + now.error.global);
-        const scalar excess = std::max(scalar(gap.global - errors), scalar(0));
-        const scalar all = std::max(direct, scalar(kept * excess));
+        const scalar kept = part / (1 - part), all = std::max(direct, scalar(kept * gap.beyond_errors()));
         now.error.global += all;
         for (Eigen::Index i = 0; i < now.error.components.size(); ++i)
             now.error.components[i] += std::max(direct, scalar(kept * gap.components[i]));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -30,10 +31,10 @@ template <class Guess, class Vector>
 struct lengthened_guess {
     using scalar = typename Vector::Scalar;
     const Guess& given;
-    const solution<Vector>* shorter;
-    Vector left;  ///< of y - limit, at the end of the shorter one
-    scalar rate;
-    std::function<Vector(const scalar&)> limit;
+    const solution<Vector>* shorter = nullptr;
+    Vector left{};  ///< of y - limit, at the end of the shorter one
+    scalar rate{0};
+    std::function<Vector(const scalar&)> limit{};
 
     Vector operator()(const scalar& t) const {
         using std::exp;
@@ -116,15 +117,20 @@ class search_to_infinity {
     }
 
   private:
+    struct tail {
+        scalar height{0};  ///< the largest |y - limit|
+        vector outside;    ///< of what drives the directions that do not decay, over the last sixteenth
+    };
+
     Result lengthen(parameters p, scalar end, const scalar& coarse) {
         using std::log;
         bvp_options<scalar> own = o_;
         if (!own.mesh.empty() && own.mesh.back() != end) own.mesh.clear();
         Result last;
-        lengthened_guess<Guess, vector> from{guess_, nullptr, vector(), scalar(0), {}};
-        vector before;  // what was left out at the end of the last one
-        slow_approach<scalar> seen;
-        for (int k = 0; k < 16 && !seen.stays(); ++k) {
+        lengthened_guess<Guess, vector> from{guess_};
+        tail before;  // of the last one
+        slow_approach<scalar> approach;
+        for (int k = 0; k < 16 && !approach.stays(); ++k) {
             state_.look(end, p);
             set_tolerance(own, k == 0 ? coarse : scalar(0));
             own.conditioning = o_.conditioning && k > 0;
@@ -135,21 +141,24 @@ class search_to_infinity {
                 return now;
             }
             scalar digits = std::max(scalar(log(scalar(100))), scalar(-log(o_.rtol) / 2 - first_digits));
-            const vector left = now.y(end) - state_.limit(end, now.p), outside = left_out(now, end);
+            const vector left = now.y(end) - state_.limit(end, now.p);
             scalar rate = state_.slowest;
-            if (k > 0) {
-                const scalar length = end - last.mesh.back(), fallen = left.norm() / from.left.norm();
-                scalar part = outside.norm() / before.norm();
+            std::optional<gap_between<Result>> gap;
+            if (k > 0) gap.emplace(last, now, o_.atol > scalar(0) ? scalar(o_.atol / o_.rtol) : scalar(1));
+            const tail seen = look(now, end, gap);
+            if (gap) {
+                const scalar length = end - gap->end, fallen = left.norm() / from.left.norm();
+                scalar part = seen.outside.norm() / before.outside.norm();
                 if (integrals_ && !(part > fallen)) part = fallen;
                 const scalar falling = part > scalar(0) ? scalar(-log(part) / length) : state_.slowest;
                 const scalar cut =
-                    count_what_is_cut_off(now, last, part, outside, std::max(falling, scalar(0)));
+                    count_what_is_cut_off(now, *gap, part, seen.outside, std::max(falling, scalar(0)));
                 if (now.error.global <= o_.rtol) return now;
-                seen.look(height(last, last.mesh.back()), height(now, end), last.mesh.back() - a_, end - a_);
+                approach.look(before.height, seen.height, gap->end - a_, end - a_);
                 digits = log(20 * cut / o_.rtol + 10);
                 rate = std::clamp(falling, scalar(state_.slowest / 100), state_.slowest);
             }
-            before = outside;
+            before = seen;
             last = std::move(now);
             p = last.p;
             from.shorter = &last.y, from.left = left, from.rate = state_.slowest;
@@ -158,17 +167,8 @@ class search_to_infinity {
             own.mesh = lengthened_mesh(last.mesh, end, o_.max_intervals, pieces_);
         }
         last.status = bvp_status::tolerance_not_met;
-        last.message = seen.in_words(state_.slowest) + up_to(last.mesh.back());
+        last.message = approach.in_words(state_.slowest) + up_to(last.mesh.back());
         return last;
-    }
-    /// The largest |y - limit| over the last half of [a, end], as waves pass zero.
-    scalar height(const Result& r, const scalar& end) const {
-        scalar most(0);
-        for (int k = 0; k <= 32; ++k) {
-            const scalar t = end - (end - a_) * scalar(k) / scalar(64);
-            most = std::max(most, scalar((r.y(t) - state_.limit(t, r.p)).norm()));
-        }
-        return most;
     }
     /// A fifth of the tolerance is left for what is cut off.
     void set_tolerance(bvp_options<scalar>& own, const scalar& least) const {
@@ -176,41 +176,36 @@ class search_to_infinity {
             std::max({scalar(o_.rtol * 4 / 5), scalar(4 * std::numeric_limits<scalar>::epsilon()), least});
         own.atol = o_.atol * own.rtol / o_.rtol;
     }
-    /// The largest that drives the directions which do not decay over the last part of [a, end], as the signs of waves differ.
-    vector left_out(const Result& now, const scalar& end) const {
-        vector largest = vector::Zero(now.error.components.size());
-        for (int k = 0; k <= 8; ++k) {
+    /// Looks at the last half of [a, end]. Waves pass zero, at the end of the shorter interval as well, where what was cut off
+    /// leaves no gap then: it is looked for behind that end too.
+    tail look(const Result& now, const scalar& end, std::optional<gap_between<Result>>& gap) const {
+        tail seen{scalar(0), vector::Zero(now.error.components.size())};
+        for (int k = 0; k <= 64; ++k) {
             const scalar t = end - (end - a_) * scalar(k) / scalar(128);
-            largest = largest.cwiseMax(state_.driving(t, now.y(t), now.p).cwiseAbs()).eval();
+            const vector y = now.y(t);
+            seen.height = std::max(seen.height, scalar((y - state_.limit(t, now.p)).norm()));
+            if (k <= 8) seen.outside = seen.outside.cwiseMax(state_.driving(t, y, now.p).cwiseAbs()).eval();
+            if (gap && t >= gap->end && t <= (gap->end + end) / 2)
+                gap->widen(state_.undecaying(t, y, now.p), y);
         }
-        return largest;
+        return seen;
     }
     /// Adds to the error what is cut off, and returns it as a part of 1 + |y|. In the directions that do not decay the solution
     /// is, at the end, the integral of what drives them from there on, which falls at the rate `falling`. From the solution on
     /// the shorter interval this one differs by what was cut off there, and by the errors of both; `part` of the former is
     /// left. That is believed beyond those errors, or where it is less.
-    scalar count_what_is_cut_off(Result& now, const Result& shorter, const scalar& part,
+    scalar count_what_is_cut_off(Result& now, const gap_between<Result>& gap, const scalar& part,
                                  const vector& outside, const scalar& falling) const {
-        const scalar floor = o_.atol > scalar(0) ? scalar(o_.atol / o_.rtol) : scalar(1);
-        gap_between<Result> gap(shorter, now, floor);
-        // A wave that passes zero at the end of the shorter one leaves no gap there: what was cut off is looked for behind it.
-        for (int k = 0; k <= 16; ++k) {
-            const scalar t =
-                shorter.mesh.back() + (now.mesh.back() - shorter.mesh.back()) * scalar(k) / scalar(32);
-            const vector at = now.y(t);
-            gap.widen(state_.undecaying(t, at, now.p), at, floor);
-        }
         const scalar kept = part < scalar(0.9) ? scalar(part / (1 - part)) : scalar(10);
         const vector y = now.y(now.mesh.back());
         const scalar rate = std::max(scalar(state_.growth + falling), scalar(state_.slowest / 100));
         scalar direct = integrals_ ? std::numeric_limits<scalar>::infinity() : scalar(0);
         for (Eigen::Index i = 0; i < y.size(); ++i) {
             using std::abs;
-            direct = std::max(direct, scalar(outside[i] / rate / (floor + abs(y[i]))));
+            direct = std::max(direct, scalar(outside[i] / rate / (gap.floor + abs(y[i]))));
         }
-        const scalar errors = 2 * (shorter.error.global + now.error.global),
-                     beyond = std::max(scalar(gap.global - errors), scalar(0)),
-                     cut = std::max(std::min(scalar(kept * gap.global), direct), scalar(kept * beyond)),
+        const scalar cut = std::max(std::min(scalar(kept * gap.global), direct),
+                                    scalar(kept * gap.beyond_errors())),
                      share = gap.global > scalar(0) ? scalar(cut / gap.global) : scalar(0);
         now.error.global += cut;
         now.error.components += share * gap.components;

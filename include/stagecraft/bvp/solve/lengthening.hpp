@@ -13,36 +13,40 @@
 
 namespace stagecraft::detail {
 
-/// Differences between the solutions on two intervals from a on, over the shorter of them.
+/// Differences between the solutions on two intervals from a on, over the shorter of them; `global` beside `floor` + |y|.
 template <class Result>
 struct gap_between {
     using scalar = typename Result::scalar;
-    scalar global{0};
+    scalar global{0}, floor, end, errors;
     Eigen::Matrix<scalar, Eigen::Dynamic, 1> components, parameters;
 
-    gap_between(const Result& shorter, const Result& longer, const scalar& floor)
-        : components(shorter.error.components.size()), parameters(shorter.p.size()) {
+    gap_between(const Result& shorter, const Result& longer, const scalar& least)
+        : floor(least),
+          end(shorter.mesh.back()),
+          errors(2 * (shorter.error.global + longer.error.global)),
+          components(shorter.error.components.size()),
+          parameters(shorter.p.size()) {
         components.setZero();
         for (std::size_t i = 0; i + 1 < shorter.mesh.size(); ++i)
             for (const scalar& part : {scalar(0), scalar(1) / 2}) {
                 const scalar t = shorter.mesh[i] + part * (shorter.mesh[i + 1] - shorter.mesh[i]);
-                look(shorter.y(t), longer.y(t), components, floor);
+                look(shorter.y(t), longer.y(t), components);
             }
-        const scalar end = shorter.mesh.back();  // where it is most, as a rule
-        look(shorter.y(end), longer.y(end), components, floor);
+        look(shorter.y(end), longer.y(end), components);  // where it is most, as a rule
         parameters.setZero();
-        look(shorter.p, longer.p, parameters, floor);
+        look(shorter.p, longer.p, parameters);
     }
     /// Counts `off` as a difference as well, beside a solution y.
     template <class Vector>
-    void widen(const Vector& off, const Vector& y, const scalar& floor) {
-        look(Vector(y + off), y, components, floor);
+    void widen(const Vector& off, const Vector& y) {
+        look(Vector(y + off), y, components);
     }
+    /// What the errors of both do not explain.
+    scalar beyond_errors() const { return std::max(scalar(global - errors), scalar(0)); }
 
   private:
     template <class A, class B>
-    void look(const A& a, const B& b, Eigen::Matrix<scalar, Eigen::Dynamic, 1>& largest,
-              const scalar& floor) {
+    void look(const A& a, const B& b, Eigen::Matrix<scalar, Eigen::Dynamic, 1>& largest) {
         using std::abs;
         for (Eigen::Index c = 0; c < a.size(); ++c) {
             const scalar d = abs(a[c] - b[c]);
