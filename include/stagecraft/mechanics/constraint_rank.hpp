@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,12 +18,13 @@ struct constraint_rank {
     int rank = 0;
     std::vector<int> independent;  ///< increasing row numbers, `rank` of them
     std::vector<int> dependent;    ///< the others: zero, or combinations of the independent ones
+    double volume = 1;  ///< spanned by the independent ones, each of length 1: near 0 if nearly dependent
 };
 
 namespace detail {
 
 /// In plain loops, which every mechanical program can compile without noticing.
-inline constraint_rank rank_of_rows(std::vector<std::vector<double>> rows, double tolerance) {
+inline constraint_rank rank_of_rows(std::vector<std::vector<double>> rows, double tolerance, int most) {
     const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
         double sum = 0;
         for (std::size_t j = 0; j < a.size(); ++j) sum += a[j] * b[j];
@@ -41,14 +43,14 @@ inline constraint_rank rank_of_rows(std::vector<std::vector<double>> rows, doubl
     constexpr double nearly = 1 + 1e-8;  // of rows as far as each other the first is taken
     std::vector<bool> taken(rows.size(), false);
     constraint_rank r;
-    while (true) {
+    while (r.rank < most) {
         std::size_t next = rows.size();
         double distance = tolerance;
         for (std::size_t k = 0; k < rows.size(); ++k)
             if (const double d = std::sqrt(product(rows[k], rows[k])); !taken[k] && d > nearly * distance)
                 next = k, distance = d;
         if (next == rows.size()) break;
-        ++r.rank;
+        ++r.rank, r.volume *= distance;
         taken[next] = true;
         scale(rows[next], distance);
         for (std::size_t k = 0; k < rows.size(); ++k)
@@ -65,18 +67,19 @@ inline constraint_rank rank_of_rows(std::vector<std::vector<double>> rows, doubl
 }  // namespace detail
 
 /// The rank of G and its rows, each measured by its own length: the row farthest from the span of those taken before is
-/// taken (Gram-Schmidt orthogonalisation with pivoting) until all that are left lie in it to `tolerance`.
+/// taken (Gram-Schmidt orthogonalisation with pivoting) until all that are left lie in it to `tolerance`, or `most` are taken.
 /// rows^2 x columns operations. Rows with entries that are not finite count as dependent.
 template <class Matrix>
-constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10) {
+constraint_rank independent_rows(const Matrix& G, double tolerance = 1e-10,
+                                 int most = std::numeric_limits<int>::max()) {
     if constexpr (requires { G(0, 0); }) {
         std::vector<std::vector<double>> rows(static_cast<std::size_t>(G.rows()));
         for (std::size_t k = 0; k < rows.size(); ++k)
             for (int j = 0; j < G.cols(); ++j)
                 rows[k].push_back(static_cast<double>(G(static_cast<int>(k), j)));
-        return detail::rank_of_rows(std::move(rows), tolerance);
+        return detail::rank_of_rows(std::move(rows), tolerance, most);
     } else {
-        return independent_rows(Eigen::MatrixXd(G), tolerance);
+        return independent_rows(Eigen::MatrixXd(G), tolerance, most);
     }
 }
 
