@@ -11,6 +11,7 @@
 #include <stagecraft/mechanics/rows_chosen_anew.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 using namespace stagecraft;
 
@@ -184,51 +185,119 @@ BOOST_AUTO_TEST_CASE(a_run_that_ends_where_constraints_come_to_depend_on_each_ot
 
 namespace {
 
-// Scott and Russell's mechanism: a bar of length 2 whose ends slide on x = 0 and on y = 0, and its middle, which a crank of
-// length 1 holds as well. Its angle to the vertical is that of theta'' = 3/5 g sin(theta) for three masses of 1.
-const auto scott_russell = [](const auto& q) {
-    auto g = (0 * q).eval();
-    g[0] = q[0], g[1] = q[3];
-    g[2] = (q[0] - q[2]) * (q[0] - q[2]) + (q[1] - q[3]) * (q[1] - q[3]) - 4.;
-    g[3] = q[4] - .5 * (q[0] + q[2]), g[4] = q[5] - .5 * (q[1] + q[3]);
-    g[5] = q[4] * q[4] + q[5] * q[5] - 1.;
-    return g;
-};
 using vector6 = Eigen::Matrix<double, 6, 1>;
+
+// Two mechanisms of three points in a plane, with a constraint more than they need, and M and weights of each.
+struct mechanism {
+    bool sliding;
+    Eigen::Matrix<double, 6, 6> M;
+    vector6 weight;
+
+    template <class Q>
+    auto operator()(const Q& q) const {
+        auto g = (0 * q).eval();
+        const auto apart = [&](int i, int k, double length) {
+            return (q[i] - q[k]) * (q[i] - q[k]) + (q[i + 1] - q[k + 1]) * (q[i + 1] - q[k + 1]) -
+                   length * length;
+        };
+        if (sliding) {
+            g[0] = q[0], g[1] = q[3], g[2] = apart(0, 2, 2);
+            g[3] = q[4] - .5 * (q[0] + q[2]), g[4] = q[5] - .5 * (q[1] + q[3]);
+            g[5] = q[4] * q[4] + q[5] * q[5] - 1.;
+        } else {
+            for (int k = 0; k < 3; ++k)
+                g[k] = (q[2 * k] - k) * (q[2 * k] - k) + q[2 * k + 1] * q[2 * k + 1] - 1.;
+            g[3] = apart(0, 2, 1), g[4] = apart(2, 4, 1), g[5] = apart(0, 4, 2);
+        }
+        return g;
+    }
+};
+
+// Scott and Russell's: a bar of length 2 whose ends slide on x = 0 and on y = 0, and its middle, which a crank of length 1 holds
+// as well. Its angle to the vertical is that of theta'' = 3/5 g sin(theta) for three masses of 1.
+mechanism scott_russell() {
+    return {true, Eigen::Matrix<double, 6, 6>::Identity(), (vector6() << 0, 1, 0, 1, 0, 1).finished()};
+}
 vector6 leaning(double theta) {
     const double x = std::sin(theta), y = std::cos(theta);
     return (vector6() << 0, 2 * y, 2 * x, 0, x, y).finished();
 }
 
+// Two four-bar linkages side by side (Gonzalez 2006, benchmark A02 with N = 2): five bars of 1 m and 1 kg.
+mechanism four_bars() {
+    mechanism m{false, Eigen::Matrix<double, 6, 6>::Identity() * (2. / 3),
+                (vector6() << 0, 1, 0, 1.5, 0, 1).finished()};
+    for (int i = 0; i < 6; ++i) {
+        if (i == 2 || i == 3) m.M(i, i) = 1;
+        if (i < 4) m.M(i, i + 2) = m.M(i + 2, i) = 1. / 6;
+    }
+    return m;
+}
+
+auto formulated(const mechanism& m, const vector6& q) {
+    const auto kept = independent_constraints<5>(m, q);
+    const auto T = [M = m.M](const auto&, const auto& v) {
+        auto sum = 0. * v[0];
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j) sum += M(i, j) / 2 * v[i] * v[j];
+        return sum;
+    };
+    const auto V = [w = m.weight](const auto& at) {
+        auto sum = 0. * at[0];
+        for (int i = 0; i < 6; ++i) sum += 9.81 * w[i] * at[i];
+        return sum;
+    };
+    return std::pair(kept, stabilised_index_2(lagrangian<6, 5>(T, V, kept)));
+}
+
+// With rows chosen anew where others are better.
+template <class Kept, class System>
+auto run(const Kept& kept, const System& system, const vector6& q, const vector6& v, double t1, double rtol) {
+    auto choice = events<typename System::state>(rows_chosen_anew(kept, system));
+    const auto r = integrate(radau_iia<3>(), system, system.initial_state(q, v), 0.0, t1,
+                             {.rtol = rtol, .atol = rtol}, choice);
+    return std::pair(r, choice.found());
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(rows_are_chosen_anew_where_those_kept_come_to_depend_on_each_other) {
-    const auto kept = independent_constraints<5>(scott_russell, leaning(1));
-    const std::array first = *kept.rows;
-    BOOST_TEST((first == std::array{0, 1, 2, 4, 5}));  // which have rank 4 at theta = pi
-    const auto margin = [&](double theta) {
-        return detail::kept_row_margin(kept.gradient_of_all(leaning(theta), 0), *kept.rows);
+    const auto [kept, bar] = formulated(scott_russell(), leaning(1));
+    BOOST_TEST((*kept.rows == std::array{0, 1, 2, 4, 5}));  // which have rank 4 at theta = pi
+    const auto margin = [&, &of = kept](double theta) {
+        return detail::kept_row_margin(of.gradient_of_all(leaning(theta), 0), *of.rows);
     };
     BOOST_TEST(margin(1) > 0.1);
     BOOST_TEST(margin(3) < 0);
     BOOST_TEST(margin(M_PI) < -0.01);
 
-    const auto T = [](const auto&, const auto& v) { return 0.5 * v.squaredNorm(); };
-    const auto V = [](const auto& q) { return 9.81 * (q[1] + q[3] + q[5]); };
-    const auto bar = stabilised_index_2(lagrangian<6, 5>(T, V, kept));
-    const auto start = bar.initial_state(leaning(1), vector6::Zero());
-    auto choice = events<decltype(bar)::state>(rows_chosen_anew(kept, bar));
-    const auto r = integrate(radau_iia<3>(), bar, start, 0.0, 2.0, {.rtol = 1e-9, .atol = 1e-9}, choice);
+    const auto [r, chosen] = run(kept, bar, leaning(1), vector6::Zero(), 1.1, 1e-9);
     BOOST_TEST_REQUIRE(r.ok());
-    BOOST_TEST_REQUIRE(choice.found().size() > 0u);
-    BOOST_TEST(std::abs(choice.found()[0].t - 0.87) < 0.03);  // theta = pi at t = 0.9049
+    BOOST_TEST_REQUIRE(chosen.size() > 0u);
+    BOOST_TEST(std::abs(chosen[0].t - 0.87) < 0.03);  // theta = pi at t = 0.9049
     const auto swing = [](double, const Eigen::Vector2d& y, Eigen::Vector2d& f) {
         f << y[1], 0.6 * 9.81 * std::sin(y[0]);
     };
     const auto exact =
-        integrate(radau_iia<5>(), swing, Eigen::Vector2d(1, 0), 0.0, 2.0, {.rtol = 1e-12, .atol = 1e-12});
-    BOOST_TEST((r.y.template head<6>() - leaning(exact.y[0])).norm() < 1e-7);
-    BOOST_TEST(scott_russell(vector6(r.y.template head<6>())).norm() < 1e-8);
+        integrate(radau_iia<5>(), swing, Eigen::Vector2d(1, 0), 0.0, 1.1, {.rtol = 1e-12, .atol = 1e-12});
+    const vector6 end = r.y.template head<6>();
+    BOOST_TEST((end - leaning(exact.y[0])).norm() < 1e-7);
+    BOOST_TEST(scott_russell()(end).norm() < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_dead_point_where_all_rows_lose_rank_ends_a_run_with_it) {
+    // Upright with 1 m/s; the angle to the vertical has theta'^2 = 1 + 7/3 g (1 - cos theta). At 0.7143 s all bars are level.
+    const vector6 q = (vector6() << 0, 1, 1, 1, 2, 1).finished(),
+                  v = (vector6() << 1, 0, 1, 0, 1, 0).finished();
+    const auto [kept, bars] = formulated(four_bars(), q);
+    const auto [r, chosen] = run(kept, bars, q, v, 2, 1e-6);
+    BOOST_TEST(r.status == status::constraints_dependent);
+    BOOST_TEST(std::abs(r.t - 0.7143) < 2e-3);
+    BOOST_TEST(std::abs(r.y[1]) < 0.01);
+    const double speed = std::hypot(r.y[6], r.y[7]);
+    BOOST_TEST(std::abs(speed * speed - 1 - 7. / 3 * 9.81 * (1 - r.y[1])) < 1e-4);
+    BOOST_REQUIRE(r.exception);
+    check_named([&, &why = r.exception] { std::rethrow_exception(why); }, "G has rank 3 of 5");
 }
 
 BOOST_AUTO_TEST_CASE(everything_that_a_model_says_of_its_constraints_is_kept_of_those_that_are_kept) {
