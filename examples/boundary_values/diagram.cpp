@@ -22,14 +22,14 @@ struct branch {
     }
 };
 
-double highest(const solution<VectorXd>& y) {
+double highest(const solution<Eigen::Vector3d>& y) {
     double top = y(0.0)[0];
     for (int k = 1; k < 400; ++k) top = std::max(top, y(k / 400.0)[0]);
     return top;
 }
 
 /// Of the multipliers one is 1, and the others decide. At a doubling one is -1, in rounding.
-branch of_orbits(const std::vector<orbit_point<VectorXd>>& path) {
+branch of_orbits(const std::vector<orbit_point<Eigen::Vector3d>>& path) {
     branch b;
     for (const auto& o : path) {
         const bool stable = std::none_of(o.multipliers.begin(), o.multipliers.end(),
@@ -73,8 +73,8 @@ chapter bifurcations() {
         f[0] = y[1], f[1] = y[2];
         f[2] = -p[0] * y[2] - y[1] - y[0] + y[0] * y[0];
     };
-    const auto rests =
-        equilibrium_continuation(control, VectorXd(VectorXd::Zero(3)), {.from = 1.2, .to = 0.55});
+    const auto rests = equilibrium_continuation(control, Eigen::Vector3d(Eigen::Vector3d::Zero()),
+                                                {.from = 1.2, .to = 0.55});
     const auto& hopf = only(rests, point_kind::hopf);
     const auto orbits =
         orbit_continuation(gauss<5>(), control, hopf, {.to = 0.57, .step = 0.05, .largest_step = 0.2});
