@@ -5,6 +5,7 @@
 #include "stagecraft/tableaux/json_document-inl.hpp"
 #include "stagecraft/tableaux/number_brackets-inl.hpp"
 #include "stagecraft/tableaux/program_calls-inl.hpp"
+#include "stagecraft/tableaux/program_dense-inl.hpp"
 #include "stagecraft/tableaux/program_groups-inl.hpp"
 #include "stagecraft/tableaux/program_indexed-inl.hpp"
 #include "stagecraft/tableaux/program_leftovers-inl.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stagecraft/tableaux/program_text.hpp>
 #include <stagecraft/tableaux/read.hpp>
 #include <string>
 #include <vector>
@@ -174,4 +175,35 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_the_polynomials_is_said) {
                "line 1, claims.dense_order: there is no b_theta");
     BOOST_TEST(complaint(R"("b_theta":[["1"]],"claims":{"dense_order":11})") ==
                "line 1, claims.dense_order: must be at most 10");
+}
+
+BOOST_AUTO_TEST_CASE(dense_output_of_programs_is_read_whatever_its_form) {
+    // Bogacki-Shampine 3(2) with SciPy's P, which diffrax would write from the highest power and PETSc hands to a call; without the
+    // latter's last stage. Its cubic is that of Hermite, so the value at 1/2 makes it too.
+    const std::string A = "[0, 0, 0], [1/2, 0, 0], [0, 3/4, 0]", b = "2/9, 1/3, 4/9";
+    const std::string python = "A = [" + A + "]\nb = [" + b + "]\nE = [5/72, -1/12, -1/9, 1/8]\n";
+    const std::vector<std::string> sources{
+        python + "P = [[1, -4/3, 5/9], [0, 1, -2/3], [0, 4/3, -8/9], [0, -1, 1]]\n",
+        python +
+            "class Local:\n    eval_coeffs = [[5/9, -4/3, 1], [-2/3, 1, 0], [-8/9, 4/3, 0], [1, -1, 0]]\n",
+        python + "MID = [17/72, 1/6, 2/9, -1/8]\nclass Solver:\n    mid = MID\n",
+        "{ double A[4][4] = {{0, 0, 0, 0}, {1./2, 0, 0, 0}, {0, 3./4, 0, 0}, {2./9, 1./3, 4./9, 0}}, "
+        "b[4] = {2./9, 1./3, 4./9, 0}, B[4][3] = {{1, -4./3, 5./9}, {0, 1, -2./3}, {0, 4./3, -8./9}, {0, -1, "
+        "1}};\n"
+        "TSRKRegister(\"3bs\", 3, 4, &A[0][0], b, NULL, NULL, 3, B[0]); }\n"};
+    for (const auto& source : sources) {
+        const auto p = tableaux::read_program_text(source);
+        BOOST_TEST(p.unused.empty(), source);
+        BOOST_REQUIRE(p.tableaux.size() == 1);
+        const auto certificate = theory::certify(p.tableaux.front());
+        BOOST_TEST(*certificate.find("dense_order")->value == 3, source);
+        BOOST_TEST(*certificate.find("dense_smoothness")->value == 1, source);
+    }
+    // No order at all is no dense output, claimed or not.
+    std::string wrong = sources[0];
+    const auto sum =
+        theory::certify(tableaux::read_program_text(wrong.replace(wrong.find("[0, -1, 1]"), 10, "[0, 1, 1]"))
+                            .tableaux.front());
+    BOOST_TEST(sum.exit_code() == 1);
+    BOOST_TEST(sum.suspects.size() == 4);  // b_theta[1][2] to b_theta[4][2]: any of them
 }

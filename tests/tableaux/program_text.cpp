@@ -328,6 +328,22 @@ BOOST_AUTO_TEST_CASE(codes_with_layouts_of_their_own_are_read_as_they_stand) {
         "def heun():\n    u\"\"\"A = [[9]]\"\"\"\n    s = r'\\begin{x}'\n    #===========\n    A = "
         "np.zeros((2, 2))\n    A[1, :1] = [1]\n    b = np.ones(2)/2\n",
         {q(0), q(0), q(1), q(0), q(1, 2), q(1, 2)});
+    // An element that C's program never assigns is 0; a difference of two lists; b1 beside b20 is b10.
+    same(
+        "ARK_BUTCHER_TABLE(HEUN, {\n  B->b[0] = 0.5;\n  B->b[2] = 0.5;\n  B->A[2][0] = B->b[0] + 0.5;\n  "
+        "B->A[2][1] = "
+        "B->b[1];\n  })",
+        {q(0), q(0), q(0), q(0), q(0), q(0), q(1), q(0), q(0), q(1, 2), q(0), q(1, 2)});
+    same(
+        "x = [1/2, 1/2]\ny = [1, 0]\nA = [[0, 0], [1, 0]]\nb = [1/2, 1/2]\nE = [p - q for p, q in zip(x, "
+        "y)]\n",
+        {q(0), q(0), q(1), q(0), q(1, 2), q(1, 2), q(1), q(0)});
+    same(
+        "module procedure kutta\n a1 = 0.5_wp\n a2 = 1.0_wp\n b1 = 0.5_wp\n b20 = -1\n b21 = 2\n c0 = 1/6\n "
+        "c1 = "
+        "2/3\n c2 = 1/6\nend procedure\n",
+        {q(0), q(0), q(0), q(1, 2), q(0), q(0), q(-1), q(2), q(0), q(1, 6), q(2, 3), q(1, 6), q(0), q(1, 2),
+         q(1)});
     same("ARK_BUTCHER_TABLE(EULER, {\n  B->q = 1;\n  B->b[0] = RCONST(1.0);\n  })", {q(0), q(1)});
 }
 
@@ -350,11 +366,17 @@ BOOST_AUTO_TEST_CASE(what_is_not_used_is_told_with_its_line) {
     BOOST_TEST(told("order = 2") == "nothing");
     BOOST_TEST(told("order_of_embedded = 4") == "order_of_embedded (line 3)");
     BOOST_TEST(told("\norder = p") == "order (line 4): 'p' is unknown");
+    BOOST_TEST(read(heun + "o = 2\nTableau{T}(:Heun, o, A, b)\n") == names{" 2 2 0"},
+               boost::test_tools::per_element());
     BOOST_TEST(told("order = (3, 2)") == "order (line 3)");
     BOOST_TEST(told("order = 2.5") == "order (line 3)");
     BOOST_TEST(told("order(2)") == "nothing");  // an initializer of C++
     BOOST_TEST(told("self.order = order") == "nothing");
-    BOOST_TEST(told("P = np.array([[1, -4/3], [0, 1]])") == "P (line 3)");
+    BOOST_TEST(told("P = np.array([[1, -4/3], [0, 1], [1, 0], [0, 0]])") == "P (line 3)");
+    BOOST_TEST(told("int f() { *order = rk->tableau->order; }") == "nothing");
+    BOOST_TEST(told("double *e = work + 2;\nfor (;;) { e[i] += h * B[i]; }") == "nothing");
+    BOOST_TEST(told("#if 0\n  #if X\nA2 = [[0, 1/2]]\n  #endif\n#else\nA3 = [[0, 1/2]]\n#endif") ==
+               "A3 (line 8)");
     BOOST_TEST(told("b_hat = foo([1/3, 2/3])") == "b_hat (line 3): 'foo(...)' is not understood");
     BOOST_TEST(told("c = [0, x]") == "c (line 3): 'x' is unknown");
     BOOST_TEST(told("plot([0.1, 0.2, 0.3])") == "numbers without a name (line 3)");

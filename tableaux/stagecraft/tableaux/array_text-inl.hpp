@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 #include "stagecraft/compiled.hpp"
@@ -197,6 +198,7 @@ class value_parser : public token_cursor {
     /// "[1, 2]", "[[1], [2]]", "[1 2; 3 4]", rows apart by lines.
     value brackets() {
         const auto close = closing();
+        if (auto difference = zipped(close)) return *std::move(difference);
         bool commas = false;
         for (auto i = at_ + 1; i < close && !commas; ++i) {
             if (is_open(tokens_[i]) && tokens_[i].partner < close) i = tokens_[i].partner;
@@ -235,6 +237,20 @@ class value_parser : public token_cursor {
         }
         leave(outer, close);
         return of_rows(std::move(rows));
+    }
+
+    /// Python's [x - y for x, y in zip(b, b_hat)], number by number.
+    std::optional<value> zipped(std::size_t close) {
+        static constexpr std::array<std::string_view, 14> pattern{"?",  "-",   "?", "for", "?", ",", "?",
+                                                                  "in", "zip", "(", "?",   ",", "?", ")"};
+        const auto word = [&](std::size_t k) -> const std::string& { return tokens_[at_ + 1 + k].text; };
+        if (close != at_ + 1 + pattern.size()) return std::nullopt;
+        for (std::size_t k = 0; k < pattern.size(); ++k)
+            if (pattern[k] != "?" && pattern[k] != word(k)) return std::nullopt;
+        const value *x = known_(word(10)), *y = known_(word(12));
+        if (!x || !y || word(0) != word(4) || word(2) != word(6)) return std::nullopt;
+        at_ = close + 1;
+        return combined(*x, "-", *y);
     }
 
     /// Rust's [0.0; 4] and [[0.0; 4]; 4], to be filled.

@@ -12,6 +12,7 @@
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/claims.hpp"
+#include "stagecraft/tableaux/program_dense.hpp"
 #include "stagecraft/tableaux/program_leftovers.hpp"
 #include "stagecraft/tableaux/program_names.hpp"
 
@@ -45,6 +46,7 @@ class grouping {
         for (std::size_t k = 0; k < v_.all.size(); ++k) give_claim(k);
         std::stable_sort(out_.all.begin(), out_.all.end(),
                          [](const group& x, const group& y) { return x.line < y.line; });
+        take_dense(out_, v_);
         leftovers(v_, taken_, out_).tell();
         return std::move(out_);
     }
@@ -313,7 +315,11 @@ class grouping {
         bool found = false;
         for (const auto& call : register_calls)
             if (!declaration && call.function == r.name) found = take_call(r, call, arguments) || found;
-        if (!found && !declaration)
+        const auto call = std::find_if(register_calls.begin(), register_calls.end(),
+                                       [&](const auto& c) { return c.function == r.name; });
+        const bool handed_on = call != register_calls.end() && call->order < arguments.size() &&
+                               p_.tokens[arguments[call->order]].is == token::kind::word;
+        if (!found && !declaration && !handed_on)  // by a function with the same arguments
             out_.unused.emplace(r.line,
                                 r.name + " (line " + std::to_string(r.line) + "): its arrays are not found");
     }
@@ -333,6 +339,9 @@ class grouping {
         if (!b) g.last_row_of = *row;
         if (const auto c = array_before(r, word(call.c))) g.arrays["c"] = *c;
         if (const auto e = array_before(r, word(call.embedded))) g.arrays["b_embedded"] = *e;
+        for (const auto index : {call.dense, call.or_dense})
+            if (const auto d = array_before(r, word(index)); d && !g.arrays.contains("b_theta"))
+                g.arrays["b_theta"] = *d;
         for (const auto& [key, k] : g.arrays) use(k);
         g.name = name_of(g, at(*A).owner());
         if (const auto name = word(call.name); !name.empty())

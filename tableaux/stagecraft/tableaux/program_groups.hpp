@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+#include "stagecraft/tableaux/program_names.hpp"
 #include "stagecraft/tableaux/program_scan.hpp"
 #include "stagecraft/tableaux/program_variables.hpp"
 
@@ -16,11 +17,13 @@ struct group {
     std::string name;
     std::size_t scope = 0;
     std::size_t line = 0;
-    std::map<std::string, std::size_t> arrays;  ///< "A", "b", "c", "b_embedded": which variable
+    std::map<std::string, std::size_t>
+        arrays;  ///< "A", "b", "c", "b_embedded", "diagonal", "b_theta": which variable
     nlohmann::json claims = nlohmann::json::object();
     std::string before, behind;         ///< what stands beside A in its name
     std::size_t last_row_of = nowhere;  ///< the variable whose last row is b, where there is no b
     std::size_t embedded_from = 0;      ///< how many numbers stand before the first embedded weight
+    dense_word::written dense_as = dense_word::written::ascending;  ///< how b_theta is written
 };
 
 /// Groups, and what looks like a coefficient or a claim and is in none of them, with its line.

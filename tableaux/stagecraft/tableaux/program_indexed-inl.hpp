@@ -90,15 +90,21 @@ class gathering {
             std::any_of(all.begin(), all.end(), [&](const auto& m) { return v_.all[m.variable].in_array; });
         if (arrays_.contains(stem) || in_array) return std::nullopt;
         if (rows) return true;
-        const bool list = std::any_of(all.begin(), all.end(), [](const auto& m) {
-            return m.index.size() == 1 && m.index.front().size() == 1;
-        });
-        return !list;
+        // b1 beside b20 and b21 is b10, whose column is left out; beside b10 or b12 it is the first of a list.
+        std::size_t singles = 0;
+        bool lower = true;
+        for (const auto& m : all) {
+            const auto& i = m.index.front();
+            singles += m.index.size() == 1 && i.size() == 1 ? 1 : 0;
+            lower = lower && (i.size() == 1 ? i == "1" : i.size() > 2 || (i[1] < i[0] && i != "10"));
+        }
+        return singles == 0 || (singles == 1 && lower && all.size() > 2);
     }
 
     /// One place or two, as written.
     std::vector<std::size_t> places(const member& m, bool matrix) const {
         const auto& text = m.index.front();
+        if (matrix && !is_row(m) && m.index.size() == 1 && text == "1") return {1, 0};
         if (!matrix || m.index.size() == 2 || is_row(m) || text.size() == 1) {
             std::vector<std::size_t> out;
             for (const auto& i : m.index) out.push_back(std::stoul(i));

@@ -17,6 +17,14 @@ STAGECRAFT_INLINE leftovers::leftovers(const variables& v, const std::set<std::s
     : v_(v), taken_(taken), out_(out) {
     for (const auto& x : v.all)
         if (x.is == variable::kind::array && x.last() == "b") with_b_.emplace(x.scope, x.owner());
+    for (const auto& x : v.all)
+        if (x.used && x.is == variable::kind::array && x.array.numbers() > 0) used_.insert(numbers_of(x));
+}
+
+STAGECRAFT_INLINE std::vector<std::pair<std::size_t, std::string>> leftovers::numbers_of(const variable& x) {
+    std::vector<std::pair<std::size_t, std::string>> all;
+    for (const auto& c : x.array.all()) all.emplace_back(c.line, c.text);
+    return all;
 }
 
 STAGECRAFT_INLINE void leftovers::tell() {
@@ -25,6 +33,7 @@ STAGECRAFT_INLINE void leftovers::tell() {
     for (std::size_t k = 0; k < v_.all.size(); ++k) {
         const auto& x = at(k);
         if ((x.used && !is_claim_left(k)) || x.gathered_as != variable::gathered::no) continue;
+        if (is_array(k) && used_.contains(numbers_of(x))) continue;  // another name for what is in use
         if ((is_array(k) && looks_like_coefficients(x)) || is_claim_left(k)) {
             std::string what =
                 x.name + (x.elements.empty() ? "" : "[..]") + " (line " + std::to_string(x.line) + ")";
@@ -70,7 +79,7 @@ STAGECRAFT_INLINE bool leftovers::has_elements(const variable& x) const {
 
 /// Elements only of what is called as coefficients are; no pair of whole numbers, such as (0, 1).
 STAGECRAFT_INLINE bool leftovers::looks_like_coefficients(const variable& x) {
-    if (is_coefficient(x.last())) return true;
+    if (is_coefficient(x.last()) || dense_as(x.last())) return true;
     if (x.by_elements || x.array.numbers() == 0) return !x.by_elements && !x.trouble.empty();
     const auto all = x.array.all();
     const bool whole = std::all_of(all.begin(), all.end(), [](const cell& c) {

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 #include "stagecraft/tableaux/program_groups.hpp"
 
 namespace stagecraft::tableaux::program_text {
@@ -20,12 +22,15 @@ class leftovers {
     bool is_array(std::size_t k) const { return at(k).is == variable::kind::array; }
     bool is_claim_left(std::size_t k) const;
     bool has_elements(const variable& x) const;
+    static std::vector<std::pair<std::size_t, std::string>> numbers_of(const variable& x);
     static bool looks_like_coefficients(const variable& x);
 
     const variables& v_;
     const std::set<std::size_t>& taken_;
     groups& out_;
     std::set<std::pair<std::size_t, std::string>> with_b_;  ///< scopes and owners of arrays b
+    std::set<std::vector<std::pair<std::size_t, std::string>>>
+        used_;  ///< lines and texts of the numbers of arrays in use
 };
 
 }  // namespace stagecraft::tableaux::program_text

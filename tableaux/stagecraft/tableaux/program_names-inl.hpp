@@ -36,6 +36,10 @@ STAGECRAFT_INLINE std::optional<claim_name> claim_in(std::string_view name) {
             if (name.ends_with(word)) return claim_name{std::string(key), {}, {}};
             continue;
         }
+        if (word.starts_with("=")) {
+            if (last == word.substr(1)) return claim_name{std::string(key), {}, {}};
+            continue;
+        }
         const auto at = last.find(lower(word));
         if (at == last.npos || word.size() <= longest) continue;
         const bool begins = at == 0 || last[at - 1] == '_';
@@ -53,6 +57,13 @@ STAGECRAFT_INLINE bool is_coefficient(std::string_view name) {
             for (const auto word : words_of(list))
                 if (name == word) return true;
     return false;
+}
+
+STAGECRAFT_INLINE std::optional<dense_word::written> dense_as(std::string_view name) {
+    for (const auto& d : dense_words)
+        for (const auto word : words_of(d.words))
+            if (name == word) return d.as;
+    return std::nullopt;
 }
 
 STAGECRAFT_INLINE bool is_diagonal_word(std::string_view name) {

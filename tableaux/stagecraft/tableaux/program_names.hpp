@@ -48,13 +48,25 @@ inline constexpr std::array<dialect, 15> dialects{{
     {"a_exp a_imp", "", "c_exp c_imp", ""},  // ClimaTimeSteppers, where b is left out
 }};
 
+/// How programs write the dense output of a tableau: for each stage the coefficients of theta, theta^2, ..., or those of the highest
+/// power first, or the weights at theta = 1/2 from which a polynomial of degree 4 is made.
+struct dense_word {
+    enum class written { ascending, descending, at_half };
+    std::string_view words;
+    written as;
+};
+inline constexpr std::array<dense_word, 3> dense_words{
+    {{"b_theta P binterp", dense_word::written::ascending},  // SciPy
+     {"eval_coeffs", dense_word::written::descending},       // diffrax: numpy's polyval, times theta
+     {"c_mid mid C_mid", dense_word::written::at_half}}};    // diffrax, torchdiffeq
+
 /// A claim of a tableau file, and what programs call it.
 struct claim_word {
     std::string_view word, key;
 };
 
-/// In capital letters or not. `q` and `p` are claims only where a point or an arrow stands before them.
-inline constexpr std::array<claim_word, 17> claim_words{{{"order", "order"},
+/// In capital letters or not. `q` and `p` are claims only where a point or an arrow stands before them, `o` only by itself.
+inline constexpr std::array<claim_word, 18> claim_words{{{"order", "order"},
                                                          {"embedded_order", "embedded_order"},
                                                          {"order_embedded", "embedded_order"},
                                                          {"embeddedorder", "embedded_order"},
@@ -63,6 +75,7 @@ inline constexpr std::array<claim_word, 17> claim_words{{{"order", "order"},
                                                          {"stage_order", "stage_order"},
                                                          {"->q", "order"},
                                                          {"->p", "embedded_order"},
+                                                         {"=o", "order"},  // RungeKutta.jl
                                                          {"A_stable", "A_stable"},
                                                          {"L_stable", "L_stable"},
                                                          {"algebraically_stable", "algebraically_stable"},
@@ -80,14 +93,15 @@ struct register_call {
     std::string_view function;
     std::size_t name, order;
     std::size_t A, b, c, embedded, last_row_of;
-    std::string_view part{};  ///< of an additive method
+    std::string_view part{};                                  ///< of an additive method
+    std::size_t dense = no_argument, or_dense = no_argument;  ///< in place of the former there may be NULL
 };
 
 inline constexpr std::array<register_call, 5> register_calls{
-    {{"TSRKRegister", 0, 1, 3, 4, 5, 6, 3},
-     {"TSDIRKRegister", 0, 1, 3, 4, 5, 6, 3},
-     {"TSARKIMEXRegister", 0, 1, 6, 7, 8, 10, 3, " explicit"},
-     {"TSARKIMEXRegister", 0, 1, 3, 4, 5, 9, 3, " implicit"},
+    {{"TSRKRegister", 0, 1, 3, 4, 5, 6, 3, {}, 8},
+     {"TSDIRKRegister", 0, 1, 3, 4, 5, 6, 3, {}, 8},
+     {"TSARKIMEXRegister", 0, 1, 6, 7, 8, 10, 3, " explicit", 13, 12},
+     {"TSARKIMEXRegister", 0, 1, 3, 4, 5, 9, 3, " implicit", 12},
      {"ExplicitRKTableau", no_argument, 3, 0, 2, 1, no_argument, no_argument}}};
 
 /// A word at the beginning of a line that opens a scope, and which word names it.
@@ -132,6 +146,8 @@ std::optional<claim_name> claim_in(std::string_view name);
 
 /// Whether an array of a tableau may have this name.
 bool is_coefficient(std::string_view name);
+/// How an array of this name writes dense output; nothing where it does not.
+std::optional<dense_word::written> dense_as(std::string_view name);
 /// What programs call the diagonal of A of diagonally implicit methods.
 bool is_diagonal_word(std::string_view name);
 /// a21, a_2_1, b3, c2, bhat1.

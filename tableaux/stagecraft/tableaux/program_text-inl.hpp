@@ -12,6 +12,7 @@
 
 #include "stagecraft/compiled.hpp"
 #include "stagecraft/tableaux/entry.hpp"
+#include "stagecraft/tableaux/program_dense.hpp"
 #include "stagecraft/tableaux/program_groups.hpp"
 #include "stagecraft/tableaux/program_indexed.hpp"
 #include "stagecraft/tableaux/program_scan.hpp"
@@ -73,6 +74,7 @@ STAGECRAFT_INLINE cells list_of(const variable& x, std::size_t s, const char* mi
 struct parts {
     std::vector<cells> A;
     cells b, c, embedded;
+    std::vector<cells> dense;  ///< a row for each stage
 };
 
 STAGECRAFT_INLINE rational sum_of(const cells& all) {
@@ -184,7 +186,10 @@ STAGECRAFT_INLINE parts parts_of(const group& g, const variables& v) {
         t.c.front().text != unknown)
         t.c.insert(t.c.begin(), {"0", t.c.front().line});
     if (a.gathered_as != variable::gathered::no) complete(t);
-    if (t.embedded.size() == t.b.size() + 1 && t.A.size() == t.b.size()) add_last_stage(t);
+    t.dense = dense_of(g, v, t.b);
+    const auto all_stages = std::max(t.embedded.size(), t.dense.size());
+    if (all_stages == t.b.size() + 1 && t.A.size() == t.b.size()) add_last_stage(t);
+    if (t.dense.size() + 1 == t.b.size() && !t.dense.empty()) t.dense.push_back({{"0", t.b.back().line}});
     if (t.embedded.size() == t.b.size() &&
         abs(sum_of(t.embedded)) < rational(1, 2))  // the difference of both
         for (std::size_t i = 0; i < t.b.size(); ++i)
@@ -227,6 +232,7 @@ STAGECRAFT_INLINE tableau_file file_of(const group& g, const variables& v, const
         for (const auto& row : t.A) j["A"].push_back(texts(row));
         if (!t.c.empty()) j["c"] = texts(t.c);
         if (!t.embedded.empty()) j["b_embedded"] = texts(t.embedded);
+        for (const auto& row : t.dense) j["b_theta"].push_back(texts(row));
         for (const auto& [key, value] : g.claims.items()) (key == "name" ? j : j["claims"])[key] = value;
         return read_tableau(j.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), how);
     } catch (const std::invalid_argument& e) {

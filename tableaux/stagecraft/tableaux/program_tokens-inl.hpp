@@ -61,7 +61,8 @@ class lexer {
             } else if (is_blank(ch)) {
                 blank_ = true;
                 ++at_;
-            } else if (!skip_continuation() && !take_definition() && !skip_comment() && !take_quotes()) {
+            } else if (!skip_continuation() && !skip_disabled() && !take_definition() && !skip_comment() &&
+                       !take_quotes()) {
                 if (is_digit(ch) || (ch == '.' && is_digit(peek(1))))
                     take_number();
                 else if (is_word(ch))
@@ -126,6 +127,20 @@ class lexer {
         skip_to(at_ + 1);
         const auto begin = source_.find_first_not_of(" \t", at_);
         if (begin != nowhere && source_[begin] == '&' && !rest) at_ = begin + 1;  // where the line goes on
+        return true;
+    }
+
+    /// C's "#if 0" up to its "#else" or "#endif"; what stands within another #if there goes with it.
+    bool skip_disabled() {
+        if (!line_starts() || !here("#if 0")) return false;
+        int depth = 0;
+        do {
+            skip_to(std::min(source_.find('\n', at_), source_.size()) + 1);
+            while (at_ < source_.size() && is_blank(source_[at_]) && source_[at_] != '\n') ++at_;
+            if (here("#if")) ++depth;
+            if (depth == 0 && (here("#el") || here("#endif"))) break;
+            if (here("#endif")) --depth;
+        } while (at_ < source_.size());
         return true;
     }
 

@@ -85,7 +85,11 @@ class variable_reader {
     const value* find(const std::string& name) {
         if (name.ends_with(']')) {
             const auto at = element_values_.find({scope_, name});
-            return at == element_values_.end() ? nullptr : &at->second;
+            if (at != element_values_.end()) return &at->second;
+            // "B->b[1]" beside "B->b[0] = ..." in C: the memory was 0.
+            const auto array = name.substr(0, name.find('['));
+            return array.find("->") != array.npos && of_elements_.contains({scope_, array}) ? &zero_
+                                                                                            : nullptr;
         }
         auto at = known_.find(name);
         if (at == known_.end()) at = known_.find(std::string(last_part(name)));
@@ -151,6 +155,8 @@ class variable_reader {
         }
         known_.erase(a.name);
         known_.erase(std::string(last_part(a.name)));
+        if (a.sign > 1 && is_sign(p_.tokens[a.sign - 2], "*") && numbers_[a.end] == numbers_[a.begin])
+            pointers_.emplace_back(a.scope, a.name);
         const bool single = !a.one_of_many && is_single_coefficient(last_part(a.name));
         if (!holds_numbers(a) && !is_list_of_coefficients(a) && !is_claim(a) && !single) return;
         const bool array = holds_numbers(a) || is_list_of_coefficients(a);
@@ -185,8 +191,12 @@ class variable_reader {
         if (a.end > a.begin &&
             std::find(nothing.begin(), nothing.end(), p_.tokens[a.begin].text) != nothing.end())
             return false;
+        auto last = a.end;
+        while (last > a.begin && p_.tokens[last - 1].is == token::kind::line_end) --last;
+        const bool handed_on =
+            last > a.begin && p_.tokens[last - 1].text == last_part(a.name);  // order = it->order
         return claim && claim->key != "name" && a.name.find("->") == a.name.npos && a.end > a.begin &&
-               a.end < a.begin + 8 && p_.tokens[a.begin].text != last_part(a.name);
+               a.end < a.begin + 8 && p_.tokens[a.begin].text != last_part(a.name) && !handed_on;
     }
 
     /// Whether brackets with numbers stand in a value that is not understood, and nothing is assigned in it.
@@ -243,6 +253,9 @@ class variable_reader {
     };
 
     void take_element(const assignment& a) {
+        // What a pointer to elsewhere, "double *b = work + s", is filled with is no table of the program.
+        for (const auto& [scope, name] : pointers_)
+            if (name == a.name && p_.related(scope, a.scope)) return;
         const auto index = index_of(a);
         std::string trouble;
         const auto v = read(a, trouble);
@@ -329,9 +342,11 @@ class variable_reader {
     std::map<std::string, std::size_t> known_;
     std::map<std::pair<std::size_t, std::string>, std::size_t> of_elements_;
     std::map<std::pair<std::size_t, std::string>, value> element_values_;
+    const value zero_ = number_value("0", 0);
     std::vector<write> writes_;
-    std::set<std::size_t> written_;  ///< whose elements are assigned
-    std::string assigned_;           ///< the name whose value is at work
+    std::set<std::size_t> written_;                              ///< whose elements are assigned
+    std::string assigned_;                                       ///< the name whose value is at work
+    std::vector<std::pair<std::size_t, std::string>> pointers_;  ///< scopes and names
     std::vector<std::pair<std::size_t, std::size_t>> ranges_;
     std::vector<std::size_t> found_;  ///< names in the value at work
     std::size_t covered_from_ = 0, covered_ = 0, from_ = 1, scope_ = 0;
