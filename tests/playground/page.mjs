@@ -35,6 +35,7 @@ try {
   console.log(`page: loaded after ${Math.round(loaded)} ms, a certificate ${Math.round(certified - loaded)} ms later`);
   const grey = (x, y) => evaluate(`document.getElementById("region").getContext("2d")
     .getImageData(${x} * document.getElementById("region").width, ${y} * document.getElementById("region").height, 1, 1).data[0]`);
+  await until("!document.getElementById('region').parentNode.hidden");
   assert.notEqual(await grey(0.4, 0.45), await grey(0.05, 0.05));  // inside the region of RK4, and outside
 
   await click("[data-star]");  // the order star

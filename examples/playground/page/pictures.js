@@ -85,12 +85,13 @@ function draw_region(canvas, caption, r, half, poles) {
   const n = canvas.width = canvas.height = Math.round(width * scale);
   const style = getComputedStyle(canvas), colour = (name) => style.getPropertyValue(name).trim();
   const g = canvas.getContext("2d"), image = g.createImageData(n, n), pixel = (2 * half) / n;
-  const inside = rgb(colour("--inside")), outside = rgb(colour("--card"));
+  const inside = rgb(colour("--inside")), outside = rgb(colour("--card")), pixels = new Uint32Array(image.data.buffer);
+  const [in_word, out_word] = [inside, outside].map((c) => new Uint32Array(new Uint8Array(c).buffer)[0]);
   for (let row = 0; row < n; ++row)
     for (let column = 0; column < n; ++column) {
       const x = (column + 0.5 - n / 2) * pixel, y = (n / 2 - row - 0.5) * pixel;
-      const size = size_squared(r, x, y), c = (star ? size > Math.exp(2 * x) : size <= 1) ? inside : outside;
-      image.data.set(c, 4 * (row * n + column));
+      const size = size_squared(r, x, y);
+      pixels[row * n + column] = (star ? size > Math.exp(2 * x) : size <= 1) ? in_word : out_word;
     }
   outline(image, n, inside, rgb(colour("--edge")));
   g.putImageData(image, 0, 0);

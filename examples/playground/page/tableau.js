@@ -137,8 +137,8 @@ const tableau_view = (() => {
       $("region").parentNode.hidden = $("stability-box").hidden = true;
       return;
     }
-    const [answer, r] = await Promise.all(
-      [engine.ask("tableau", "certify", ...words), engine.ask("region", "function", ...words)]);
+    const certificate = engine.ask("tableau", "certify", ...words), region = engine.ask("region", "function", ...words);
+    const answer = await certificate;  // which is shown before the region is there
     if (!answer || words[0] !== state.text) return;
     complain(answer.error ?? "");
     $("certificate").classList.toggle("stale", Boolean(answer.error));
@@ -153,6 +153,8 @@ const tableau_view = (() => {
     if (member?.text === state.text)
       $("certificate").append(element("details", {open: ""}, element("summary", {}, "Proved of the member of the family, whatever its digits"),
         theorem_certificate(member.certificate)));
+    const r = await region;
+    if (words[0] !== state.text) return;
     show_region(r, answer.poles ?? []);
     $("stability-box").hidden = !r || r.error;
     if ($("stability-box").open) stability();
