@@ -42,10 +42,10 @@ namespace detail {
 struct call_of_event {
     template <class T>
     static constexpr bool say() {
-        static_assert(
-            never<T>,
-            "event(g, options): options are {.direction = crossing::falling, .terminal = true}, where "
-            "direction is crossing::both, crossing::rising or crossing::falling (of stagecraft)");
+        static_assert(never<T>,
+                      "event(g, options, action): options are {.direction = crossing::falling, .terminal = "
+                      "true}, where direction is crossing::both, crossing::rising or crossing::falling (of "
+                      "stagecraft); an action(t, y) stands third, behind options or {}");
         return true;
     }
 };

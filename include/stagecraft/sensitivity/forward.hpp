@@ -25,7 +25,8 @@ struct call_of_sensitivities {
             !transformed_method<Method> || never<Method>,
             "sensitivities(method, problem, y0, p, t0, t1, options, S0, observer): the problem must be "
             "callable as problem(t, y, p, f), y0 and p be column vectors of Eigen's (one parameter too: "
-            "Eigen::Matrix<double, 1, 1>(2.0)), and options have the names that they have for integrate()");
+            "Eigen::Matrix<double, 1, 1>(2.0)), and options have the names that they have for integrate(); "
+            "S0 is &S0, n x m numbers, or {.S0 = &S0, .times = {...}, .scale, .control}");
         return true;
     }
 };
@@ -81,9 +82,9 @@ auto run_with_sensitivities(const Method& method, const Problem& problem, const 
 ///          automatic differentiation, for which the callable must be generic), mass(p), generic in p, and the members
 ///          that do not depend on p: mass(), index(), bandwidth(), sparsity(), linear_solver.
 /// method   A transformed_tableau other than Radau IA, or a set of such (radau_iia_variable()).
-/// S0       dy0/dp, zero if it is left out. Its algebraic components are made consistent where those of the problem are of
-///          index 1, so that they need not be given. Where they are not, methods that do not forget them (Gauss) are refused
-///          unless S0 is given.
+/// S0       &S0 with S0 = dy0/dp, or sensitivity_options with .S0 among them; zero if it is left out. Its algebraic
+///          components are made consistent where those of the problem are of index 1, so that they need not be given. Where
+///          they are not, methods that do not forget them (Gauss) are refused unless S0 is given.
 /// observer Called as observer(t, y, S) after every step, if given; where it returns false the run ends. at(times, action) or
 ///          event(g, options, action) in its place is what sensitivities_with_events() takes.
 ///

@@ -58,9 +58,11 @@ requires(!detail::given_to_lagrangian<Coordinates, Constraints, Kinetic, Potenti
         given::objects,
         "lagrangian: the constraint or Q returns an expression of Eigen's, whose operands may be gone "
         "before it is evaluated: write `return (-C * v).eval();`");
-    static_assert(given::forces,
-                  "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
-                  "do not depend on it, and return a vector of n numbers");
+    static_assert(
+        given::forces,
+        "lagrangian: the generalised forces must be callable as Q(q, v, t), with t even where they "
+        "do not depend on it, [](const auto& q, const auto& v, const auto& t) { ... }, and return a "
+        "vector of n numbers");
     static_assert(given::forces_time,
                   "lagrangian: the generalised forces must take t of any scalar as well, as they are "
                   "differentiated automatically: [](const auto& q, const auto& v, const auto& t) { ... }");
