@@ -1,6 +1,6 @@
 """check.py SITE SOURCES: what must hold of the built pages. Prints what does not, and then ends with 1.
 
-- No link is dead, anchors included, and no page loads anything from elsewhere.
+- No link is dead, anchors included, and no page loads anything from elsewhere, or a script that is a module.
 - Each header that include/README.md names has a page.
 - Each want of SOURCES/wants.txt leads from the front page to its answer in at most two clicks.
 - Pictures have an alternative text. All is at most 30 MB.
@@ -71,6 +71,9 @@ def main():
                 wrong.append(f"{name}: {link} has no such anchor")
         wrong += [f"{name} loads {link}" for link in page.loads if elsewhere(link)]
         wrong += [f"{name}: {src} has no alternative text" for src in page.no_alt]
+    for script in {target(path, link)[0] for path, page in pages.items() for link in page.loads if link.endswith(".js")}:
+        if script.exists() and re.match(r"\s*import\b", script.read_text()):
+            wrong.append(f"{script.relative_to(site)} imports a script, which no browser does for a page from disk")
     for style in site.rglob("*.css"):
         for link in re.findall(r"url\(\s*['\"]?([^'\")]+)", style.read_text()) + re.findall(r"@import\s+['\"]([^'\"]+)", style.read_text()):
             if elsewhere(link):

@@ -14,7 +14,7 @@ import reference
 
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 NORMALIZE = pathlib.Path("/usr/share/javascript/normalize.css/normalize.css")
-FURO = pathlib.Path("/usr/lib/python3/dist-packages/furo/theme/furo/static/styles/furo.css")
+FURO = pathlib.Path("/usr/lib/python3/dist-packages/furo/theme/furo/static")
 
 
 TITLES = {"about.md": "About <about>"}  # the README's own title is that of the site
@@ -32,14 +32,20 @@ def copy_katex(static):
 
 
 def mend_furo(static):
-    """Debian's style of Furo imports a file from the root of the server, and is dark only where somebody says so."""
+    """Debian's style of Furo imports a file from the root of the server, and is dark only where somebody says so. Its script
+    imports another one, which no browser does for a page from disk, nor for a script that is no module."""
     shutil.copy(NORMALIZE, static)
-    style = re.sub(r"@import url\(/javascript/[^)]*\);", '@import "../normalize.css";', FURO.read_text())
+    style = re.sub(r"@import url\(/javascript/[^)]*\);", '@import "../normalize.css";', (FURO / "styles/furo.css").read_text())
     dark = re.search(r'body\[data-theme="dark"\] \{(.*?)\}', style, re.S)
     if "prefers-color-scheme" not in style and dark:
         style += f'\n@media not print {{ @media (prefers-color-scheme: dark) {{ body[data-theme="auto"] {{{dark.group(1)}}} }} }}\n'
     (static / "styles").mkdir()
     (static / "styles/furo.css").write_text(style)
+    (static / "scripts").mkdir()
+    script, gumshoe = ((FURO / "scripts" / name).read_text() for name in ("furo.js", "gumshoe-patched.js"))
+    if script.startswith("import"):
+        script = gumshoe + script.partition("\n")[2]
+    (static / "scripts/furo.js").write_text(script)
 
 
 def playground(static):

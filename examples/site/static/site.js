@@ -1,5 +1,7 @@
 "use strict";
 // Formulas, by KaTeX; tables that can be sorted and filtered (class "sortable").
+// From disk a browser reads no other page, which the search would quote.
+if (location.protocol === "file:" && window.DOCUMENTATION_OPTIONS) DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
 document.addEventListener("DOMContentLoaded", () => {
   for (const e of document.querySelectorAll(".math"))
     katex.render(e.textContent, e, {displayMode: e.tagName === "DIV", throwOnError: false});
