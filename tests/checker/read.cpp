@@ -133,6 +133,16 @@ BOOST_AUTO_TEST_CASE(quotients_are_judged_as_what_they_round_and_every_change_be
         hidden += stagecraft::theory::certify(moved).exit_code() == 0 ? 1 : 0;
     }
     BOOST_TEST(hidden > 0);
+    // Short fractions beside them say nothing of how the others are meant: Gauss 2 has four of eight, and with a digit lost in q it
+    // is refuted and that entry named.
+    std::string gauss = R"({"c":["1104728155436/5227629760075","4122901604639/5227629760075"],"A":[["1/4",
+        "-266267549736/6884721993229"],["1923359782890/3570537526921","1/4"]],"b":["1/2","1/2"],"claims":{"order":4}})";
+    BOOST_TEST(checked::certify(gauss).verdict_in_words() ==
+               "consistent up to 1.44e-26 (quotients of 13 digits)");
+    const auto misprinted = checked::certify(gauss.erase(gauss.find("3570537526921") + 3, 1));
+    BOOST_TEST(misprinted.exit_code() == 1);
+    BOOST_REQUIRE(!misprinted.suspects.empty());
+    BOOST_TEST(misprinted.suspects.front().entry == "A[2][1]");
     auto misprint = nlohmann::json::parse(text);
     misprint["A"][1][0] = "3654502875983/5168247530883";
     const auto found = checked::certify(misprint.dump());

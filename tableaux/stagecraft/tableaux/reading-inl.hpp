@@ -102,6 +102,9 @@ tableau_file with_entries_changed(tableau_file file, Change change) {
     return file;
 }
 
+/// Fractions up to this denominator, 5/12 say, stand beside rounded ones as beside exact ones.
+inline constexpr int largest_short_denominator = 20;
+
 inline bool is_long_quotient(const entry& e) {
     return e.exact && e.exact->is_rational() &&
            e.exact->rational_part().denominator() > largest_exact_denominator &&
@@ -128,7 +131,7 @@ STAGECRAFT_INLINE bool has_rounded_fractions(const tableau_file& file) {
     int fractions = 0, enormous = 0;
     for_each_given(file, [&](const entry& e) {
         if (!e.exact || !e.exact->is_rational()) return;
-        fractions += e.exact->rational_part().denominator() > 1 ? 1 : 0;
+        fractions += e.exact->rational_part().denominator() > detail::largest_short_denominator ? 1 : 0;
         enormous += detail::is_long_quotient(e) ? 1 : 0;
     });
     return 2 * enormous > fractions;

@@ -55,8 +55,8 @@ tableau_file cut_off(tableau_file file);
 /// Beyond this a denominator, and beyond the second its numerator, are no exact numbers where most of a file's are.
 inline constexpr int largest_exact_denominator = 1000000, largest_exact_numerator = 1000;
 
-/// Whether the file's fractions are rounded numbers in disguise: more than half of them have denominators beyond
-/// largest_exact_denominator.
+/// Whether the file's fractions are rounded numbers in disguise: more than half of them, short ones as 5/12 left out, have denominators
+/// beyond largest_exact_denominator.
 bool has_rounded_fractions(const tableau_file& file);
 
 /// The same file with its long quotients p/q understood as rounded: within 1/q^2 of the number that is meant, as the
