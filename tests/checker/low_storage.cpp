@@ -51,7 +51,7 @@ struct slot {
 
 std::vector<slot> slots(const json& file) {
     std::vector<slot> all;
-    for (const std::string key : {"A", "B", "beta"}) {
+    for (const std::string key : {"A", "B", "beta", "b_embedded"}) {
         if (!file.contains(key)) continue;
         for (std::size_t i = 0; i < file[key].size(); ++i) {
             const std::string row = std::to_string(i + 1), path = "/" + key + "/" + std::to_string(i);
@@ -127,4 +127,9 @@ BOOST_AUTO_TEST_CASE(exchanged_coefficients_are_named_and_rows_that_do_not_sum_t
     BOOST_REQUIRE(!two_s.suspects.empty());
     BOOST_TEST(two_s.suspects.front().entry == "beta[2]");
     BOOST_TEST(two_s.suspects.front().suggest == "1/4");
+    // The embedded weights stand beside the form.
+    json with_estimate = json::parse(published.back());
+    std::swap(with_estimate["b_embedded"][1], with_estimate["b_embedded"][3]);
+    BOOST_TEST(certify_method(with_estimate.dump()).suspects_note ==
+               "b_embedded[2] and b_embedded[4] are exchanged: undone, every claim is restored");
 }

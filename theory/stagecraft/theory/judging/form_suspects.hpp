@@ -92,6 +92,28 @@ std::string find_exchanged(const tableaux::stage_form& form, form_values<K> valu
     return {};
 }
 
+/// The embedded weights whose change alone restores every claim, or two of them that are exchanged: they stand beside the form.
+/// Whether what fails is at the level of rounding.
+template <class K>
+bool find_embedded_suspects(const tableaux::tableau_file& file, subject<K> s, file_certificate& certificate) {
+    std::vector<place> weights;
+    for (int i = 0; i < s.stages(); ++i) weights.push_back({part::b_embedded, i, 0});
+    const bool rounding = append_suspects(file, find_repairs(s, file.claims, weights), certificate.suspects);
+    if (!certificate.suspects.empty()) return rounding;
+    auto& b = s.t.b_embedded;
+    for (const place& p : weights)
+        for (int k = 0; k < p.row; ++k) {
+            std::swap(b(p.row), b(k));
+            const bool restored = keeps_claims(s, file.claims);
+            std::swap(b(p.row), b(k));
+            if (!restored) continue;
+            certificate.suspects_note =
+                place{part::b_embedded, k, 0}.name() + " and " + p.name() + " are exchanged" + undone;
+            return rounding;
+        }
+    return rounding;
+}
+
 /// Names what may be wrong in a file that gives a form; `convert` takes an entry to K.
 template <class K>
 void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const tableaux::entry&),
@@ -99,6 +121,9 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
     const auto& form = *file.form;
     tableaux::claims claims = file.claims;  // b_embedded is no coefficient of the form
     claims.embedded_order.reset();
+    const auto s = make_subject<K>(file, convert);
+    const bool only_embedded = !file.b_embedded.empty() && keeps_claims(s, claims);
+    bool rounding = only_embedded && find_embedded_suspects(file, s, certificate);
     form_values<K> values;
     for (const auto& row : form.rows) {
         values.emplace_back();
@@ -106,8 +131,7 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
     }
     tableaux::tableau_file given;  // the coefficients in the place of A
     given.A = form.rows;
-    const auto candidates = form_places(form);
-    bool rounding = false;
+    const auto candidates = only_embedded ? std::vector<place>{} : form_places(form);
     for (const auto& r : find_form_repairs(form.which, values, claims, candidates)) {
         std::vector<suspect> found;
         rounding = append_suspects(given, std::vector{r}, found) || rounding;
@@ -123,7 +147,7 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
         note = several_repairs;
     else if (certificate.suspects.empty() && rounding)
         note = only_rounding_fails;
-    else if (certificate.suspects.empty()) {
+    else if (certificate.suspects.empty() && note.empty()) {
         note = find_exchanged(form, values, claims, candidates);
         note = note.empty() ? "no change of a single coefficient restores every claim" : note + undone;
     }
