@@ -1,7 +1,7 @@
 """check.py SITE SOURCES: what must hold of the built pages. Prints what does not, and then ends with 1.
 
 - No link is dead, anchors included, and no page loads anything from elsewhere, or a script that is a module.
-- Each header that include/README.md names has a page.
+- Each header that include/README.md names has a page, and each lesson stands on one beside the list of them.
 - Each want of SOURCES/wants.txt leads from the front page to its answer in at most two clicks.
 - Pictures have an alternative text. All is at most 30 MB.
 """
@@ -86,6 +86,11 @@ def main():
     for header in re.findall(r"^\| `([\w/]+\.hpp)`", tables, re.M):
         if site / f"reference/stagecraft/{header.removesuffix('.hpp')}.html" not in pages:
             wrong.append(f"{header} has no page")
+    written = " ".join(page.text() for path, page in pages.items() if path.stem != "lessons"
+                       and path.relative_to(site).parts[0] in ("tutorials", "howto", "explanation"))
+    for lesson in sorted((repository / "examples/lessons").glob("*.cpp")):
+        if lesson.name not in written:
+            wrong.append(f"{lesson.name} stands on no page")
 
     front = site / "index.html"
     one = {target(front, link)[0] for link in pages[front].body_links if not elsewhere(link)}
