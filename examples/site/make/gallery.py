@@ -86,8 +86,8 @@ def method_page(site, path):
 
 
 def family_page(site, family, s):
-    argument, title = f"{family} {s}", family.replace("_", " ").title().replace("Iii", "III").replace("Ii", "II")
-    title = re.sub(r"(?<= I)([abcde]|i+[abcde]?)$", lambda m: m.group(1).upper(), title)
+    argument = f"{family} {s}"
+    title = " ".join(w.upper() if re.fullmatch("i+[abcde]?", w) else w.title() for w in family.split("_"))
     page = f"gallery/families/{family}_{s}.md"
     text = [f"---\norphan: true\n---\n# {title}, s = {s}\n", "[Gallery](../index.md), [families](../families.md)\n",
             "## Certificate\n", block(site.run(f"stagecraft certify {argument}", {0, 1, 3})),

@@ -220,7 +220,7 @@ def pages(repository):
     out, of_header, names, rows = {}, {}, [], {}
     for floor, root in ROOTS.items():
         base = repository / root
-        for path in sorted(base.rglob("*.hpp")):
+        for path in sorted(p for p in base.rglob("*.hpp") if not p.stem.endswith("-inl")):  # what nobody includes by hand
             include = str(path.relative_to(repository / floor))
             found = entries(path.read_text())
             if not found:
