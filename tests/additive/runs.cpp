@@ -81,7 +81,7 @@ void expect(const std::string& said, const std::string& part) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_tolerance_holds_on_kaps_problem_at_every_stiffness) {
-    for (const auto* name : {"ark2", "ark3", "ark4", "ark5"})
+    for (const auto* name : {"ark2", "ark3", "ark4", "ark5", "ark4_2019", "ark5_2019"})
         for (const double tolerance : {1e-4, 1e-6})
             for (const double eps : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
                 BOOST_TEST_CONTEXT(name << ", " << tolerance << ", eps " << eps) {
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_tolerance_holds_on_kaps_problem_at_every_stiffness) {
 
 BOOST_AUTO_TEST_CASE(and_with_an_algebraic_equation_in_the_implicit_part) {
     const double tolerance = 1e-6;
-    for (const auto* name : {"ark2", "ark3", "ark4", "ark5", "ars_4_4_3"})
+    for (const auto* name : {"ark2", "ark3", "ark4", "ark5", "ark4_2019", "ark5_2019", "ars_4_4_3"})
         for (const double eps : {1e-1, 1e-3, 1e-6}) BOOST_TEST_CONTEXT(name << ", eps " << eps) {
                 const VectorXd exact = vector({std::exp(-2), std::exp(-1), std::exp(-2)});
                 auto m = method(name);
@@ -332,6 +332,8 @@ BOOST_AUTO_TEST_CASE(generated_headers_hold_the_files_to_the_last_bit) {
     same(sc::ark4(), "ark4");
     same(sc::ars_2_2_2(), "ars_2_2_2");
     same(sc::bhr_5_5_3(), "bhr_5_5_3");
+    same(sc::ark4_2019(), "ark4_2019");
+    same(sc::ark5_2019(), "ark5_2019");
     BOOST_TEST((sc::ark4<float>().implicit_part.b == sc::ark4().implicit_part.b.cast<float>()));
     BOOST_TEST(sc::integrate(sc::ark4(), kaps(0.1), vector({1, 1}), 0, 1).ok());
 }

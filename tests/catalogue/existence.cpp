@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(pairs_of_kennedy_and_carpenter_exist_with_their_coupling_an
     };
     for (const one& m :
          {one{"pairs/ark3.json", 3, 2}, one{"pairs/ark4.json", 4, 3}, one{"pairs/ark5.json", 5, 4},
-          one{"catalogue/kennedy_carpenter_esdirk_5_4.json", 5, 4},
+          one{"pairs/ark4_2019.json", 4, 3}, one{"catalogue/kennedy_carpenter_esdirk_5_4.json", 5, 4},
           one{"catalogue/kennedy_carpenter_esdirk_4_3_seven_stages.json", 4, 3}}) {
         const auto c = of(m.file);
         BOOST_TEST(c.exit_code() == 0, m.file);

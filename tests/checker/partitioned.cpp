@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(every_published_pair_has_the_order_that_is_claimed) {
             BOOST_TEST(certify_method(theory::json_text(c)).exit_code() == 0);
             ++pairs;
         }
-    BOOST_TEST(pairs >= 32);
+    BOOST_TEST(pairs == 35);
 }
 
 BOOST_AUTO_TEST_CASE(steps_converge_with_the_order_that_the_coloured_trees_give) {
@@ -262,14 +262,14 @@ BOOST_AUTO_TEST_CASE(a_nystrom_method_may_claim_order_13_unless_f_depends_on_the
 }
 
 BOOST_AUTO_TEST_CASE(a_misprint_in_one_tableau_of_a_pair_is_refuted_and_named) {
-    // Every 19th entry of the published pairs, a thousandth more.
+    // Every 21st entry of the published pairs, a thousandth more.
     int tried = 0, refuted = 0, named = 0, turn = 0;
     for (const std::string& path : published()) {
         const auto good = certify_method(tableaux::text_of_file(path), folder).tableau;
         const auto entries = good.flatten();
         for (const auto& [at, entry] : entries.items()) {
             const bool counts = at.find("/A") != std::string::npos || at.find("/b") != std::string::npos;
-            if (!counts || !entry.is_string() || entry == "0" || turn++ % 19 != 0) continue;
+            if (!counts || !entry.is_string() || entry == "0" || turn++ % 21 != 0) continue;
             auto table = good;
             table[nlohmann::ordered_json::json_pointer(at)] = "(" + entry.get<std::string>() + ")*1001/1000";
             const auto c = certify_method(table.dump());

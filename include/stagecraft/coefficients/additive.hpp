@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients tableaux/pairs/ark3.json tableaux/pairs/ark4.json tableaux/pairs/ark5.json tableaux/pairs/ars_2_2_2.json tableaux/pairs/ars_4_4_3.json tableaux/pairs/bhr_5_5_3.json
+// SPDX-License-Identifier: BSL-1.0 | written by: stagecraft coefficients tableaux/pairs/ark3.json tableaux/pairs/ark4.json tableaux/pairs/ark5.json tableaux/pairs/ark4_2019.json tableaux/pairs/ark5_2019.json tableaux/pairs/ars_2_2_2.json tableaux/pairs/ars_4_4_3.json tableaux/pairs/bhr_5_5_3.json
 // clang-format off
 #pragma once
 
@@ -97,6 +97,72 @@ struct ark5 {
         -0x1.97de03f45bfa5p-4, 0x0p+0, 0x0p+0, 0x1.341de9cadf422p+1, -0x1.47fbc546edc68p-3, -0x1.127658444ecbbp+1, 0x1.8f2339aacd70ep-1, 0x1.bce4c82cde999p-3};
 };
 
+struct ark4_2019 {
+    static constexpr int stages = 7, order = 4, embedded_order = 3;
+    static constexpr double c[] = {
+        0x0p+0, 0x1.f9db22d0e5604p-3, 0x1.afc66d366ca16p-2, 0x1.570a3d70a3d71p-2, 0x1.3333333333333p-4, 0x1.6666666666666p-1, 0x1p+0};
+    static constexpr double A[] = {
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.f9db22d0e5604p-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.f9db22d0e5604p-5, 0x1.708b08dc4ff55p-2, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.b24fd61e47832p-5, 0x1.701ed70abfad4p-2, -0x1.3d7a5177931a4p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.de8da9ab5005ep-5, -0x1.4e1b6d05334efp-3, -0x1.941cfc3331c84p-3, 0x1.82174c339557bp-2, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.13ba3f17df0d8p-1, -0x1.d1e59d1662caap-2, 0x1.419c421f895f3p+0, -0x1.e9c36b4a38afcp-2, -0x1.4adf6300f6a17p-3, 0x0p+0, 0x0p+0,
+        0x1.db94ab5359d93p-3, 0x1.db94ab5359d93p-3, -0x1.b3d6f2a5aee2cp+2, 0x1.d728b0c61c35fp+2, -0x1.5ff81343b5be3p+0, 0x1.5bcbefed29fb1p+0, 0x0p+0};
+    static constexpr double b[] = {
+        0x0p+0, 0x0p+0, 0x1.083faa5679e51p-1, -0x1.2b235fb206e51p-3, 0x1.e0ba60822e391p-3, 0x1.163e6236bf33cp-2, 0x1.f9db22d0e5604p-4};
+    static constexpr double b_embedded[] = {
+        0x0p+0, 0x0p+0, 0x1.08f89c3d72492p-1, -0x1.36c285670cd74p-3, 0x1.e4cd7f22aa318p-3, 0x1.1a0e9dcd64825p-2, 0x1.f3eab367a0f91p-4};
+    static constexpr double c_hat[] = {
+        0x0p+0, 0x1.f9db22d0e5604p-3, 0x1.afc66d366ca16p-2, 0x1.570a3d70a3d71p-2, 0x1.3333333333333p-4, 0x1.6666666666666p-1, 0x1p+0};
+    static constexpr double A_hat[] = {
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.f9db22d0e5604p-4, 0x1.f9db22d0e5604p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.314fa48233495p-3, 0x1.314fa48233495p-3, 0x1.f9db22d0e5604p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.ff5262cc18ca2p-4, 0x1.ff5262cc18ca2p-4, -0x1.38ade54d0f30bp-5, 0x1.f9db22d0e5604p-4, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.2b238a3294a64p-4, -0x1.2b238a3294a64p-4, -0x1.f28e68d841c6bp-3, 0x1.5d2efd9dfeab3p-2, 0x1.f9db22d0e5604p-4, 0x0p+0, 0x0p+0,
+        -0x1.3945b6e1bdf04p-3, -0x1.3945b6e1bdf04p-3, 0x1.27c114a865028p-4, 0x1.9e0278aaf7c98p-2, 0x1.9fa8fd25405afp-2, 0x1.f9db22d0e5604p-4, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1.083faa5679e51p-1, -0x1.2b235fb206e51p-3, 0x1.e0ba60822e391p-3, 0x1.163e6236bf33cp-2, 0x1.f9db22d0e5604p-4};
+    static constexpr double b_hat[] = {
+        0x0p+0, 0x0p+0, 0x1.083faa5679e51p-1, -0x1.2b235fb206e51p-3, 0x1.e0ba60822e391p-3, 0x1.163e6236bf33cp-2, 0x1.f9db22d0e5604p-4};
+    static constexpr double b_hat_embedded[] = {
+        0x0p+0, 0x0p+0, 0x1.08f89c3d72492p-1, -0x1.36c285670cd74p-3, 0x1.e4cd7f22aa318p-3, 0x1.1a0e9dcd64825p-2, 0x1.f3eab367a0f91p-4};
+};
+
+struct ark5_2019 {
+    static constexpr int stages = 8, order = 5, embedded_order = 4;
+    static constexpr double c[] = {
+        0x0p+0, 0x1.c71c71c71c71cp-2, 0x1.84762d8388c5bp-1, 0x1.d824c33ae5433p-4, 0x1.6d51bd9c72184p-2, 0x1.70a3d70a3d70ap-1, 0x1.e8f5c28f5c28fp-1, 0x1p+0};
+    static constexpr double A[] = {
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.c71c71c71c71cp-2, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.c71c71c71c71cp-4, 0x1.4b929f4aa5377p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.78229820c517dp-4, 0x1.226508c5ba551p-5, -0x1.8982ca45e7f97p-7, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.5ebe7e024aeddp-2, -0x1.121a2510781bp-2, 0x1.c4e3f04e7498p-4, 0x1.b678b24dcbfd8p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.4037d9afb0da3p-7, 0x1.af8804ceda86bp-3, 0x1.36fc3604b9b97p-4, 0x1.a9471f4479a29p-3, 0x1.e2459aae3fca3p-3, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.de118501d6d27p-2, 0x1.4a55066cf334dp+0, 0x1.837cdab330231p-2, -0x1.207d48ade6711p-1, -0x1.273e5d016799ep-2, -0x1.50be05ece6fadp-2, 0x0p+0, 0x0p+0,
+        0x1.3a9234d624343p-1, 0x1.3a9234d624343p-1, 0x1.4518e69327149p-2, -0x1.6c9f31f38891dp-1, 0x1.d6fcb14b858cp-4, 0x1.7655b1155d0cap-4, -0x1.4bbf74e6fb3f6p-5, 0x0p+0};
+    static constexpr double b[] = {
+        0x0p+0, 0x0p+0, 0x1.63a92efc34ba9p-3, 0x1.04e81b08c80b9p-2, 0x1.ef6a31c2bb288p-3, 0x1.3ac856d42888dp-2, -0x1.9990b63fed7dap-3, 0x1.c71c71c71c71cp-3};
+    static constexpr double b_embedded[] = {
+        0x0p+0, 0x0p+0, 0x1.00eb1bc7aa56p-4, 0x1.055bd73b3374p-2, 0x1.e9874693e1df2p-3, 0x1.98a84d5f44948p-2, -0x1.252fa102b96d9p-3, 0x1.7f2a835612527p-3};
+    static constexpr double c_hat[] = {
+        0x0p+0, 0x1.c71c71c71c71cp-2, 0x1.84762d8388c5bp-1, 0x1.d824c33ae5433p-4, 0x1.6d51bd9c72184p-2, 0x1.70a3d70a3d70ap-1, 0x1.e8f5c28f5c28fp-1, 0x1p+0};
+    static constexpr double A_hat[] = {
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.c71c71c71c71cp-3, 0x1.c71c71c71c71cp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.12af1111c1a94p-2, 0x1.12af1111c1a94p-2, 0x1.c71c71c71c71cp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.dab0b6f366817p-5, -0x1.dab0b6f366817p-5, 0x1.24e4b50097086p-7, 0x1.c71c71c71c71cp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.62c1c550873afp-5, -0x1.62c1c550873afp-5, -0x1.16a44cb9362d8p-5, 0x1.05487fa42c73cp-2, 0x1.c71c71c71c71cp-3, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.0deb0e5e83eb3p-3, 0x1.0deb0e5e83eb3p-3, -0x1.093aea907a92bp-5, 0x1.fb4f1cc1f7ab9p-4, 0x1.2443f9e7f4496p-3, 0x1.c71c71c71c71cp-3, 0x0p+0, 0x0p+0,
+        0x1.3cbf1f207affp-2, 0x1.3cbf1f207affp-2, -0x1.5da7ae4282bd8p-1, -0x1.e1e042bd8d841p-5, -0x1.5266712ea7b79p-5, 0x1.cb5ba07e601ebp-1, 0x1.c71c71c71c71cp-3, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1.63a92efc34ba9p-3, 0x1.04e81b08c80b9p-2, 0x1.ef6a31c2bb288p-3, 0x1.3ac856d42888dp-2, -0x1.9990b63fed7dap-3, 0x1.c71c71c71c71cp-3};
+    static constexpr double b_hat[] = {
+        0x0p+0, 0x0p+0, 0x1.63a92efc34ba9p-3, 0x1.04e81b08c80b9p-2, 0x1.ef6a31c2bb288p-3, 0x1.3ac856d42888dp-2, -0x1.9990b63fed7dap-3, 0x1.c71c71c71c71cp-3};
+    static constexpr double b_hat_embedded[] = {
+        0x0p+0, 0x0p+0, 0x1.00eb1bc7aa56p-4, 0x1.055bd73b3374p-2, 0x1.e9874693e1df2p-3, 0x1.98a84d5f44948p-2, -0x1.252fa102b96d9p-3, 0x1.7f2a835612527p-3};
+};
+
 struct ars_2_2_2 {
     static constexpr int stages = 3, order = 2, embedded_order = 0;
     static constexpr double c[] = {
@@ -183,6 +249,18 @@ additive_method<Scalar, 6> ark4() {
 template <class Scalar = double>
 additive_method<Scalar, 8> ark5() {
     return coefficients::unpack_pair<additive_method<Scalar, 8>, coefficients::ark5>();
+}
+
+/// Kennedy-Carpenter ARK4(3)7L[2]SA1 (C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 136 (2019) 183-205), order 4(3), up to the digits published: every entry is the nearest double; in another Scalar that one rounded.
+template <class Scalar = double>
+additive_method<Scalar, 7> ark4_2019() {
+    return coefficients::unpack_pair<additive_method<Scalar, 7>, coefficients::ark4_2019>();
+}
+
+/// Kennedy-Carpenter ARK5(4)8L[2]SA2 (C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 136 (2019) 183-205), order 5(4), up to the digits published: every entry is the nearest double; in another Scalar that one rounded.
+template <class Scalar = double>
+additive_method<Scalar, 8> ark5_2019() {
+    return coefficients::unpack_pair<additive_method<Scalar, 8>, coefficients::ark5_2019>();
 }
 
 /// ARS(2,2,2) (U. M. Ascher, S. J. Ruuth, R. J. Spiteri, Appl. Numer. Math. 25 (1997) 151-167), order 2, proved: every entry is the nearest double; in another Scalar that one rounded.
