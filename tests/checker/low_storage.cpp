@@ -127,7 +127,17 @@ BOOST_AUTO_TEST_CASE(exchanged_coefficients_are_named_and_rows_that_do_not_sum_t
     BOOST_REQUIRE(!two_s.suspects.empty());
     BOOST_TEST(two_s.suspects.front().entry == "beta[2]");
     BOOST_TEST(two_s.suspects.front().suggest == "1/4");
-    // The embedded weights stand beside the form.
+    // Nodes and embedded weights stand beside the form.
+    json with_nodes = json::parse(published.front());
+    with_nodes["c"] = {"0", "1/3", "3/4"};
+    const auto good = certify_method(with_nodes.dump());
+    BOOST_TEST(good.find("row_sums")->judgement->is_proved());
+    with_nodes["c"][2] = "3/14";
+    const auto wrong_node = certify_method(with_nodes.dump());
+    BOOST_TEST(wrong_node.exit_code() == 1);
+    BOOST_REQUIRE(wrong_node.suspects.size() == 1);
+    BOOST_TEST(wrong_node.suspects.front().entry == "c[3]");
+    BOOST_TEST(wrong_node.suspects.front().suggest == "3/4");
     json with_estimate = json::parse(published.back());
     std::swap(with_estimate["b_embedded"][1], with_estimate["b_embedded"][3]);
     BOOST_TEST(certify_method(with_estimate.dump()).suspects_note ==

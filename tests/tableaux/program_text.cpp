@@ -344,6 +344,15 @@ BOOST_AUTO_TEST_CASE(codes_with_layouts_of_their_own_are_read_as_they_stand) {
         "2/3\n c2 = 1/6\nend procedure\n",
         {q(0), q(0), q(0), q(1, 2), q(0), q(0), q(-1), q(2), q(0), q(1, 6), q(2, 3), q(1, 6), q(0), q(1, 2),
          q(1)});
+    // Williamson's 2N form, which the program subtracts; not Julia's packed triangle of the same length, {1/2, -1, 2}.
+    same(
+        "a = SVector(0, 5 / 9, 153 / 128)\nb = SVector(1 / 3, 15 / 16, 8 / 15)\nc = SVector(0, 1 / 3, 3 / "
+        "4)\n",
+        {q(0), q(0), q(0), q(1, 3), q(0), q(0), q(-3, 16), q(15, 16), q(0), q(1, 6), q(3, 10), q(8, 15), q(0),
+         q(1, 3), q(3, 4)});
+    same("a = SVector(1 / 2, -1, 2)\nb = SVector(1 / 6, 2 / 3, 1 / 6)\nc = SVector(0, 1 / 2, 1)\n",
+         {q(0), q(0), q(0), q(1, 2), q(0), q(0), q(-1), q(2), q(0), q(1, 6), q(2, 3), q(1, 6), q(0), q(1, 2),
+          q(1)});
     same("ARK_BUTCHER_TABLE(EULER, {\n  B->q = 1;\n  B->b[0] = RCONST(1.0);\n  })", {q(0), q(1)});
 }
 

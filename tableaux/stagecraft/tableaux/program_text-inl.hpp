@@ -74,7 +74,8 @@ STAGECRAFT_INLINE cells list_of(const variable& x, std::size_t s, const char* mi
 struct parts {
     std::vector<cells> A;
     cells b, c, embedded;
-    std::vector<cells> dense;  ///< a row for each stage
+    std::vector<cells> dense;    ///< a row for each stage
+    bool two_registers = false;  ///< A and b are the lists of a low-storage form
 };
 
 STAGECRAFT_INLINE rational sum_of(const cells& all) {
@@ -149,6 +150,21 @@ STAGECRAFT_INLINE void drop_last_row(parts& t) {
     t.A.insert(t.A.begin(), cells(t.b.size(), {"0", t.b.front().line}));
 }
 
+/// Williamson's A and B, two lists of which the first begins with 0, as no packed triangle of a method does.
+STAGECRAFT_INLINE bool is_low_storage(const variable& a, const cells& b) {
+    const auto all = a.array.all();
+    return !a.array.nested && !a.array.reshaped && a.elements.empty() && b.size() > 2 &&
+           all.size() == b.size() && is_zero(all.front());
+}
+
+/// Where none of them is negative the program subtracts them: the method has them negative.
+STAGECRAFT_INLINE void with_the_sign_of_the_method(cells& A) {
+    const auto negative = [](const cell& x) { return read_entry(x.text).enclosure.middle() < rational(0); };
+    if (std::any_of(A.begin(), A.end(), negative)) return;
+    for (auto& x : A)
+        if (!is_zero(x)) x.text = "-(" + x.text + ")";
+}
+
 STAGECRAFT_INLINE parts parts_of(const group& g, const variables& v) {
     std::size_t s =
         0;  // not by names with indices that are left out where they are 0, or one behind the last stage
@@ -174,6 +190,11 @@ STAGECRAFT_INLINE parts parts_of(const group& g, const variables& v) {
         split_weights(v.all[g.arrays.at("b")].array, a.array, t);
     t.embedded.erase(t.embedded.begin(), t.embedded.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                                   g.embedded_from, t.embedded.size())));
+    if (is_low_storage(a, t.b)) {
+        t.A = {a.array.all()};
+        t.two_registers = true;
+        return t;
+    }
     if (t.b.empty() && a.array.nested) s = t.embedded.size();
     t.A = matrix_of(a, std::max(t.b.size(), s));
     if (a.array.reshaped && a.array.by_columns) turn(t.A);
@@ -228,8 +249,14 @@ STAGECRAFT_INLINE tableau_file file_of(const group& g, const variables& v, const
     parts t;
     try {
         t = parts_of(g, v);
-        nlohmann::json j{{"name", g.name}, {"A", nlohmann::json::array()}, {"b", texts(t.b)}};
+        nlohmann::json j{
+            {"name", g.name}, {"A", nlohmann::json::array()}, {t.two_registers ? "B" : "b", texts(t.b)}};
+        if (t.two_registers) with_the_sign_of_the_method(t.A.front());
         for (const auto& row : t.A) j["A"].push_back(texts(row));
+        if (t.two_registers) {
+            j["form"] = "2N";
+            j["A"] = texts(t.A.front());
+        }
         if (!t.c.empty()) j["c"] = texts(t.c);
         if (!t.embedded.empty()) j["b_embedded"] = texts(t.embedded);
         for (const auto& row : t.dense) j["b_theta"].push_back(texts(row));

@@ -82,7 +82,7 @@ STAGECRAFT_INLINE void apply(const reading& how, tableau_file& file) {
 
 namespace detail {
 
-/// The file with its entries changed; where it gives a form, the form's entries and what is computed from them.
+/// The file with its entries changed; where it gives a form, the form's entries, what is computed from them, and what stands beside it.
 template <class Change>
 tableau_file with_entries_changed(tableau_file file, Change change) {
     if (!file.form) {
@@ -97,6 +97,8 @@ tableau_file with_entries_changed(tableau_file file, Change change) {
         file.A = std::move(changed.A);
         file.b = std::move(changed.b);
         file.form = std::move(changed.form);
+        for (auto* beside : {&file.b_embedded, &file.c})
+            for (auto& e : *beside) change(e);
     } catch (const std::invalid_argument&) {  // rows of alpha sum to 1 as given only
     }
     return file;

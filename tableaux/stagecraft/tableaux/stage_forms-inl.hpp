@@ -72,7 +72,7 @@ STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading&
                        : form == "2N"      ? kind::williamson
                        : form == "2S"      ? kind::ketcheson
                                            : kind::ketcheson_three;
-    std::set<std::string> known{"name", "source", "note", "form", "claims", "tolerance", "b_embedded"};
+    std::set<std::string> known{"name", "source", "note", "form", "claims", "tolerance", "b_embedded", "c"};
     for (const std::string& name : stage_form::names(which)) known.insert(name);
     require_keys(d, known, {});
     for (const std::string& name : stage_form::names(which)) require_keys(d, known, {name.c_str()});
@@ -87,10 +87,12 @@ STAGECRAFT_INLINE tableau_file from_stage_form(const document& d, const reading&
         given.b_embedded = one_for_each_stage(d, "b_embedded", given.A.front().size());
     else if (read_claims(d).embedded_order)
         reject(d, "/claims/embedded_order", "claims.embedded_order", "there is no b_embedded");
+    if (d.root.contains("c")) given.c = one_for_each_stage(d, "c", given.A.front().size());
     apply(with_tolerance_of(d, how), given);
     try {
         tableau_file file = expanded({which, std::move(given.A)});
         file.b_embedded = std::move(given.b_embedded);
+        file.c = std::move(given.c);
         file.short_decimals = given.short_decimals;
         return file;
     } catch (const std::invalid_argument& e) {

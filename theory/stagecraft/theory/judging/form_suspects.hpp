@@ -92,23 +92,24 @@ std::string find_exchanged(const tableaux::stage_form& form, form_values<K> valu
     return {};
 }
 
-/// The embedded weights whose change alone restores every claim, or two of them that are exchanged: they stand beside the form.
-/// Whether what fails is at the level of rounding.
+/// The embedded weights and nodes whose change alone restores every claim, or two of them that are exchanged: they stand beside the
+/// form. Whether what fails is at the level of rounding.
 template <class K>
-bool find_embedded_suspects(const tableaux::tableau_file& file, subject<K> s, file_certificate& certificate) {
-    std::vector<place> weights;
-    for (int i = 0; i < s.stages(); ++i) weights.push_back({part::b_embedded, i, 0});
-    const bool rounding = append_suspects(file, find_repairs(s, file.claims, weights), certificate.suspects);
+bool find_suspects_beside(const tableaux::tableau_file& file, subject<K> s, file_certificate& certificate) {
+    std::vector<place> beside;
+    for (const auto part : {part::b_embedded, part::c})
+        for (std::size_t i = 0; i < (part == part::c ? file.c : file.b_embedded).size(); ++i)
+            beside.push_back({part, static_cast<int>(i), 0});
+    const bool rounding = append_suspects(file, find_repairs(s, file.claims, beside), certificate.suspects);
     if (!certificate.suspects.empty()) return rounding;
-    auto& b = s.t.b_embedded;
-    for (const place& p : weights)
-        for (int k = 0; k < p.row; ++k) {
-            std::swap(b(p.row), b(k));
-            const bool restored = keeps_claims(s, file.claims);
-            std::swap(b(p.row), b(k));
-            if (!restored) continue;
-            certificate.suspects_note =
-                place{part::b_embedded, k, 0}.name() + " and " + p.name() + " are exchanged" + undone;
+    for (const place& p : beside)
+        for (const place& q : beside) {
+            if (q.part != p.part || q.row >= p.row) continue;
+            subject<K> changed = s;
+            put(changed, p, value_at(s, q));
+            put(changed, q, value_at(s, p));
+            if (!keeps_claims(changed, file.claims)) continue;
+            certificate.suspects_note = q.name() + " and " + p.name() + " are exchanged" + undone;
             return rounding;
         }
     return rounding;
@@ -121,9 +122,6 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
     const auto& form = *file.form;
     tableaux::claims claims = file.claims;  // b_embedded is no coefficient of the form
     claims.embedded_order.reset();
-    const auto s = make_subject<K>(file, convert);
-    const bool only_embedded = !file.b_embedded.empty() && keeps_claims(s, claims);
-    bool rounding = only_embedded && find_embedded_suspects(file, s, certificate);
     form_values<K> values;
     for (const auto& row : form.rows) {
         values.emplace_back();
@@ -131,7 +129,9 @@ void find_form_suspects(const tableaux::tableau_file& file, K (*convert)(const t
     }
     tableaux::tableau_file given;  // the coefficients in the place of A
     given.A = form.rows;
-    const auto candidates = only_embedded ? std::vector<place>{} : form_places(form);
+    const bool form_holds = keeps_claims(subject_of_form(form.which, values), claims);
+    bool rounding = form_holds && find_suspects_beside(file, make_subject<K>(file, convert), certificate);
+    const auto candidates = form_holds ? std::vector<place>{} : form_places(form);
     for (const auto& r : find_form_repairs(form.which, values, claims, candidates)) {
         std::vector<suspect> found;
         rounding = append_suspects(given, std::vector{r}, found) || rounding;
