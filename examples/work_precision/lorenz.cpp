@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "explicit.hpp"
+
+void compete_on_lorenz(const settings& set, std::vector<curve>& curves) {
+    compete_explicitly<problems::lorenz>(set, curves);
+}
