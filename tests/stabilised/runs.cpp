@@ -66,6 +66,12 @@ const auto hyperbola = [](const fifty& t, const fifty_vector& y, fifty_vector& f
     f[1] = -2 * y[0] * y[1] + b * y[1] - a * t;
 };
 
+/// y' = -y, and what is said of its radius is no number from t = 0.3 on.
+struct lost_radius {
+    void operator()(double, const VectorXd& y, VectorXd& f) const { f = -y; }
+    double spectral_radius(double t, const VectorXd&) const { return t < 0.3 ? 1 : std::nan(""); }
+};
+
 /// The files of tableaux/low_storage by their names.
 std::map<std::string, std::string> stored_methods() {
     std::map<std::string, std::string> all;
@@ -178,6 +184,12 @@ BOOST_AUTO_TEST_CASE(bad_radii_and_problems_are_named) {
         BOOST_TEST(message([&] {
                        sc::integrate(sc::rkc2(), sc::with_spectral_radius(f, bad), f.at(0), 0, 1);
                    }).find("spectral_radius") != std::string::npos);
+    // Later such a radius ends the run where it is.
+    const lost_radius later;
+    const auto lost = sc::integrate(sc::rkc2(), later, VectorXd{{1, 2}}, 0, 1, {.rtol = 1e-7, .atol = 1e-7});
+    BOOST_TEST(sc::name(lost.status) == "function_threw");
+    BOOST_TEST((lost.t > 0.3 && lost.t < 1));
+    BOOST_TEST(std::abs(lost.y[0] - std::exp(-lost.t)) < 1e-5);
     const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(10, 10);
     BOOST_TEST(message([&] {
                    sc::integrate(sc::rkc2(), sc::with_mass(f, M), f.at(0), 0, 1);

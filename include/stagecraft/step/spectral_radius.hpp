@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <stdexcept>
 
 #include <stagecraft/problem/capabilities.hpp>
 
@@ -27,13 +28,18 @@ class spectral_radius_of {
   public:
     explicit spectral_radius_of(int n) : direction_(n), at_(n), f_(n) { direction_.setZero(); }
 
-    /// f0 = f(t, y). bad_problem where the problem's own is negative or not finite.
+    /// f0 = f(t, y). Where the problem's own is negative or not finite at the start the run is refused (bad_problem), later
+    /// it ends.
     template <class System, class Norm>
     scalar operator()(System& system, const scalar& t, const Vector& y, const Vector& f0, const Norm& norm) {
         if constexpr (has_spectral_radius<typename System::problem_type, Vector>) {
             const scalar given = system.problem().spectral_radius(t, y);
-            if (!(given >= scalar(0)) || !(given - given == scalar(0)))
-                throw bad_problem("integrate: problem.spectral_radius(t, y) must be finite and not negative");
+            if (!(given >= scalar(0)) || !(given - given == scalar(0))) {
+                const char* text = "integrate: problem.spectral_radius(t, y) must be finite and not negative";
+                if (begun_) throw std::invalid_argument(text);
+                throw bad_problem(text);
+            }
+            begun_ = true;
             return given;
         } else {
             return found(system, t, y, f0, norm);
@@ -77,6 +83,7 @@ class spectral_radius_of {
     }
 
     Vector direction_, at_, f_;
+    bool begun_ = false;  // the problem has named one that can be used
 };
 
 }  // namespace stagecraft
