@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #define BOOST_TEST_MODULE dae_order
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <stagecraft/theory/dae/dae_order.hpp>
-#include <stagecraft/theory/dae/dae_order_left_stage.hpp>
 
+#include "../catalogue.hpp"
 #include "../stability/methods.hpp"
 
 using namespace stagecraft;
@@ -76,7 +77,7 @@ BOOST_AUTO_TEST_CASE(the_prediction_names_its_theorem_and_hypotheses) {
 }
 
 BOOST_AUTO_TEST_CASE(where_no_theorem_applies_the_prediction_says_so) {
-    for (const auto& t : {methods::lobatto_iiia3(), methods::lobatto_iiib3(), methods::rk4()}) {
+    for (const auto& t : {methods::lobatto_iiib3(), methods::rk4()}) {
         const auto p = predict_index2(t);
         BOOST_TEST(!p.applies());
         BOOST_TEST(p.theorem == "none");
@@ -144,23 +145,40 @@ BOOST_AUTO_TEST_CASE(index_1_orders) {
 
 BOOST_AUTO_TEST_CASE(stiffly_accurate_methods_with_a_left_stage_have_orders_of_index_1_and_2) {
     // Lobatto IIIA: (2s-2, s) for even s, where R(inf) = -1, (2s-2, s-1) for odd s
-    BOOST_TEST(text(predict_index1_left_stage(methods::trapezoidal())) == "2 2");
-    BOOST_TEST(text(predict_index1_left_stage(methods::lobatto_iiia3())) == "4 4");
-    BOOST_TEST(text(predict_index2_left_stage(methods::trapezoidal())) == "2 2");
-    BOOST_TEST(text(predict_index2_left_stage(methods::lobatto_iiia3())) == "4 2");
-    const auto iiib = predict_index2_left_stage(methods::lobatto_iiib3());
-    BOOST_TEST(!iiib.applies());
-    BOOST_TEST(refused(iiib, "the first stage is the left end") == "a_1j != 0");
-    BOOST_TEST(!predict_index1_left_stage(methods::radau_iia3()).applies());
-    const auto rk4 = predict_index1_left_stage(methods::rk4());
-    BOOST_TEST(refused(rk4, "A is regular without its first row and column") == "det A_r = 0");
+    BOOST_TEST(text(predict_index1(methods::trapezoidal())) == "2 2");
+    BOOST_TEST(text(predict_index1(methods::lobatto_iiia3())) == "4 4");
+    BOOST_TEST(text(predict_index2(methods::trapezoidal())) == "2 2");
+    BOOST_TEST(text(predict_index2(methods::lobatto_iiia3())) == "4 2");
+    BOOST_TEST(!predict_index2(methods::lobatto_iiib3()).applies());
+    BOOST_TEST(refused(predict_index1(methods::rk4()), "A is regular") == "det A = 0");
     // collocation at 0 and 2/3 (Radau I): not stiffly accurate
     const auto radau_i = tableaux::collocation<rational>({0, q(2, 3)}).tableau;
-    BOOST_TEST(refused(predict_index1_left_stage(radau_i), "stiffly accurate") != "");
+    BOOST_TEST(refused(predict_index1(radau_i), "stiffly accurate") != "");
     // collocation at 0, 1/4, 1: R(inf) = 3
     const auto growing = tableaux::collocation<rational>({0, q(1, 4), 1}).tableau;
-    BOOST_TEST(predict_index1_left_stage(growing).applies());
-    BOOST_TEST(refused(predict_index2_left_stage(growing), "|R(inf)| <= 1") != "");
+    BOOST_TEST(predict_index1(growing).applies());
+    BOOST_TEST(refused(predict_index2(growing), "|R(inf)| <= 1") != "");
+    // at 0, 3/4, 1: R(inf) = 1/3, and the conditions say what Jay's theorem does
+    const auto damped = tableaux::collocation<rational>({0, q(3, 4), 1}).tableau;
+    const auto both = index2_theorems(damped);
+    BOOST_TEST(both.size() == 2U);
+    for (const auto& theorem : both) BOOST_TEST(text(theorem) == "3 3", theorem.theorem);
+}
+
+// The orders of index 2 are those that runs show (mpmath, 45 digits, y1 = e^t, y2 = e^-2t, z = e^2t; halved steps: 2.01 2.00,
+// 2.95 1.95 and 2.93 1.90).
+BOOST_AUTO_TEST_CASE(methods_with_an_explicit_first_stage_have_orders_of_index_1_and_2) {
+    const auto& all = read_once::exact_methods();
+    const auto orders = [&](const std::string& name) {
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
+        BOOST_REQUIRE(found != all.end());
+        const auto m = dae_traits_of(found->second);
+        return text(predict_index1(m)) + ", " + text(predict_index2(m));
+    };
+    BOOST_TEST(orders("tr_bdf2") == "2 2, 2 2");
+    BOOST_TEST(orders("kennedy_carpenter_esdirk_3_2") == "3 3, 3 2");
+    BOOST_TEST(orders("kennedy_carpenter_esdirk_4") == "4 4, 3 2");
 }
 
 BOOST_AUTO_TEST_CASE(index_3_orders_are_promised_for_stiffly_accurate_collocation_only) {

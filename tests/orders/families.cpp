@@ -4,7 +4,6 @@
 
 #include <stagecraft/tableaux/exact_collocation.hpp>
 #include <stagecraft/theory/dae/dae_order.hpp>
-#include <stagecraft/theory/dae/dae_order_left_stage.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -119,8 +118,8 @@ BOOST_AUTO_TEST_CASE(the_part_of_the_error_proportional_to_eps_has_the_orders_of
 BOOST_AUTO_TEST_CASE(lobatto_iiia_shows_its_orders_for_index_1_and_2_although_its_matrix_is_singular) {
     for (const int s : {2, 3, 4, 5}) BOOST_TEST_CONTEXT("s = " << s) {
             const auto m = sc::tableaux::rounded<fifty>(lobatto_iiia, s);
-            const auto first = sc::theory::predict_index1_left_stage(exact({lobatto_iiia, s})),
-                       second = sc::theory::predict_index2_left_stage(exact({lobatto_iiia, s}));
+            const auto first = sc::theory::predict_index1(exact({lobatto_iiia, s})),
+                       second = sc::theory::predict_index2(exact({lobatto_iiia, s}));
             BOOST_REQUIRE(first.applies());
             BOOST_REQUIRE(second.applies());
             const auto one = slopes(m, {kind::index_1}, 64), two = slopes(m, {kind::index_2}, 64);
@@ -136,7 +135,7 @@ BOOST_AUTO_TEST_CASE(methods_that_the_theorems_refuse_are_refused_or_diverge) {
     // Lobatto IIIB: A is singular, and the first stage is none of the left end.
     for (const int s : {2, 3, 4}) {
         BOOST_TEST(!sc::theory::predict_index1(exact({lobatto_iiib, s})).applies());
-        BOOST_TEST(!sc::theory::predict_index1_left_stage(exact({lobatto_iiib, s})).applies());
+        BOOST_TEST(!sc::theory::predict_index1(exact({lobatto_iiib, s})).applies());
         for (const kind k : {kind::index_1, kind::index_2, kind::index_3}) {
             std::string said;
             try {

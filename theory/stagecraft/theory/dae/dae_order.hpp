@@ -7,17 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "stagecraft/method/order_conditions.hpp"
+#include "stagecraft/theory/dae/dae_traits.hpp"
 #include "stagecraft/theory/dae/index2_conditions.hpp"
-#include "stagecraft/theory/stability/algebraic_stability.hpp"
+#include "stagecraft/theory/stability/a_stability.hpp"
 
 namespace stagecraft::theory {
-
-/// A hypothesis of a theorem and the verdict on it for the method at hand.
-struct hypothesis {
-    std::string name;
-    theory::verdict verdict;
-};
 
 /// What one theorem says of the global error of a method: y_n - y(t_n) = O(h^y) and so on for the algebraic
 /// components, for constant step sizes and consistent initial values. Where a hypothesis fails the orders are
@@ -52,102 +46,7 @@ struct epsilon_prediction {
     bool applies() const { return !y.empty(); }
 };
 
-/// What the theorems need to know of a method, computed once.
-template <class K>
-struct dae_traits {
-    int stages = 0;
-    tableaux::simplifying_orders simplifying;
-    int order = 0;             ///< classical order
-    int stage_order = 0;       ///< largest q with B(q) and C(q)
-    bool regular = false;      ///< A is regular
-    bool stiff = false;        ///< stiffly accurate
-    bool collocation = false;  ///< distinct nodes, B(s), C(s)
-    int zero_node = -1;        ///< the first stage with c_i = 0
-    bool ends_at_one = false;  ///< c_s = 1
-    std::string last_node;     ///< c_s as text
-    std::optional<K> r_infinity;
-};
-
-/// The order for y' = f(x, y), decided exactly: by the rooted trees up to order 12, beyond it Butcher's lower
-/// bound; where c is not A 1, by the trees with leaves for the time, up to order 8.
-template <class K>
-int classical_order(const tableau<K>& t) {
-    const bool row_sums = tableaux::simplifying_orders_of(t).C > 0;
-    return stagecraft::classical_order(t, row_sums ? 12 : 8, std::equal_to<>{});
-}
-
-template <class K>
-dae_traits<K> dae_traits_of(const tableau<K>& t) {
-    require_shape(t);
-    dae_traits<K> m;
-    m.stages = t.stages();
-    m.simplifying = tableaux::simplifying_orders_of(t);
-    m.order = classical_order(t);
-    m.stage_order = std::min(m.simplifying.B, m.simplifying.C);
-    m.regular = regular_matrix(t).is_proved();
-    m.stiff = stiffly_accurate(t).is_proved();
-    m.r_infinity = stability_function_of(t).at_infinity();
-    bool distinct = true;
-    for (Eigen::Index i = 0; i < t.c.size(); ++i) {
-        for (Eigen::Index j = 0; j < i; ++j) distinct = distinct && !(t.c[i] == t.c[j]);
-    }
-    m.collocation = distinct && m.stage_order >= m.stages;
-    for (Eigen::Index i = t.c.size(); i-- > 0;)
-        if (t.c[i] == K(0)) m.zero_node = static_cast<int>(i);
-    m.ends_at_one = t.c[t.c.size() - 1] == K(1);
-    m.last_node = t.c[t.c.size() - 1].str();
-    return m;
-}
-
 namespace detail {
-
-verdict decided(bool holds, std::string text);
-
-template <class K>
-hypothesis regular(const dae_traits<K>& m) {
-    return {"A is regular", decided(m.regular, m.regular ? "det A != 0" : "det A = 0")};
-}
-template <class K>
-std::string r_text(const dae_traits<K>& m) {
-    return m.r_infinity ? "R(inf) = " + m.r_infinity->str() : "R(inf) is infinite";
-}
-/// -1, 0, 1 as |R(inf)| is less than, equal to, greater than 1.
-template <class K>
-int modulus(const dae_traits<K>& m) {
-    return m.r_infinity ? tableaux::sign_of(*m.r_infinity * *m.r_infinity - K(1)) : 1;
-}
-template <class K>
-hypothesis damped(const dae_traits<K>& m) {
-    return {"|R(inf)| < 1", decided(modulus(m) < 0, r_text(m))};
-}
-template <class K>
-hypothesis stiff(const dae_traits<K>& m) {
-    return {"stiffly accurate", decided(m.stiff, m.stiff ? "a_si = b_i" : "the last row of A is not b")};
-}
-template <class K>
-hypothesis bounded(const dae_traits<K>& m) {
-    return {"|R(inf)| <= 1", decided(modulus(m) <= 0, r_text(m))};
-}
-template <class K>
-hypothesis of_order_one(const dae_traits<K>& m) {
-    return {"p >= 1", decided(m.order >= 1, "p = " + std::to_string(m.order))};
-}
-template <class K>
-hypothesis is_collocation(const dae_traits<K>& m) {
-    return {"collocation method", decided(m.collocation, "B(" + std::to_string(m.simplifying.B) + "), C(" +
-                                                             std::to_string(m.simplifying.C) +
-                                                             "), s = " + std::to_string(m.stages))};
-}
-template <class K>
-hypothesis no_node_at_zero(const dae_traits<K>& m) {
-    const bool none = m.zero_node < 0;
-    return {"c_i != 0",
-            decided(none, none ? "no node vanishes" : "c_" + std::to_string(m.zero_node + 1) + " = 0")};
-}
-template <class K>
-hypothesis last_node_is_one(const dae_traits<K>& m) {
-    return {"c_s = 1", decided(m.ends_at_one, "c_s = " + m.last_node)};
-}
 
 bool all_proved(const std::vector<hypothesis>& list);
 
@@ -246,13 +145,51 @@ std::vector<theorem> index2_table(const dae_traits<K>& m) {
     };
 }
 
+/// What holds for index 2 where the first stage is the left end of the step. Collocation with c_s = 1 (Lobatto IIIA): y has the
+/// order of the quadrature; z has s for -1 <= R(inf) < 1, and s - 1 for R(inf) = 1, where local errors add up. Other methods, of
+/// which ESDIRK methods are most: an error of z_n comes back as R(inf) times it, and is h^2 times it in y.
+template <class K>
+std::vector<theorem> index2_left_table(const dae_traits<K>& m) {
+    const bool known = m.left_index2.has_value();
+    const hypothesis looked{"the conditions are looked at",
+                            decided(known, known ? "up to order " + std::to_string(m.left_index2->searched)
+                                                 : "the tableau is not at hand")};
+    return {{"Jay 1993 (Hairer-Wanner II, Table VII.4.1)",
+             {left_end(), stiff(m), is_collocation(m), bounded(m)},
+             [&m](order_prediction& p) {
+                 p.y = m.simplifying.B;
+                 p.z = *m.r_infinity == K(1) ? m.stages - 1 : m.stages;
+                 p.note = "for constant step sizes";
+             }},
+            {"order conditions of index 2 with z_n as the first stage (Hairer-Lubich-Roche 1989, section 5; "
+             "Jay 1993)",
+             {left_end(), stiff(m), damped(m), looked},
+             [&m](order_prediction& p) {
+                 const auto& n = *m.left_index2;
+                 p.y = std::min({n.y + 1, n.projected, n.z + 2});
+                 p.z = std::min(n.z + 1, *p.y);
+             }}};
+}
+
+template <class K>
+std::vector<theorem> index2_table_of(const dae_traits<K>& m) {
+    return m.left_stage ? index2_left_table(m) : index2_table(m);
+}
+
 }  // namespace detail
 
 /// y' = f(y, z), 0 = g(y, z) with g_z regular: Hairer-Wanner II, Theorem VI.1.1. y has the classical order p;
 /// z has p for stiffly accurate methods, min(p, q+1) for -1 <= R(inf) < 1, min(p-1, q) for R(inf) = 1, and
-/// diverges for |R(inf)| > 1.
+/// diverges for |R(inf)| > 1. Where A is singular because the first stage is the left end of the step, as of Lobatto IIIA and
+/// ESDIRK methods, and the method is stiffly accurate, consistent values z_n make all stages satisfy g(Y_i, Z_i) = 0: it
+/// is the method for y' = f(y, G(y)), and both have the classical order (Hairer-Wanner II, section VI.1, state space form).
 template <class K>
 order_prediction predict_index1(const dae_traits<K>& m) {
+    if (m.left_stage)
+        return detail::theorem{"Hairer-Wanner II, section VI.1, state space form",
+                               {detail::left_end(), detail::stiff(m), detail::of_order_one(m)},
+                               [&m](order_prediction& p) { p.y = p.z = m.order; }}
+            .applied_or_none();
     const detail::theorem row{
         "Hairer-Wanner II, Theorem VI.1.1",
         {detail::regular(m), detail::of_order_one(m), m.stiff ? detail::stiff(m) : detail::bounded(m)},
@@ -274,8 +211,9 @@ order_prediction predict_index1(const tableau<K>& t) {
 template <class K>
 std::vector<order_prediction> index2_theorems(const tableau<K>& t, int condition_order = 0) {
     const auto m = dae_traits_of(t);
-    auto table = detail::index2_table(m);
-    if (condition_order > 0) table.push_back(detail::index2_by_conditions(t, m, condition_order));
+    auto table = detail::index2_table_of(m);
+    if (condition_order > 0 && !m.left_stage)
+        table.push_back(detail::index2_by_conditions(t, m, condition_order));
     std::vector<order_prediction> all;
     for (const auto& row : table) all.push_back(row.applied());
     return all;
@@ -291,7 +229,7 @@ order_prediction predict_index2(const tableau<K>& t, int condition_order = 0) {
 template <class K>
 order_prediction predict_index2(const dae_traits<K>& m) {
     std::vector<order_prediction> all;
-    for (const auto& row : detail::index2_table(m)) all.push_back(row.applied());
+    for (const auto& row : detail::index2_table_of(m)) all.push_back(row.applied());
     return detail::best_of(all);
 }
 

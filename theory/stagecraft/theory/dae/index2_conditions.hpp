@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -26,11 +27,12 @@ namespace detail {
 /// is n times a product of branches of total order n - 1, its branch A times that; a z-tree of order n is
 /// A^-1 times a product of y-branches of total order n + 1, over n + 1, or a product of branches of total
 /// order n itself. Trees with equal vectors are kept once: with C(q) the first q orders collapse to one
-/// vector each.
-template <class K>
+/// vector each; `equal` decides it.
+template <class K, class Equal>
 class index2_trees {
   public:
-    index2_trees(const tableau<K>& t, const tableaux::dense<K>& inverse) : t_(t), inverse_(inverse) {}
+    index2_trees(const tableau<K>& t, const tableaux::dense<K>& inverse, const Equal& equal)
+        : t_(t), inverse_(inverse), equal_(equal) {}
 
     /// Grows the trees of the next order; calls y(vector, removed_by_projection) and z(vector) with the
     /// scaled stage vectors of all new ones, where b^T vector = 1 and b^T A^-1 vector = 1 are the conditions.
@@ -94,10 +96,10 @@ class index2_trees {
         }
         return out;
     }
-    static void keep(std::vector<tableaux::column<K>>& list, const tableaux::column<K>& v) {
+    void keep(std::vector<tableaux::column<K>>& list, const tableaux::column<K>& v) const {
         for (const auto& old : list) {
             bool equal = true;
-            for (Eigen::Index i = 0; i < v.size() && equal; ++i) equal = old[i] == v[i];
+            for (Eigen::Index i = 0; i < v.size() && equal; ++i) equal = equal_(old[i], v[i]);
             if (equal) return;
         }
         list.push_back(v);
@@ -105,33 +107,32 @@ class index2_trees {
 
     const tableau<K>& t_;
     const tableaux::dense<K>& inverse_;
+    const Equal& equal_;
     std::vector<std::vector<tableaux::column<K>>> y_;
     std::vector<std::vector<tableaux::column<K>>> z_;
 };
 
 }  // namespace detail
 
-/// The local orders by exact order conditions, looked for up to `max_order`; nothing where A is singular. The
-/// search ends early once y, P y and z have all failed. Cost grows quickly with max_order for methods of low
+/// The local orders by the order conditions, looked for up to `max_order`, with `inverse` for A^-1; `equal` decides an equation.
+/// The search ends early once y, P y and z have all failed. Cost grows quickly with max_order for methods of low
 /// stage order. Throws std::invalid_argument for max_order < 1.
-template <class K>
-std::optional<index2_local_orders> index2_local_orders_of(const tableau<K>& t, int max_order) {
-    require_shape(t);
+template <class K, class Equal>
+index2_local_orders index2_local_orders_of(const tableau<K>& t, const tableaux::dense<K>& inverse,
+                                           int max_order, const Equal& equal) {
     if (max_order < 1) throw std::invalid_argument("max_order: must be positive");
-    const auto inverse = tableaux::inverse<K>(t.A);
-    if (!inverse) return {};
     const auto s = t.b.size();
     tableaux::column<K> row(s);  // b^T A^-1
     for (Eigen::Index j = 0; j < s; ++j) {
         row[j] = K(0);
-        for (Eigen::Index i = 0; i < s; ++i) row[j] = row[j] + t.b[i] * (*inverse)(i, j);
+        for (Eigen::Index i = 0; i < s; ++i) row[j] = row[j] + t.b[i] * inverse(i, j);
     }
     const auto holds = [&](const tableaux::column<K>& weights, const tableaux::column<K>& v) {
         K sum(0);
         for (Eigen::Index i = 0; i < s; ++i) sum = sum + weights[i] * v[i];
-        return sum == K(1);
+        return equal(sum, K(1));
     };
-    detail::index2_trees<K> trees(t, *inverse);
+    detail::index2_trees<K, Equal> trees(t, inverse, equal);
     index2_local_orders out;
     bool y = true, projected = true, z = true;
     for (int n = 1; n <= max_order && (y || projected || z); ++n) {
@@ -148,6 +149,31 @@ std::optional<index2_local_orders> index2_local_orders_of(const tableau<K>& t, i
         if (z) out.z = n;
     }
     return out;
+}
+
+/// The same over an exact field; nothing where A is singular.
+template <class K>
+std::optional<index2_local_orders> index2_local_orders_of(const tableau<K>& t, int max_order) {
+    require_shape(t);
+    const auto inverse = tableaux::inverse<K>(t.A);
+    if (!inverse) return {};
+    return index2_local_orders_of(t, *inverse, max_order, std::equal_to<>{});
+}
+
+/// What stands for A^-1 where the first stage is the left end of the step (row 1 of A and c_1 are 0): the inverse of the rest of
+/// A, bordered by zeros, as Y_1 = y_n and Z_1 = z_n are given; nothing where that rest is singular.
+template <class K>
+std::optional<tableaux::dense<K>> left_stage_inverse(const tableau<K>& t) {
+    const auto s = t.b.size();
+    bool left = s > 1 && t.c[0] == K(0);
+    for (Eigen::Index j = 0; j < s; ++j) left = left && t.A(0, j) == K(0);
+    if (!left) return {};
+    const auto rest = tableaux::inverse<K>(t.A.bottomRightCorner(s - 1, s - 1));
+    if (!rest) return {};
+    tableaux::dense<K> all(s, s);
+    for (Eigen::Index i = 0; i < s; ++i)
+        for (Eigen::Index j = 0; j < s; ++j) all(i, j) = i == 0 || j == 0 ? K(0) : (*rest)(i - 1, j - 1);
+    return all;
 }
 
 }  // namespace stagecraft::theory

@@ -45,6 +45,12 @@ struct enclosed_dae_traits {
     }
 };
 
+STAGECRAFT_INLINE void set_limit(const ball& value, enclosed_dae_traits& m) {
+    const ball excess = value * value - ball(1);
+    if (!certainly_nonzero(excess)) m.open_limit = "whether |R(infinity)| < 1: it is " + shown(value);
+    m.traits.r_infinity = value.middle();
+}
+
 /// |R(infinity)| < 1 or > 1 of every tableau, or the 0, 1 or -1 that an equality makes of it.
 STAGECRAFT_INLINE void set_limit(const subject<ball>& s, const enclosed_stability_function& f,
                                  enclosed_dae_traits& m) {
@@ -64,9 +70,32 @@ STAGECRAFT_INLINE void set_limit(const subject<ball>& s, const enclosed_stabilit
         m.open_limit = "R(infinity) is not enclosed";
         return;
     }
-    const ball excess = *value * *value - ball(1);
-    if (!certainly_nonzero(excess)) m.open_limit = "whether |R(infinity)| < 1: it is " + shown(*value);
-    r = value->middle();
+    set_limit(*value, m);
+}
+
+/// Methods whose first stage is the left end of the step, diagonally implicit ones with the conditions of index 2.
+STAGECRAFT_INLINE void set_left_stage(const subject<ball>& s, const enclosed_stability_function& f,
+                                      enclosed_dae_traits& out) {
+    const auto& t = s.t;
+    const int n = t.stages();
+    auto& m = out.traits;
+    bool left = n > 1 && t.c(0).exactly_zero();
+    for (int j = 0; j < n; ++j) left = left && t.A(0, j).exactly_zero();
+    // of the rest of A, up to its sign, the leading coefficient of Q is the determinant
+    m.left_stage = left && static_cast<int>(f.degree) == n - 1 && certainly_nonzero(f.denominator[f.degree]);
+    if (!m.left_stage || !m.stiff || !s.lower || m.order == 0) return;
+    tableaux::dense<ball> inverse(n, n);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            ball sum(i == j && i > 0 ? 1 : 0);
+            for (int k = j; k < i; ++k) sum = sum - t.A(i, k) * inverse(k, j);
+            inverse(i, j) = i == 0 || j == 0 || j > i ? ball(0) : ball(sum / t.A(i, i));
+        }
+    ball limit(0);  // the error of z_n that comes back in Z_s = z_{n+1}
+    for (int k = 1; k < n; ++k) limit = limit - inverse(n - 1, k) * t.A(k, 0);
+    set_limit(limit, out);
+    m.left_index2 = index2_local_orders_of(t, inverse, std::min(m.order, largest_left_index2_order),
+                                           [&](const ball& x, const ball& y) { return out.equal(x, y); });
 }
 
 STAGECRAFT_INLINE enclosed_dae_traits enclosed_traits_of(const subject<ball>& s,
@@ -99,6 +128,7 @@ STAGECRAFT_INLINE enclosed_dae_traits enclosed_traits_of(const subject<ball>& s,
     m.ends_at_one = equal(t.c(n - 1), ball(1));
     m.last_node = m.ends_at_one ? "1" : shown(t.c(n - 1));
     if (m.regular) set_limit(s, f, out);
+    set_left_stage(s, f, out);
     return out;
 }
 
@@ -106,10 +136,14 @@ STAGECRAFT_INLINE enclosed_dae_traits enclosed_traits_of(const subject<ball>& s,
 STAGECRAFT_INLINE claim enclosed_prediction(const std::string& problem, const order_prediction& p,
                                             const enclosed_dae_traits& m) {
     claim c = prediction_claim(problem, p);
-    if (!m.traits.regular && m.open_regular.empty()) return c;  // all of them ask for it
+    if (!m.traits.regular && !m.traits.left_stage && m.open_regular.empty())
+        return c;  // all of them ask for one or the other
+    const bool limit_needed = std::any_of(p.hypotheses.begin(), p.hypotheses.end(), [](const hypothesis& h) {
+        return h.name.find("R(inf)") != std::string::npos;
+    });
     std::string open = m.open_regular;
-    for (const std::string* why : {&m.open_limit, &m.open_order})
-        if (open.empty()) open = *why;
+    if (open.empty() && (limit_needed || m.traits.regular)) open = m.open_limit;
+    if (open.empty()) open = m.open_order;
     if (!open.empty())
         c = {problem, verdict::undecided(open)};
     else if (p.applies())

@@ -33,6 +33,7 @@ STAGECRAFT_INLINE dae_traits<tableaux::rational> family_traits(tableaux::family 
     m.last_node = m.ends_at_one ? "1" : "below 1";
     // The node 0 makes the first row of collocation 0; the node 1 the last column of an adjoint method.
     m.regular = rule == tableaux::construction::lobatto_iiic || !at(m.collocation ? 0 : 1);
+    m.left_stage = !m.regular && m.collocation;  // the rest of A is regular: its nodes are not 0
     return m;
 }
 
