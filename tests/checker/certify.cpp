@@ -356,6 +356,68 @@ BOOST_AUTO_TEST_CASE(rounded_data_name_the_family_they_come_from) {
     BOOST_TEST(!rk4("1/2", "{}").nearest.has_value());                   // exact data need no neighbour
 }
 
+BOOST_AUTO_TEST_CASE(levels_are_found_and_claims_on_them_judged) {
+    const auto value = [](const file_certificate& c, const char* name) {
+        const auto* f = c.find(name);
+        BOOST_REQUIRE(f);
+        return f->value.value();
+    };
+    const auto radau = checked::certify_file(source / "tableaux/catalogue/radau_iia_3.json");
+    BOOST_TEST(value(radau, "B") == 5);
+    BOOST_TEST(value(radau, "C") == 3);
+    BOOST_TEST(value(radau, "D") == 2);
+    BOOST_TEST(value(radau, "linear_order") == 5);
+    BOOST_TEST(value(radau, "weak_stage_order") == 3);
+    // Butcher 1969: five explicit stages have the effective order 5, though 4 is the order.
+    const std::string effective =
+        R"({"A":[[0,0,0,0,0],["1/5",0,0,0,0],[0,"2/5",0,0,0],["3/16",0,"5/16",0,0],["1/4",0,"-5/4",2,0]],
+            "b":["1/6",0,0,"2/3","1/6"],"claims":{"order":4,"effective_order":)";
+    const auto five = judged(effective + "5}}");
+    BOOST_TEST((five.overall() == standing::proved), to_text(five));
+    BOOST_TEST(judged(effective + "6}}").exit_code() == 1);
+    BOOST_TEST(value(rk4("1/2", "{}"), "effective_order") == 4);
+    // HBVM(k, 1), A = c b^T with the nodes and weights of Gauss: order 2, energy of order 2k (Brugnano-Iavernaro-Trigiante 2010).
+    const auto hbvm =
+        judged(R"x({"A":[["(3-sqrt(3))/12","(3-sqrt(3))/12"],["(3+sqrt(3))/12","(3+sqrt(3))/12"]],
+                                   "b":["1/2","1/2"],"claims":{"order":2,"energy_order":4}})x");
+    BOOST_TEST((hbvm.overall() == standing::proved), to_text(hbvm));
+    BOOST_TEST(value(hbvm, "order") == 2);
+    BOOST_TEST(value(hbvm, "energy_order") == 4);
+    BOOST_TEST(value(rk4("1/2", "{}"), "energy_order") == 4);
+    // Ketcheson, Seibold, Shirokoff and Zhou 2020: order 3 and weak stage order 3 of stages of order 1, to 11 digits.
+    const std::string weak =
+        R"({"A":[["0.13756543551",0,0,0],["0.56695122794","0.23483888782",0,0],["-1.08354072813","2.96618223864",
+            "0.44915521951",0],["0.59761291500","-0.43420997584","-0.05305815322","0.88965521406"]],"b":["0.59761291500",
+            "-0.43420997584","-0.05305815322","0.88965521406"],"claims":{"order":3,"stage_order":1,"weak_stage_order":)";
+    BOOST_TEST((judged(weak + "3}}").overall() == standing::consistent), to_text(judged(weak + "3}}")));
+    BOOST_TEST(judged(weak + "4}}").exit_code() == 1);
+    // A misprint that the order does not see.
+    const auto linear = judged(R"({"A":[[0,0],["1/2",0]],"b":[0,1],"claims":{"linear_order":3}})");
+    BOOST_TEST(linear.find("linear_order")->judgement->text() == "refuted: 3! b^T A^2 1 = 1 leaves -1");
+}
+
+BOOST_AUTO_TEST_CASE(claimed_numbers_are_compared_to_their_digits) {
+    const auto verdict = [](const std::string& claims) {
+        const auto c = rk4("1/2", claims);
+        return std::string(name(c.overall()));
+    };
+    BOOST_TEST(verdict(R"({"imaginary_interval":"2.828"})") == "proved");
+    BOOST_TEST(verdict(R"({"imaginary_interval":"2.83"})") == "proved");  // 2.8284 rounded up
+    BOOST_TEST(verdict(R"x({"imaginary_interval":"2*sqrt(2)"})x") == "consistent");
+    BOOST_TEST(verdict(R"({"imaginary_interval":"2.85"})") == "refuted");
+    BOOST_TEST(verdict(R"({"real_interval":"2.785","ssp_coefficient":1,"alpha":0})") == "refuted");  // SSP: 0
+    BOOST_TEST(verdict(R"({"real_interval":2.785,"ssp_coefficient":0,"alpha":0})") == "proved");
+    BOOST_TEST(verdict(R"({"real_interval":"infinite"})") == "refuted");
+    const auto all = [](const std::string& claims) {
+        return judged(R"({"A":[["0.2928932188134524756"]],"b":[1],"claims":)" + claims + "}");
+    };
+    // y_1 = y_0 + h f(y_0 + gamma h f_1): R(infinity) = 1 - 1/gamma, of 19 digits
+    BOOST_TEST((all(R"({"alpha":0})").overall() == standing::proved));
+    BOOST_TEST(judged(R"({"A":[["1/2"]],"b":[1],"claims":{"alpha":90,"real_interval":"infinite",
+                          "imaginary_interval":"infinite","ssp_coefficient":2}})")
+                   .exit_code() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_command_gives_0_1_or_2) {
     std::string out, err;
     const std::string good = R"({"A":[["1/2"]],"b":["1"],"claims":{"order":2}})";

@@ -218,6 +218,21 @@ BOOST_AUTO_TEST_CASE(principal_errors_are_those_of_the_literature) {
     BOOST_TEST(std::abs(norm("bogacki_shampine_5_4.json") - 2.2e-5) < 0.5e-6);
 }
 
+// A and D of RK5(4)7M are those of Prince and Dormand; all are those of another program (nested tuples for trees, fractions).
+BOOST_AUTO_TEST_CASE(error_metrics_of_pairs_are_those_of_the_literature) {
+    const auto metrics = [](const char* name) {
+        const auto m = checked::certify_file((root / "tableaux/catalogue" / name).string()).error_metrics;
+        return m ? m->A + " " + m->A_embedded + " " + m->B + " " + m->C + " " + m->D + " " + m->E : "none";
+    };
+    BOOST_TEST(metrics("dormand_prince_5_4.json") == "0.0003991 0.001183 1.542 1.665 11.6 0.3374");
+    BOOST_TEST(metrics("bogacki_shampine_5_4.json") == "2.217e-05 0.000106 1.268 1.193 1.164 0.2092");
+    BOOST_TEST(metrics("fehlberg_4_5.json") ==
+               "0.003356 0.001839 3.156 1.364 8 1.825");  // the lower one steps
+    BOOST_TEST(metrics("kennedy_carpenter_esdirk_4_3.json") == "0.003401 0.0008243 5.479 1.381 1 4.126");
+    BOOST_TEST(metrics("kvaerno_3_2.json").find("not") == std::string::npos);  // thirty decimals
+    BOOST_TEST(metrics("gauss_3.json") == "none");
+}
+
 BOOST_AUTO_TEST_CASE(every_file_keeps_the_schema_and_so_does_its_certificate) {
     const validator method(root / "tableaux/schema/method.schema.json");
     const validator certificate(root / "tableaux/schema/certificate.schema.json");

@@ -79,8 +79,10 @@ BOOST_AUTO_TEST_CASE(unusable_input_names_line_and_entry) {
     BOOST_TEST(with("1e999", "") == "line 1: non-finite number");
     BOOST_TEST(with("1", ",\"claims\":{\"ordre\":1}") ==
                "line 2, claims.'ordre': unknown claim; known are order, embedded_order, stage_order, "
-               "dense_order, dense_smoothness, w_order, index_1_order, A_stable, "
-               "L_stable, algebraically_stable, symplectic, symmetric, stiffly_accurate");
+               "dense_order, dense_smoothness, w_order, index_1_order, B, C, D, linear_order, "
+               "weak_stage_order, effective_order, energy_order, A_stable, L_stable, algebraically_stable, "
+               "symplectic, symmetric, stiffly_accurate, ssp_coefficient, alpha, real_interval, "
+               "imaginary_interval");
     BOOST_TEST(with("1", ",\n\"claims\":{\"order\":1000}") ==
                "line 3, claims.'order': must be an integer from 0 to 128");
     BOOST_TEST(with("1", ",\"claims\":{\"order\":\"2\"}") ==

@@ -39,7 +39,7 @@ function statement_table(rows) {
 }
 
 /// Keys of a certificate with an object that is no finding.
-const not_findings = ["principal_error", "nearest", "tableau", "stability_function"];
+const not_findings = ["principal_error", "error_metrics", "nearest", "tableau", "stability_function"];
 
 /// The certificate of a file; `repair` is called with a suspect whose button was pressed.
 function file_certificate(c, repair) {
@@ -83,12 +83,19 @@ function failures(c) {
   return element("details", {}, element("summary", {}, "Conditions that fail, though nothing claimed needs them"), ...all);
 }
 
+function metrics_line(m) {
+  const next = m.lower_order + 2;
+  return `Error metrics: A^(${m.order + 1}) = ${m.A}, A^(${m.lower_order + 1}) = ${m.A_embedded}, B^(${next}) = ${m.B}, ` +
+    `C^(${next}) = ${m.C}, D = ${m.D}, E^(${next}) = ${m.E}`;
+}
+
 function numbers(c) {
   const list = (values) => values.length
     ? values.map((z) => `${z.exact ?? z.re}${Number(z.im) ? ` ${z.im < 0 ? "−" : "+"} ${String(z.im).replace("-", "")} i` : ""}` +
         (z.multiplicity > 1 ? ` (${z.multiplicity} times)` : "")).join(", ") : "none";
   const lines = [
     c.principal_error && `Principal error, of order ${c.principal_error.order}: 2-norm ${c.principal_error.norm}, largest ${c.principal_error.largest}`,
+    c.error_metrics && metrics_line(c.error_metrics),
     c.eigenvalues && `Eigenvalues of A: ${list(c.eigenvalues)}`,
     c.poles && `Poles of R: ${list(c.poles)}`,
     c.nearest && `Nearest: ${c.nearest.family} with ${c.nearest.stages} stages, largest error ${c.nearest.error} ${c.nearest.entry ? `at ${c.nearest.entry}` : ""}`];

@@ -24,7 +24,17 @@ STAGECRAFT_INLINE std::string claim_names() {
     std::string names;
     for (const auto& c : counted_claims) names.append(names.empty() ? "" : ", ").append(c.name);
     for (const auto& c : yes_no_claims) names.append(", ").append(c.name);
+    for (const auto& c : number_claims) names.append(", ").append(c.name);
     return names;
+}
+
+/// A number as an entry is written, not negative, or "infinite".
+STAGECRAFT_INLINE std::string claimed_number(const document& d, const std::string& key, const json& value) {
+    if (value == std::string(infinite)) return std::string(infinite);
+    const entry e = number(d, value, "/claims/" + key, "claims." + in_quotes(key));
+    if (e.enclosure.upper < 0)
+        reject(d, "/claims/" + key, "claims." + in_quotes(key), "must not be negative");
+    return e.text;
 }
 
 STAGECRAFT_INLINE tableaux::claims read_claims(const document& d) {
@@ -40,7 +50,11 @@ STAGECRAFT_INLINE tableaux::claims read_claims(const document& d) {
                                           [&key = key](const auto& c) { return c.name == key; });
         const auto yes_no = std::find_if(yes_no_claims.begin(), yes_no_claims.end(),
                                          [&key = key](const auto& c) { return c.name == key; });
-        if (counted != counted_claims.end()) {
+        const auto number = std::find_if(number_claims.begin(), number_claims.end(),
+                                         [&key = key](const auto& c) { return c.name == key; });
+        if (number != number_claims.end()) {
+            claims.*(number->value) = claimed_number(d, key, value);
+        } else if (counted != counted_claims.end()) {
             if (!value.is_number_integer() || value < 0 || value > 2 * most_stages)
                 refuse("must be an integer from 0 to " + std::to_string(2 * most_stages));
             claims.*(counted->value) = value.get<int>();
@@ -52,6 +66,12 @@ STAGECRAFT_INLINE tableaux::claims read_claims(const document& d) {
         }
     }
     return claims;
+}
+
+STAGECRAFT_INLINE void reject_single_claims(const document& d) {
+    for (const auto claim : single_claims)
+        if (const std::string key(claim); d.root.contains("claims") && d.root["claims"].contains(key))
+            reject(d, "/claims/" + key, "claims." + key, "is judged of a single tableau");
 }
 
 STAGECRAFT_INLINE void reject_rosenbrock_claims(const document& d) {

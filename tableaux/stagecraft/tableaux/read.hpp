@@ -17,6 +17,7 @@ tableaux::claims read_claims(const document& d);
 
 /// Throws where the document claims what only Rosenbrock methods have.
 void reject_rosenbrock_claims(const document& d);
+void reject_single_claims(const document& d);
 
 /// The tableau that a document holds, as read_tableau.
 tableau_file tableau(const document& d, const reading& how);

@@ -57,6 +57,7 @@ STAGECRAFT_INLINE claims claims_of_rosenbrock(const document& d, const partition
         if (d.root.contains("claims") && d.root["claims"].contains(name))
             reject(d, std::string("/claims/") + name, std::string("claims.") + name,
                    "is not judged of a Rosenbrock method");
+    reject_single_claims(d);
     if (stated.embedded_order && file.partners[0].b_embedded.empty())
         reject(d, "/claims/embedded_order", "claims.embedded_order", "there are no embedded weights");
     return stated;

@@ -15,6 +15,8 @@ STAGECRAFT_INLINE void add_claims(const claims& stated, nlohmann::ordered_json& 
         if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
     for (const auto& [key, value] : yes_no_claims)
         if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
+    for (const auto& [key, value] : number_claims)
+        if (stated.*value) j["claims"][std::string(key)] = *(stated.*value);
 }
 
 STAGECRAFT_INLINE nlohmann::ordered_json to_json(const tableau_file& file) {

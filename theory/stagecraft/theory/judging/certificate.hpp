@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stagecraft/tableau.hpp"
+#include "stagecraft/tableaux/precision.hpp"
 #include "stagecraft/tableaux/rational.hpp"
 #include "stagecraft/theory/judging/principal_error.hpp"
 #include "stagecraft/theory/models/legendre_simplifying.hpp"
@@ -15,10 +16,17 @@
 
 namespace stagecraft::theory {
 
-/// A statement about a method and what is known of it.
+/// Ends of an interval that holds a number; high may be infinity, and both are for a number that is infinite.
+struct number_range {
+    tableaux::bound low = 0, high = 0;
+    friend bool operator==(const number_range&, const number_range&) = default;
+};
+
+/// A statement about a method and what is known of it; where it tells a number, that too.
 struct claim {
     std::string statement;
     theory::verdict verdict;
+    std::optional<number_range> number = std::nullopt;
     friend bool operator==(const claim&, const claim&) = default;
 };
 

@@ -124,7 +124,7 @@ STAGECRAFT_INLINE claim enclosed_ssp_radius(const subject<tableaux::ball>& s) {
     const auto k = detail::matrix_of_used_stages(s.t);
     if (!detail::stages_certainly_differ(k))
         return {name, verdict::undecided("two stages may be the same, of which only one would count")};
-    detail::number_range radius{infinity, infinity};
+    number_range radius{infinity, infinity};
     bool open_at_zero = false;
     for (const auto& p : detail::monotonicity_conditions(k)) {
         if (std::all_of(p.begin(), p.end(), [](const ball& x) { return x.exactly_zero(); })) continue;
@@ -136,14 +136,15 @@ STAGECRAFT_INLINE claim enclosed_ssp_radius(const subject<tableaux::ball>& s) {
         if (const auto* loss = first_with_sign(signs, -1))
             radius.high = std::min(radius.high, loss->from == 0 ? 0 : tableaux::upward(loss->from));
     }
-    if (radius.high == 0) return {name + " 0", verdict::proved(detail::every_table)};
-    if (std::isinf(radius.low)) return {name + " infinite", verdict::proved(detail::every_table)};
+    if (radius.high == 0) return {name + " 0", verdict::proved(detail::every_table), number_range{0, 0}};
+    if (std::isinf(radius.low))
+        return {name + " infinite", verdict::proved(detail::every_table), detail::no_end};
     if (open_at_zero || std::isinf(radius.high))
         return {name, verdict::undecided((std::isinf(radius.high) ? "at least " + brief(radius.low)
                                                                   : "0, or up to " + brief(radius.high)) +
                                          ": a condition vanishes up to rounding")};
     return {name + " " + detail::in_digits(radius),
-            verdict::proved(detail::between(radius) + " " + detail::every_table)};
+            verdict::proved(detail::between(radius) + " " + detail::every_table), radius};
 }
 
 }  // namespace stagecraft::theory

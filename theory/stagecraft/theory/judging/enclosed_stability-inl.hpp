@@ -225,11 +225,11 @@ STAGECRAFT_INLINE claim interval_claim(const std::string& name, const std::vecto
     if (stable) end.low = tableaux::downward(coordinate(pieces[next].to));
     if (const auto* loss = first_with_sign(pieces, -1)) end.high = tableaux::upward(coordinate(loss->from));
     if (std::isinf(end.high) && ((stable && std::isinf(pieces[next].to)) || next == pieces.size()))
-        return {name + " infinite", given.on("no end " + std::string(every_table))};
+        return {name + " infinite", given.on("no end " + std::string(every_table)), no_end};
     if (std::isinf(end.high))
         return {name, verdict::undecided("at least " + brief(end.low) +
                                          "; beyond that |R| is not told from 1 by these digits")};
-    return {name + " " + in_digits(end), given.on(between(end) + " " + every_table)};
+    return {name + " " + in_digits(end), given.on(between(end) + " " + every_table), end};
 }
 
 }  // namespace detail
@@ -258,14 +258,14 @@ STAGECRAFT_INLINE verdict rounded_l_stable(const subject<ball>& s) {
 STAGECRAFT_INLINE claim enclosed_sector(const subject<ball>& s, const enclosed_stability_function& given_f) {
     const std::string name = "A(alpha)-stable";
     if (s.strictly_lower && certainly_nonzero(s.t.b.sum()))
-        return {name, verdict::refuted("explicit: R is a polynomial and not constant")};
-    if (given_f.unbounded()) return {name, verdict::refuted("R(infinity) is infinite")};
+        return {name, verdict::refuted("explicit: R is a polynomial and not constant"), number_range{0, 0}};
+    if (given_f.unbounded()) return {name, verdict::refuted("R(infinity) is infinite"), number_range{0, 0}};
     const auto f = given_f.trimmed();
     const auto a = detail::a_stable_of(s, given_f);
-    if (a.is_proved() || a.is_consistent()) return {name + " up to 90 degrees", a};
+    if (a.is_proved() || a.is_consistent()) return {name + " up to 90 degrees", a, number_range{90, 90}};
     const auto on_axis = signs_on_half_line(margin_on_ray(f, ball(1)));
     if (const auto* bad = first_with_sign(on_axis, -1))
-        return {name, verdict::refuted("|R(x)| > 1 at some x < " + brief(-bad->from))};
+        return {name, verdict::refuted("|R(x)| > 1 at some x < " + brief(-bad->from)), number_range{0, 0}};
     if (f.degree == 0 || !certainly_nonzero(f.denominator[f.degree]))
         return {name, verdict::undecided("a pole may lie at infinity: det A is not told from 0")};
     detail::assumptions given;
@@ -276,10 +276,10 @@ STAGECRAFT_INLINE claim enclosed_sector(const subject<ball>& s, const enclosed_s
     };
     if (u.stable > 1)
         return {name, verdict::undecided("no angle at which these digits tell |R| from 1 was found")};
-    const detail::number_range angle{tableaux::downward(degrees(u.stable)),
-                                     u.unstable < 0 ? 90 : tableaux::upward(degrees(u.unstable))};
+    const number_range angle{tableaux::downward(degrees(u.stable)),
+                             u.unstable < 0 ? 90 : tableaux::upward(degrees(u.unstable))};
     return {name + " up to " + detail::in_digits(angle) + " degrees",
-            given.on(detail::between(angle) + " degrees " + detail::every_table)};
+            given.on(detail::between(angle) + " degrees " + detail::every_table), angle};
 }
 
 STAGECRAFT_INLINE claim enclosed_real_interval(const enclosed_stability_function& given_f) {
@@ -306,12 +306,12 @@ STAGECRAFT_INLINE claim enclosed_imaginary_interval(const enclosed_stability_fun
     const auto f = given_f.unbounded() || given_f.degree == 0 ? given_f : given_f.trimmed();
     if (const auto u = unitary_of(f); u.at_infinity != 0) {
         given.add("that R(z) R(-z) = 1", u.residual, u.bound_on_it);
-        return {name + " infinite", given.on("|R(iy)| = 1")};
+        return {name + " infinite", given.on("|R(iy)| = 1"), detail::no_end};
     }
     const detail::axis_signs signs(f);
     std::size_t next = 0;
     const int first = signs.sign_at_zero(given, next);
-    if (first < 0) return {name + " 0", given.on("|R(iy)| > 1 for every small y")};
+    if (first < 0) return {name + " 0", given.on("|R(iy)| > 1 for every small y"), number_range{0, 0}};
     if (first == 0) {
         std::string known;
         const auto y = [](bound square) { return brief(std::sqrt(square)); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <limits>
 #include <stagecraft/theory/judging/certificate.hpp>
 #include <stagecraft/theory/judging/enclosed_function.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
@@ -35,10 +36,9 @@ claim enclosed_limit(const subject<ball>& s, const enclosed_stability_function& 
 
 namespace detail {
 
-/// Ends of an interval that holds the number of every tableau; high may be infinity.
-struct number_range {
-    bound low = 0, high = 0;
-};
+/// Of a number that is infinite.
+inline constexpr number_range no_end{std::numeric_limits<bound>::infinity(),
+                                     std::numeric_limits<bound>::infinity()};
 
 /// "4.81975435359" or "3.5049 to 3.5068", and "between 4.8197543535934 and 4.8197543535935".
 std::string in_digits(const number_range& x);

@@ -77,6 +77,7 @@ STAGECRAFT_INLINE nlohmann::ordered_json to_json(const file_certificate& c) {
         j[f.name] = std::move(entry);
     }
     if (c.principal_error) j["principal_error"] = to_json(*c.principal_error);
+    if (c.error_metrics) j["error_metrics"] = to_json(*c.error_metrics);
     if (c.partners.empty()) add_to_json(c.spectra, j);
     j["failures"] = nlohmann::ordered_json::array();
     for (const failure& f : c.failures)
@@ -141,6 +142,7 @@ STAGECRAFT_INLINE std::string to_text(const file_certificate& c) {
         out += "\n";
     }
     if (c.principal_error) out += "  " + text(*c.principal_error) + "\n";
+    if (c.error_metrics) out += "  " + text(*c.error_metrics) + "\n";
     if (c.spectra.eigenvalues) out += "  eigenvalues of A: " + text(*c.spectra.eigenvalues) + "\n";
     if (c.spectra.poles) out += "  poles of R: " + text(*c.spectra.poles) + "\n";
     if (!c.spectra.note.empty()) out += "  " + c.spectra.note + "\n";

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stagecraft/tableaux/tableau_json.hpp>
+#include <stagecraft/theory/judging/error_metrics.hpp>
 #include <stagecraft/theory/judging/principal_error.hpp>
 #include <stagecraft/theory/judging/spectrum_json.hpp>
 #include <stagecraft/theory/judging/verdict_json.hpp>
@@ -80,6 +81,7 @@ struct file_certificate {
     int stages = 0;
     std::vector<finding> findings;
     std::optional<theory::principal_error> principal_error;
+    std::optional<theory::error_metrics> error_metrics;  ///< of an embedded pair
     std::vector<failure> failures;
     std::vector<suspect> suspects;
     std::string suspects_note;

@@ -8,12 +8,15 @@
 #include <stagecraft/tableaux/claims.hpp>
 #include <stagecraft/theory/judging/file_certificate.hpp>
 #include <stagecraft/theory/judging/finding_in_its_time.hpp>
+#include <stagecraft/theory/judging/judge_numbers.hpp>
 #include <stagecraft/theory/judging/jumps_seen.hpp>
+#include <stagecraft/theory/judging/level_findings.hpp>
 #include <stagecraft/theory/judging/order_finding.hpp>
 #include <stagecraft/theory/judging/properties.hpp>
 #include <stagecraft/theory/judging/subject.hpp>
 #include <stagecraft/theory/trees/tree_text.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -223,38 +226,6 @@ finding judge_row_sums(const subject<K>& s, const tableaux::claims& claims, std:
     return f;
 }
 
-/// The judgement on a stage order that enclosures do not refute.
-void set_open_stage_order(finding& f, tableaux::bound residual, tableaux::bound bound,
-                          tableaux::bound relative_bound);
-
-template <class K>
-finding judge_stage_order(const subject<K>& s, std::optional<int> claimed, std::vector<failure>& failures) {
-    finding f;
-    f.name = "stage_order";
-    const auto found = find_stage_order(s, std::max(claimed.value_or(0), 2 * s.stages()));
-    f.value = claimed ? found.stage_order : found.tested;
-    if (!claimed) return f;
-    f.claimed = std::to_string(*claimed);
-    if (found.stage_order < *claimed) {
-        for (const auto& x : found.failing) {
-            const std::string k = std::to_string(x.k), i = std::to_string(x.row + 1);
-            const std::string power = x.k == 1   ? "one"
-                                      : x.k == 2 ? "c"
-                                                 : "pow<" + std::to_string(x.k - 1) + ">(c)";
-            failures.push_back({x.which == 'B'
-                                    ? "B(" + k + "): dot(b, " + power + ") == 1/" + k
-                                    : "C(" + k + ") in row " + i + ": A*" + power + " == c^" + k + "/" + k,
-                                "", shown(x.residual), in_words(x.residual)});
-        }
-        f.judgement = verdict::refuted(failures.back().condition + " leaves " + failures.back().in_words);
-    } else if constexpr (exact_scalar<K>) {
-        f.judgement = verdict::proved("B(" + *f.claimed + ") and C(" + *f.claimed + ") hold");
-    } else {
-        set_open_stage_order(f, found.residual, found.bound, found.relative_bound);
-    }
-    return f;
-}
-
 }  // namespace detail
 
 /// Whether the author takes c = A*1: at most a third of the rows fail. Others mean the stages' times to differ.
@@ -340,6 +311,7 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
     certificate.findings.push_back(detail::found_in_its_time("stage_order", claims.stage_order, 0.4, [&] {
         return detail::judge_stage_order(s, claims.stage_order, failures);
     }));
+    detail::judge_levels(s, claims, certificate);
     auto properties_left = static_cast<double>(tableaux::yes_no_claims.size());
     for (const auto& [property, member] : tableaux::yes_no_claims) {
         const std::optional<bool> claimed = claims.*member;
@@ -354,6 +326,13 @@ void judge(const subject<K>& s, const tableaux::claims& claims, file_certificate
         }
         certificate.findings.push_back(std::move(f));
     }
+    for (const auto& [number, member] : tableaux::number_claims)
+        if (const auto& claimed = claims.*member)
+            certificate.findings.push_back(number_finding(
+                number, *claimed, detail::claimed_in_its_time(std::string(number), 0.3, [&, name = number] {
+                    return number_of(s, name);
+                })));
+    certificate.error_metrics = detail::metrics_in_their_time(s, certificate);
 }
 
 /// Whether a claim that is a polynomial identity in the entries (row sums where needed, orders, stage order)
@@ -375,6 +354,10 @@ bool refutes_a_condition(const subject<K>& s, const tableaux::claims& claims, bo
     if (claims.embedded_order && falls_short(s.t.b_embedded, *claims.embedded_order)) return true;
     if (claims.stage_order && find_stage_order(s, *claims.stage_order).stage_order < *claims.stage_order)
         return true;
+    for (const auto name : level_names)
+        if (const auto claimed = detail::claimed_level(claims, name))
+            if (*claimed <= most_looked_at(name))
+                if (find_levels(s, name, *claimed).value < *claimed) return true;
     return false;
 }
 
@@ -387,6 +370,9 @@ bool refutes_a_claim(const subject<K>& s, const tableaux::claims& claims, bool r
         const verdict v = property_of(s, property);
         if (*(claims.*member) ? v.is_refuted() : v.is_proved()) return true;
     }
+    for (const auto& [number, member] : tableaux::number_claims)
+        if (const auto& claimed = claims.*member)
+            if (judge_number(*claimed, number_of(s, number)).is_refuted()) return true;
     return false;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,11 +28,29 @@ std::string digits(double x);
 
 template <class K>
 claim interval_claim(const std::string& name, const stability_interval<K>& i) {
-    if (i.infinite) return {name + " infinite", verdict::proved("no sign change")};
+    using tableaux::bound;
+    constexpr auto none = std::numeric_limits<bound>::infinity();
+    if (i.infinite) return {name + " infinite", verdict::proved("no sign change"), number_range{none, none}};
     const auto low = digits(i.low.template to<double>());
     const auto high = digits(i.high.template to<double>());
-    if (i.low == i.high) return {name + " " + i.low.str(), verdict::proved("exact")};
-    return {name + " " + low, verdict::proved("enclosed to 2^-60" + (low == high ? "" : ", up to " + high))};
+    const number_range ends{tableaux::downward(i.low.template to<bound>()),
+                            tableaux::upward(i.high.template to<bound>())};
+    if (i.low == i.high) return {name + " " + i.low.str(), verdict::proved("exact"), ends};
+    return {name + " " + low, verdict::proved("enclosed to 2^-60" + (low == high ? "" : ", up to " + high)),
+            ends};
+}
+
+template <class K>
+claim sector_claim(const stability_function<K>& r) {
+    const auto s = largest_sector(r);
+    const number_range angle{s.degrees_low, s.degrees_high};
+    if (!s.exists) return {"A(alpha)-stable", verdict::refuted("for every alpha > 0"), number_range{0, 0}};
+    if (s.degrees_low == 90) return {"A(alpha)-stable up to 90 degrees", verdict::proved("A-stable"), angle};
+    char low[32], high[32];
+    std::snprintf(low, sizeof low, "%.13f", s.degrees_low);
+    std::snprintf(high, sizeof high, "%.13f", s.degrees_high);
+    return {"A(alpha)-stable up to " + std::string(low) + " degrees",
+            verdict::proved("not beyond " + std::string(high)), angle};
 }
 
 std::string reasons(const std::vector<hypothesis>& hypotheses);
@@ -71,18 +90,7 @@ std::vector<claim> function_claims(const stability_function<K>& r) {
     all.push_back({"L-stable", l_stable(r)});
     all.push_back({"A0-stable", a0_stable(r)});
     all.push_back({"I-stable", i_stable(r)});
-    const auto s = largest_sector(r);
-    if (!s.exists) {
-        all.push_back({"A(alpha)-stable", verdict::refuted("for every alpha > 0")});
-    } else if (s.degrees_low == 90) {
-        all.push_back({"A(alpha)-stable up to 90 degrees", verdict::proved("A-stable")});
-    } else {
-        char low[32], high[32];
-        std::snprintf(low, sizeof low, "%.13f", s.degrees_low);
-        std::snprintf(high, sizeof high, "%.13f", s.degrees_high);
-        all.push_back({"A(alpha)-stable up to " + std::string(low) + " degrees",
-                       verdict::proved("not beyond " + std::string(high))});
-    }
+    all.push_back(detail::sector_claim(r));
     all.push_back(detail::interval_claim("real stability interval", real_stability_interval(r)));
     all.push_back(detail::interval_claim("imaginary stability interval", imaginary_stability_interval(r)));
     if (r.denominator.degree() == 0) {
