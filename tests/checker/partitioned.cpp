@@ -319,6 +319,57 @@ BOOST_AUTO_TEST_CASE(the_symplectic_pairs_are_those_of_the_books) {
     BOOST_TEST(twice.exit_code() == 1);
 }
 
+BOOST_AUTO_TEST_CASE(pairs_are_symmetric_or_not) {
+    const auto verdict_of = [](const char* name) {
+        return certify_method(tableaux::text_of_file(folder + "/" + name + ".json"), folder)
+            .find("symmetric")
+            ->truth->standing();
+    };
+    for (const char* name : {"stoermer_verlet", "lobatto_iiia_iiib_3", "lobatto_iiia_iiib_4", "mclachlan_4",
+                             "stoermer_verlet_nystrom"})
+        BOOST_TEST((verdict_of(name) == theory::standing::proved), name);
+    for (const char* name : {"ruth_3", "symplectic_euler", "nystrom_5"})  // odd orders
+        BOOST_TEST((verdict_of(name) == theory::standing::refuted), name);
+    BOOST_TEST((verdict_of("nystrom_4") == theory::standing::inconclusive));
+    // Claims: a kick of the middle changed.
+    const auto claimed = [](const std::string& kick) {
+        return certify_method(
+                   R"({"form":"nystrom","c":["0","1"],"A_bar":[["0","0"],["1/2","0"]],"b_bar":[")" + kick +
+                   R"(","0"],"b":["1/2","1/2"],"claims":{"order":2,"symmetric":true}})")
+            .overall();
+    };
+    BOOST_TEST((claimed("1/2") == theory::standing::proved));
+    BOOST_TEST((claimed("1/3") == theory::standing::refuted));  // of order 1
+}
+
+// Those of Nystrom methods are what eigenvalues say at 40 digits (mpmath); Verlet's is (h omega)^2 < 4.
+BOOST_AUTO_TEST_CASE(intervals_on_oscillations_and_of_monotonicity_are_those_of_closed_forms) {
+    const auto said = [](const char* file, const char* name) {
+        const auto c = certify_method(tableaux::text_of_file(folder + "/" + file + ".json"), folder);
+        const auto* f = c.find(name);
+        return f ? f->truth->text() : "";
+    };
+    BOOST_TEST(said("stoermer_verlet_nystrom", "periodicity_interval") ==
+               "proved: (h omega)^2 up to 4, exact");
+    BOOST_TEST(
+        said("nystrom_4", "stability_interval").starts_with("proved: (h omega)^2 up to 6.690079991706"));
+    BOOST_TEST(said("dormand_prince_rkn_4_3", "stability_interval")
+                   .starts_with("proved: (h omega)^2 up to 14.196473021826"));
+    BOOST_TEST(
+        said("dormand_prince_rkn_5_4", "stability_interval").starts_with("refuted: oscillations grow"));
+    const auto pair = [](const std::string& one) {
+        return certify_method(R"({"form":"additive","partners":[)" + one + "," + one + "]}");
+    };
+    // Twice the same method is that method with f = f_1 + f_2: half of its SSP coefficient for each, and M in blocks.
+    const auto ssp = pair(R"({"A":[[0,0,0],[1,0,0],["1/4","1/4",0]],"b":["1/6","1/6","2/3"]})");
+    BOOST_TEST(
+        ssp.find("ssp_coefficient")->truth->text().starts_with("proved: common to all parts: 1/2, exact"));
+    BOOST_TEST((ssp.find("algebraically_stable")->truth->is_refuted()));
+    const auto midpoint = pair(R"({"A":[["1/2"]],"b":[1]})");
+    BOOST_TEST(midpoint.find("algebraically_stable")->truth->text() ==
+               "proved: b >= 0, M of all together has 0 positive and 2 zero pivots");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_file_is_said_with_line_and_entry) {
     const auto complaint = [](const std::string& text) -> std::string {
         try {

@@ -36,8 +36,10 @@ STAGECRAFT_INLINE tableaux::coupling coupling_of(const document& d) {
     reject(d, "/form", "form", in_quotes(form) + ", allowed: " + allowed + ", shu-osher, 2N, 2S, 3S*");
 }
 
-STAGECRAFT_INLINE claims coupled_claims(const document& d, int largest) {
+STAGECRAFT_INLINE claims coupled_claims(const document& d, const partitioned_file& file) {
     const claims stated = read_claims(d);
+    const int largest = largest_order_of(file);
+    const bool additive = file.coupling == coupling::additive;
     for (const auto& c : {counted_claims[0], counted_claims[1]})
         if ((stated.*(c.value)).value_or(0) > largest)
             reject(d, "/claims/" + std::string(c.name), "claims." + std::string(c.name),
@@ -45,11 +47,13 @@ STAGECRAFT_INLINE claims coupled_claims(const document& d, int largest) {
     if (stated.dense_order || stated.dense_smoothness)
         reject(d, "/claims", "claims", "dense output belongs to one of the tableaux");
     reject_rosenbrock_claims(d);
+    reject_single_claims(d);
     for (const auto& c : yes_no_claims)
-        if (c.name != "symplectic" && stated.*(c.value))
-            reject(
-                d, "/claims/" + std::string(c.name), "claims." + std::string(c.name),
-                "belongs to one of the tableaux; of all together only orders and symplectic can be claimed");
+        if (stated.*(c.value) &&
+            (additive ? c.name != "algebraically_stable" : c.name != "symplectic" && c.name != "symmetric"))
+            reject(d, "/claims/" + std::string(c.name), "claims." + std::string(c.name),
+                   std::string("belongs to one of the tableaux; of all together only orders and ") +
+                       (additive ? "algebraically_stable" : "symplectic and symmetric") + " can be claimed");
     return stated;
 }
 
@@ -120,7 +124,7 @@ STAGECRAFT_INLINE partitioned_file partitioned(const document& d, const reading&
         read_nystrom(d, with_its_own, file);
     else
         read_partners(d, with_its_own, folder, file);
-    file.claims = coupled_claims(d, largest_order_of(file));
+    file.claims = coupled_claims(d, file);
     const bool embedded = std::all_of(file.partners.begin(), file.partners.end(),
                                       [](const auto& p) { return !p.b_embedded.empty(); });
     if (file.claims.embedded_order && !embedded)

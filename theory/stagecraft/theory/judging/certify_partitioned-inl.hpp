@@ -15,6 +15,7 @@
 #include "stagecraft/theory/judging/in_its_time.hpp"
 #include "stagecraft/theory/judging/judge_coupling.hpp"
 #include "stagecraft/theory/judging/judge_rosenbrock.hpp"
+#include "stagecraft/theory/judging/judge_together.hpp"
 #include "stagecraft/theory/judging/other_readings.hpp"
 
 namespace stagecraft::theory {
@@ -35,6 +36,12 @@ void with_subject(const tableaux::partitioned_file& file, bool by_enclosures, Ex
         make(enclosed_subject);
 }
 
+template <class K>
+void judge_both(const coupled_subject<K>& s, file_certificate& certificate) {
+    judge(s, certificate);
+    judge_together(s, certificate);
+}
+
 /// Everything but suspects of what `certify` says of a file.
 STAGECRAFT_INLINE file_certificate judged(const tableaux::partitioned_file& file, bool by_enclosures) {
     file_certificate certificate;
@@ -47,7 +54,7 @@ STAGECRAFT_INLINE file_certificate judged(const tableaux::partitioned_file& file
         if (file.coupling == tableaux::coupling::rosenbrock)
             judge_rosenbrock(s, certificate);
         else
-            judge(s, certificate);
+            judge_both(s, certificate);
     });
     if (!judged_alone(file)) return certificate;
     for (std::size_t k = 0; k < file.partners.size(); ++k) {

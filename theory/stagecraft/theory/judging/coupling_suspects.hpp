@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <optional>
 #include <stagecraft/tableaux/partitioned_file.hpp>
 #include <stagecraft/tableaux/rough_ball.hpp>
@@ -9,6 +10,7 @@
 #include <stagecraft/theory/judging/judge_claims.hpp>
 #include <stagecraft/theory/judging/judge_coupling.hpp>
 #include <stagecraft/theory/judging/judge_rosenbrock.hpp>
+#include <stagecraft/theory/judging/judge_together.hpp>
 #include <stagecraft/theory/judging/rosenbrock_suspects.hpp>
 #include <stagecraft/theory/judging/suspects.hpp>
 #include <stagecraft/theory/trees/coloured_trees.hpp>
@@ -123,6 +125,12 @@ bool refutes_a_coupled_claim(const coupled_subject<K>& s, const coupled_trees_cl
     if (falls_short(false, claims.order.value_or(0))) return true;
     if (claims.embedded_order && falls_short(true, *claims.embedded_order)) return true;
     if (claims.symplectic.value_or(false) && symplectic_together(s).is_refuted()) return true;
+    if constexpr (std::same_as<K, tableaux::quadratic> || std::same_as<K, tableaux::ball>) {
+        if (claims.symmetric.value_or(false) && symmetric_together(s, std::nullopt).is_inconclusive())
+            return true;  // no repair leaves that open
+        if (claims.algebraically_stable.value_or(false) && algebraically_stable_together(s).is_refuted())
+            return true;
+    }
     if (s.nystrom()) return false;
     for (std::size_t k = 0; k < s.partners.size(); ++k) {
         tableaux::claims alone =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "stagecraft/theory/stability/a_stability.hpp"
@@ -21,24 +22,31 @@ bool falls_below_zero_at_once(const polynomial<K>& p) {
 
 }  // namespace detail
 
-/// The radius of absolute monotonicity, which is the SSP coefficient of an irreducible method: the largest r
-/// with K (I + rK)^-1 >= 0 and (I + rK)^-1 1 >= 0 on [0, r], K = [A 0; b^T 0] (Kraaijevanger 1991;
-/// Gottlieb-Ketcheson-Shu, section 4). Every entry is a quotient of polynomials in r over the field, so the
-/// first sign change is decided exactly and enclosed to 2^-bits. Taken of the equivalent irreducible method.
-/// Cost: O(s^4) operations and O(s^2) Sturm chains of degree <= s.
+/// K = [A 0; b^T 0].
 template <class K>
-stability_interval<K> ssp_radius(const tableau<K>& t, int bits = 60) {
-    const auto r = reduced(t);
-    const auto n = r.b.size() + 1;
+tableaux::dense<K> bordered(const tableau<K>& t) {
+    const auto n = t.b.size() + 1;
     tableaux::dense<K> k(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
         for (Eigen::Index j = 0; j < n; ++j) {
-            k(i, j) = j == n - 1 ? K(0) : i == n - 1 ? r.b[j] : r.A(i, j);
+            k(i, j) = j == n - 1 ? K(0) : i == n - 1 ? t.b[j] : t.A(i, j);
         }
     }
-    // With x = -1/r: adj(I + rK) = sum_l (-1)^l N_l r^l and det(I + rK) = sum_l (-1)^l c_l r^l from
-    // adj(xI - K) = sum_l N_l x^(n-1-l), det(xI - K) = sum_l c_l x^(n-l).
-    const auto f = tableaux::leverrier<K>(k);
+    return k;
+}
+
+/// The largest r with (I + rS)^-1 K >= 0 and (I + rS)^-1 1 >= 0 on [0, r] for each of the bordered matrices K of one size, S their
+/// sum (Higueras 2006; for one of them Kraaijevanger 1991). Every entry is a quotient of polynomials in r over the field, so the
+/// first sign change is decided exactly and enclosed to 2^-bits. Cost: O(s^4) operations and O(s^2) Sturm chains of
+/// degree <= s for each matrix.
+template <class K>
+stability_interval<K> common_ssp_radius(const std::vector<tableaux::dense<K>>& all, int bits = 60) {
+    tableaux::dense<K> sum_of_all = all.front();
+    for (std::size_t m = 1; m < all.size(); ++m) sum_of_all = sum_of_all + all[m];
+    const auto n = sum_of_all.rows();
+    // With x = -1/r: adj(I + rS) = sum_l (-1)^l N_l r^l and det(I + rS) = sum_l (-1)^l c_l r^l from
+    // adj(xI - S) = sum_l N_l x^(n-1-l), det(xI - S) = sum_l c_l x^(n-l).
+    const auto f = tableaux::leverrier<K>(sum_of_all);
     const auto polynomial_of = [&](auto coefficient) {
         std::vector<K> v;
         for (std::size_t l = 0; l < f.adjugate.size(); ++l) {
@@ -59,14 +67,16 @@ stability_interval<K> ssp_radius(const tableau<K>& t, int bits = 60) {
             for (Eigen::Index j = 0; j < n; ++j) sum = sum + a(i, j);
             return sum;
         }));
-        for (Eigen::Index j = 0; j + 1 < n; ++j) {
-            conditions.push_back(polynomial_of([&](const tableaux::dense<K>& a) {
-                K sum(0);
-                for (Eigen::Index l = 0; l < n; ++l) {
-                    if (!(k(i, l) == K(0))) sum = sum + k(i, l) * a(l, j);
-                }
-                return sum;
-            }));
+        for (const auto& k : all) {
+            for (Eigen::Index j = 0; j + 1 < n; ++j) {
+                conditions.push_back(polynomial_of([&](const tableaux::dense<K>& a) {
+                    K sum(0);
+                    for (Eigen::Index l = 0; l < n; ++l) {
+                        if (!(k(l, j) == K(0))) sum = sum + a(i, l) * k(l, j);
+                    }
+                    return sum;
+                }));
+            }
         }
     }
     for (const auto& p : conditions)  // the cheap look first
@@ -81,6 +91,13 @@ stability_interval<K> ssp_radius(const tableau<K>& t, int bits = 60) {
         radius = {false, loss->low, loss->high};
     }
     return radius;
+}
+
+/// The radius of absolute monotonicity, which is the SSP coefficient of an irreducible method (Kraaijevanger 1991;
+/// Gottlieb-Ketcheson-Shu, section 4). Taken of the equivalent irreducible method.
+template <class K>
+stability_interval<K> ssp_radius(const tableau<K>& t, int bits = 60) {
+    return common_ssp_radius<K>({bordered(reduced(t))}, bits);
 }
 
 }  // namespace stagecraft::theory
