@@ -269,6 +269,22 @@ BOOST_AUTO_TEST_CASE(weights_that_are_all_zero_are_judged_too) {
     BOOST_TEST(suspected(c, "b[1]", "1"));
 }
 
+// Nobody claims an order here, so that a row of zeros, turned, would leave everything as it should be.
+BOOST_AUTO_TEST_CASE(weights_that_do_not_sum_to_1_are_mended_without_a_claim) {
+    const auto merson = [](const std::string& last, const std::string& embedded) {
+        return judged(R"({"A":[["0","0","0"],["1/3","0","0"],["1/6","1/6","0"]],"c":["0","1/3","1/3"],
+            "b":["1/6","2/3",")" +
+                      last + R"("],"b_embedded":["1/2",")" + embedded + R"(","0"]})");
+    };
+    const auto c = merson("1/5", "1/2");
+    BOOST_TEST(c.exit_code() == 1);
+    BOOST_TEST(suspected(c, "b[3]", "1/6"));
+    BOOST_TEST(c.suspects_note.find("undone") == std::string::npos);
+    const auto e = merson("1/6", "1/3");
+    BOOST_TEST(e.exit_code() == 1);
+    BOOST_TEST(suspected(e, "b_embedded[2]", "1/2"));
+}
+
 BOOST_AUTO_TEST_CASE(two_surds_are_proved_and_three_are_enclosed_refuted_or_consistent) {
     // SDIRK with gamma = 1 - sqrt(2)/2 and idle stages with other surds.
     const auto file = [](const std::string& weight, const std::string& third) {

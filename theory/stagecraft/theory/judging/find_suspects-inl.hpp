@@ -243,7 +243,10 @@ bool find_beyond_structure(subject<K> s, const tableaux::tableau_file& file, con
     return !certificate.suspects.empty();
 }
 
-STAGECRAFT_INLINE void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate) {
+STAGECRAFT_INLINE void find_suspects(tableaux::tableau_file file, file_certificate& certificate) {
+    // Weights that do not sum to 1 are refuted without a claim: a repair has to mend them as well.
+    if (!file.claims.order) file.claims.order = 1;
+    if (!file.b_embedded.empty() && !file.claims.embedded_order) file.claims.embedded_order = 1;
     const int highest = std::max(file.claims.order.value_or(0), file.claims.embedded_order.value_or(0));
     if (highest > tableaux::largest_order) {
         certificate.suspects_note = "no entry is suspected: beyond order 14 the trees are not looked at";

@@ -18,7 +18,7 @@ subject<tableaux::ball> enclosed_subject(const tableaux::tableau_file& file);
 
 /// Names what may be wrong: single entries; else what was exchanged or lost; else two entries of a
 /// row, of two rows, of b, or an entry and one of b_embedded.
-void find_suspects(const tableaux::tableau_file& file, file_certificate& certificate);
+void find_suspects(tableaux::tableau_file file, file_certificate& certificate);
 
 }  // namespace detail
 
