@@ -40,7 +40,7 @@ struct zero_ends {
 
 template <class Guess>
 auto path(const beam& f, const Guess& guess, const sc::continuation_options<double>& o) {
-    return sc::continuation(sc::gauss<4>(), sc::two_point(f, zero_ends{}), 0.0, 1.0, guess, o);
+    return sc::continuation(sc::gauss<5>(), sc::two_point(f, zero_ends{}), 0.0, 1.0, guess, o);
 }
 
 template <class Path>

@@ -80,7 +80,7 @@ const MatrixXd first = (MatrixXd(2, 2) << 1, 0, 0, 0).finished(),
 
 template <class Guess>
 auto collocated(const bratu& f, const end_values& r, const Guess& guess, double rtol = 1e-11) {
-    return solve_bvp(gauss<4>(), two_point(f, r), 0.0, 1.0, guess, {.rtol = rtol});
+    return solve_bvp(gauss<5>(), two_point(f, r), 0.0, 1.0, guess, {.rtol = rtol});
 }
 
 double slope(double h1, double e1, double h2, double e2) { return std::log(e1 / e2) / std::log(h1 / h2); }
