@@ -337,7 +337,7 @@ struct result<State> {
 /// mass() and the like are refused there.
 ///
 /// An observer that is a plain callable sees states of the type of y0, its output(time) vectors of Eigen's; one with
-/// further members (events, solution, progress) sees these alone.
+/// further members (events, at, solution, progress) sees these alone.
 template <class Method, class Problem, detail::split_state State, class Observer = no_observer>
 result<State> integrate(const Method& method, Problem&& problem, const State& y0,
                         std::type_identity_t<detail::scalar_of<State>> t0,
