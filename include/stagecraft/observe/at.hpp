@@ -32,10 +32,11 @@ class timed_action {
     template <class Vector>
     bool change(const Scalar& t, Vector& y) {
         constexpr bool callable = std::is_invocable_v<Action&, const Scalar&, Vector&>;
-        static_assert(callable,
-                      "at(times, action): action must be callable as action(t, y), y a reference to the "
-                      "state, Eigen::Vector3d& or auto&, which it changes (where y0 is a number or an array a "
-                      "vector all the same: y[0])");
+        static_assert(
+            callable,
+            "at(times, action): action must be callable as action(t, y), y a reference to the "
+            "state, Eigen::Vector3d& or auto&, which it changes (where y0 is a number or an array a "
+            "vector all the same: y[0])");
         if (!times_.contains(t)) return false;
         if constexpr (callable) detail::change_by(action_, t, y, "at: the action");
         return true;
