@@ -135,6 +135,16 @@ BOOST_AUTO_TEST_CASE(quotients_are_judged_as_what_they_round_and_every_change_be
         hidden += stagecraft::theory::certify(moved).exit_code() == 0 ? 1 : 0;
     }
     BOOST_TEST(hidden > 0);
+    // Where the estimate alone is in quotients, what is exact stays proved.
+    const auto surds = checked::certify(R"({"A":[["1-sqrt(2)/2","0"],["sqrt(2)/2","1-sqrt(2)/2"]],
+        "b":["sqrt(2)/2","1-sqrt(2)/2"],"b_embedded":[")" +
+                                        other + R"(",")" + gamma +
+                                        R"("],"claims":{"order":2,"embedded_order":2,"L_stable":true}})");
+    BOOST_TEST(surds.exit_code() == 0);
+    BOOST_TEST(surds.find("order")->judgement->is_proved());
+    BOOST_TEST(surds.find("L_stable")->judgement->is_proved());
+    const auto estimate = surds.find("embedded_order")->judgement->standing();
+    BOOST_TEST((estimate == stagecraft::theory::standing::consistent));
     // Short fractions beside them say nothing of how the others are meant: Gauss 2 has four of eight, and with a digit lost in q it
     // is refuted and that entry named.
     std::string gauss = R"({"c":["1104728155436/5227629760075","4122901604639/5227629760075"],"A":[["1/4",

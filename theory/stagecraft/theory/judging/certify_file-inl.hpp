@@ -90,14 +90,33 @@ STAGECRAFT_INLINE tableaux::tableau_file with_orders_of(tableaux::tableau_file f
     return file;
 }
 
-/// The certificate of the first reading as which nothing fails, or nothing.
-STAGECRAFT_INLINE std::optional<file_certificate> judged_otherwise(const std::vector<other_reading>& readings,
+/// Whether a reading takes nothing but embedded weights otherwise than they are written, beside exact A, b and c.
+STAGECRAFT_INLINE bool only_embedded_weights_differ(tableaux::tableau_file written,
+                                                    tableaux::tableau_file taken) {
+    for (auto* f : {&written, &taken}) f->b_embedded.clear();
+    std::vector<tableaux::range> entries;
+    written.for_each_entry([&](const tableaux::entry& e) { entries.push_back(e.enclosure); });
+    std::size_t k = 0;
+    bool same = written.kind() <= tableaux::number_kind::quadratic;
+    taken.for_each_entry([&](const tableaux::entry& e) { same = same && e.enclosure == entries[k++]; });
+    return same;
+}
+
+/// The certificate of the first reading as which nothing fails, or nothing. What is exact stays proved where another reading takes
+/// embedded weights alone.
+STAGECRAFT_INLINE std::optional<file_certificate> judged_otherwise(const tableaux::tableau_file& given,
+                                                                   const std::vector<other_reading>& readings,
                                                                    const file_certificate& written) {
     for (const auto& [file, what, rule] : readings) {
         const auto subject = enclosed_subject(file);
         if (refutes_a_claim(subject, file.claims, mostly_row_sums(subject))) continue;
         auto certificate = judged(file);
         if (fails_as_written(certificate)) continue;
+        for (finding& f : certificate.findings) {
+            const finding* exact = written.find(f.name);
+            const bool of_weights = f.name.starts_with("embedded") || f.name == "jumps_seen";
+            if (exact && !of_weights && only_embedded_weights_differ(given, file)) f = *exact;
+        }
         describe(what, rule, resolution_of(with_orders_of(file, certificate)), written, certificate);
         return certificate;
     }
@@ -109,7 +128,7 @@ STAGECRAFT_INLINE std::optional<file_certificate> judged_otherwise(const std::ve
 STAGECRAFT_INLINE file_certificate explained(const tableaux::tableau_file& file,
                                              file_certificate certificate) {
     const auto readings = other_readings(file);
-    if (auto other = judged_otherwise(readings, certificate)) return *std::move(other);
+    if (auto other = judged_otherwise(file, readings, certificate)) return *std::move(other);
     if (certificate.overall() != standing::refuted) return certificate;
     std::vector<const tableaux::tableau_file*> ranked;
     for (const auto& r : readings) ranked.push_back(&r.file);
