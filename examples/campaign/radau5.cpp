@@ -4,10 +4,6 @@
 
 #include "problem.hpp"
 
-/// deSolve.so prints why RADAU5 gives up by R's own function, which needs R to run: this takes its place, and the
-/// reason is known by idid.
-extern "C" void Rprintf(const char*, ...) {}
-
 namespace campaign {
 
 namespace {

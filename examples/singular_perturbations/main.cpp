@@ -13,9 +13,6 @@
 
 #include "problems.hpp"
 
-/// What RADAU5 of deSolve.so says by R's function where it stops early; R, which is not running, would end the program.
-extern "C" void Rprintf(const char*, ...) {}
-
 namespace {
 
 namespace sc = stagecraft;

@@ -17,6 +17,10 @@
 
 #include "run.hpp"
 
+/// deSolve.so prints why RADAU5 gives up by R's own function, which needs R to run: this takes its place, and the
+/// reason is known by idid. Programs need ENABLE_EXPORTS for it.
+extern "C" [[gnu::used]] inline void Rprintf(const char*, ...) {}
+
 namespace peers {
 
 /// Both have this interface but for the arguments of `jac`.

@@ -180,3 +180,33 @@ BOOST_AUTO_TEST_CASE(rounding_in_a_current_that_is_of_index_2_ends_no_run) {
         }
     BOOST_TEST(at_rounding > 0);
 }
+
+// A diode clamps z: its equation becomes k times as steep where z passes a. Newton's iteration with the slope before the kink
+// multiplies its error by -k, whatever the step; the three stages of a step lie on both sides of it. Against the equation
+// with z eliminated; the step across the kink is estimated at a lower order.
+BOOST_AUTO_TEST_CASE(kinks_of_an_algebraic_equation_are_passed) {
+    for (const double k : {20.0, 120.0, 1200.0, 8000.0})
+        for (const double a : {0.15, 0.25, 0.33})
+            for (const double w : {2.0, 5.0}) {
+                const dae clamped{[=](double t, const V& y, V& f) {
+                                      f << std::sin(w * t) - y[1],
+                                          y[1] + k * std::max(0.0, y[1] - a) - 1.5 * y[0];
+                                  },
+                                  first_only};
+                const auto eliminated = [=](double t, const V& y, V& f) {
+                    const double x = 1.5 * y[0];
+                    f[0] = std::sin(w * t) - (x <= a ? x : (x + k * a) / (1 + k));
+                };
+                const double right = sc::integrate(sc::radau_iia<3>(), eliminated, V{{0}}, 0, 1,
+                                                   {.rtol = 1e-10, .atol = 1e-10})
+                                         .y[0];
+                for (const double tol : {1e-4, 1e-7}) {
+                    const auto r = sc::integrate(sc::radau_iia<3>(), clamped, V{{0, 0}}, 0, 1,
+                                                 {.rtol = tol, .atol = tol});
+                    BOOST_TEST_CONTEXT("k " << k << ", a " << a << ", w " << w << ", tol " << tol) {
+                        BOOST_TEST(name(r.status) == "success");
+                        BOOST_TEST(std::abs(r.y[0] - right) < 200 * tol);
+                    }
+                }
+            }
+}

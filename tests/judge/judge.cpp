@@ -246,20 +246,49 @@ BOOST_AUTO_TEST_CASE(of_what_may_help_the_cheapest_is_tried_first) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contraction_that_no_shorter_step_makes_faster_is_that_of_a_kink) {
-    BOOST_TEST(sc::meets_a_kink(3.0, 3.0, 3));
-    BOOST_TEST(sc::meets_a_kink(0.9, 1.0, 3));
-    BOOST_TEST(!sc::meets_a_kink(1.0, 2.0, 3));  // O(h)
-    BOOST_TEST(!sc::meets_a_kink(0.4, 0.4, 3));  // it is small enough
-    BOOST_TEST(!sc::meets_a_kink(3.0, 0.0, 3));  // there is none to compare with
-    BOOST_TEST(!sc::meets_a_kink(3.0, 3.0, 2));  // shorter steps may help yet
+    BOOST_TEST(sc::meets_a_kink(3.0, 3.0, 3, 3));
+    BOOST_TEST(sc::meets_a_kink(0.9, 1.0, 3, 3));
+    BOOST_TEST(!sc::meets_a_kink(1.0, 2.0, 3, 3));   // O(h)
+    BOOST_TEST(!sc::meets_a_kink(0.4, 0.4, 3, 3));   // it is small enough
+    BOOST_TEST(!sc::meets_a_kink(3.0, 0.0, 3, 3));   // there is none to compare with
+    BOOST_TEST(!sc::meets_a_kink(3.0, 3.0, 2, 15));  // shorter steps may help yet
+    BOOST_TEST(sc::meets_a_kink(3.0, 3.0, 1, 16));   // they end just before it, one after the other
+}
+
+BOOST_AUTO_TEST_CASE(what_iterations_came_to_is_kept_while_step_after_step_has_one_that_failed) {
     sc::attempts<double> tries;
-    BOOST_TEST(tries.theta_of_longer() == 0);
     sc::report<double> counts;
+    BOOST_TEST(tries.theta_of_longer(1) == 0);
     tries.unsolved(sc::status::newton_failed, counts);
-    tries.shortened(2);
-    BOOST_TEST(tries.theta_of_longer() == 2);
+    tries.shortened(-0.5, 2);
+    BOOST_TEST(tries.theta_of_longer(0.25) == 2);
+    BOOST_TEST(tries.theta_of_longer(0.5) == 0);  // that one was no longer
     tries.begin();
-    BOOST_TEST(tries.theta_of_longer() == 0);
+    BOOST_TEST(tries.refused().all == 0);
+    BOOST_TEST(tries.in_a_row() == 1);
+    BOOST_TEST(tries.theta_of_longer(0.25) == 2);
+    tries.unsolved(sc::status::newton_failed, counts);
+    tries.begin();
+    BOOST_TEST(tries.in_a_row() == 2);
+    tries.begin();  // behind a step without such a failure
+    BOOST_TEST(tries.in_a_row() == 0);
+    BOOST_TEST(tries.theta_of_longer(0.25) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_that_does_not_fall_with_the_step_may_be_of_its_start) {
+    sc::attempts<double> tries;
+    sc::report<double> counts;
+    BOOST_TEST(tries.may_be_of_the_start(true));  // in the first step
+    BOOST_TEST(!tries.may_be_of_the_start(true));
+    tries.too_large(0.5, 100, counts);
+    tries.begin();
+    tries.too_large(0.5, 100, counts);
+    BOOST_TEST(!tries.may_be_of_the_start(false));
+    tries.too_large(0.1, 89, counts);
+    BOOST_TEST(!tries.may_be_of_the_start(false));
+    tries.too_large(0.01, 88, counts);
+    BOOST_TEST(tries.may_be_of_the_start(false));
+    BOOST_TEST(!tries.may_be_of_the_start(false));  // once in a step
 }
 
 BOOST_AUTO_TEST_CASE(attempts_count_what_was_refused_and_keep_what_ends_the_run) {

@@ -61,14 +61,15 @@ start_found find_consistent_start(Method& method, System& system, linearisation<
             if (!method.stages().factor(system, tiny)) break;
             const scalar size = correction(x, step);
             if (!(size - size == scalar(0))) break;
-            const scalar least = scalar(1) / 1000;
+            const scalar least = scalar(1) / 1000,
+                         shortest = least * least;  // a kink may ask for parts of its slopes' ratio
             scalar part(1), left;
             for (;; part /= 2) {
                 trial = x + part * step;
                 left = correction(trial, next);
-                if (left <= least || left <= (scalar(1) - part / 4) * size || part < least) break;
+                if (left <= least || left <= (scalar(1) - part / 4) * size || part < shortest) break;
             }
-            if (part < least) break;
+            if (part < shortest) break;
             x = trial;
             if (left > least) continue;
             y = x;

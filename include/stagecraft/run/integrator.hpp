@@ -17,9 +17,9 @@ namespace stagecraft {
 template <class Method, class Problem, class Vector>
 class integrator : public step_loop<Method, Problem, Vector> {
     using loop = step_loop<Method, Problem, Vector>;
-    using loop::f_, loop::h_, loop::n_, loop::t_, loop::y_, loop::before_, loop::extrapolation_,
-        loop::has_output_, loop::judge_, loop::linear_, loop::norm_, loop::options_, loop::output_,
-        loop::plan_, loop::report_, loop::started_, loop::status_, loop::steps_, loop::system_,
+    using loop::attempts_, loop::f_, loop::h_, loop::n_, loop::t_, loop::y_, loop::before_,
+        loop::extrapolation_, loop::has_output_, loop::judge_, loop::linear_, loop::norm_, loop::options_,
+        loop::output_, loop::plan_, loop::report_, loop::started_, loop::status_, loop::steps_, loop::system_,
         loop::watched_;
     using typename loop::system_type;
 
@@ -93,7 +93,8 @@ class integrator : public step_loop<Method, Problem, Vector> {
     void carry(Bag& bag) {
         if (plan_.afresh(t_)) plan_.go_on_afresh();
         std::apply([&](auto&... m) { (bag.same_method(m.method(), m.order()), ...); }, steps_);
-        bag(h_, started_, has_output_, before_, report_, plan_, judge_, linear_, extrapolation_, f_, system_);
+        bag(h_, started_, has_output_, before_, report_, plan_, judge_, linear_, extrapolation_, attempts_,
+            f_, system_);
         std::apply([&](auto&... m) { bag(m...); }, steps_);
         if (has_output_) bag(*output_);
         if constexpr (Bag::unpacks)

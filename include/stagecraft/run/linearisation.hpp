@@ -160,11 +160,12 @@ class linearisation {
     void rejected(System& system) {
         if (!serves_well()) renew(system);
     }
-    /// Jacobians of other places have been tried for a step of h with method number k; it is back at the left end, and
-    /// `factored` there.
-    void tried_elsewhere(bool factored, const scalar& h, int k) {
+    /// Jacobians of other places have been tried for a step of h with method number k: `solved` by them it is that of the right
+    /// end, and factored there; else it is back at the left one.
+    void tried_elsewhere(bool solved, const scalar& h, int k) {
         ahead_ = false;
-        factored_for(factored ? h : scalar(0), k);
+        if (solved) jacobian_ = age::kept;
+        factored_for(solved ? h : scalar(0), k);
     }
     /// Where the extrapolation went astray the Jacobian did: true if it is wanted at the left end now.
     bool stay_behind() {

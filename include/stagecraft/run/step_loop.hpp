@@ -127,7 +127,6 @@ class step_loop {
         h_ = plan_.equal().h;
         before_ = report_.steps;
         started_ = has_output_ = false;
-        may_move_start_ = true;
         norm_.at(y_);
         f_.forget();
         linear_.start();
@@ -233,8 +232,8 @@ class step_loop {
     }
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
-    /// step, which cannot be repeated with a smaller one, by homotopy where that fails; along secants where the rate is
-    /// that of a kink.
+    /// step, which cannot be repeated with a smaller one, by homotopy where that fails; stage by stage where the rate
+    /// is that of a kink.
     template <class Step>
     [[gnu::always_inline]] newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear,
                                                         output_type& now) {
@@ -256,8 +255,8 @@ class step_loop {
                 linear_.factored_for(h, judge_.method());
         if constexpr (meets_kinks<Step, system_type>)
             if (newton.end == newton_end::diverged && linear == linear_state::factored && linear_.fresh())
-                if (plan_.fixed() || meets_a_kink(newton.theta, attempts_.theta_of_longer(),
-                                                  refused().by_newton)) [[unlikely]] {
+                if (plan_.fixed() || meets_a_kink(newton.theta, attempts_.theta_of_longer(h),
+                                                  refused().by_newton, attempts_.in_a_row())) [[unlikely]] {
                     const newton_outcome<scalar> led =
                         solve_across_kink(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h,
                                           norm_, limits, now, report_);
@@ -272,18 +271,23 @@ class step_loop {
 
     /// A step of h is to be tried in place of the planned one, if t resolves it.
     progress shorten(const planned_step<scalar>& plan, const scalar& h) {
-        if (first() && !plan_.fixed() && moves_start(plan.h)) return progress::again;
+        if (!plan_.fixed() && attempts_.may_be_of_the_start(first()) && moves_start(plan.h))
+            return progress::again;
         if (plan.smallest) return give_up(attempts_.obstacle());
         h_ = h;
         return progress::again;
     }
 
-    /// After the first failure of the first step: y0 moves to the constraints, where they can be satisfied. The method of a
-    /// run that is here forgets y0, which is in no stage of it.
+    /// The state moves to the constraints, where they can be satisfied. The method of a run that is here forgets where a step
+    /// begins, which is in no stage of it.
     bool moves_start(const scalar& h) {
-        return std::exchange(may_move_start_, false) && visit_current([&](auto& m) {
-                   return move_start(m, system_, linear_, t_, y_, h, norm_, f_, options_, report_);
-               });
+        error_ = y_;
+        return visit_current([&](auto& m) {
+            if (!move_start(m, system_, linear_, t_, y_, h, norm_, f_, options_, report_)) return false;
+            if (has_output_) output_->move_end(y_ - error_);
+            m.replaced();
+            return true;
+        });
     }
 
     /// A guard forbids the step.
@@ -322,7 +326,7 @@ class step_loop {
                 return progress::again;
             case remedy::shorter_step:
                 linear_.stay_behind();
-                attempts_.shortened(newton.theta);
+                attempts_.shortened(plan.h, newton.theta);
                 judge_.unsolved(refused().all >
                                 (system_.rough_stages() ? 2 : 1));  // one of two from a constant
                 return shorten(plan, plan.h / 2);
@@ -420,7 +424,7 @@ class step_loop {
     long before_ = 0;           // report_.steps when the run began, or went on afresh
     long unsolved_before_ = 0;  // report_.linear_failures before this attempt
     attempts<scalar> attempts_;
-    bool keeps_output_, started_ = false, may_move_start_ = true, has_output_ = false;
+    bool keeps_output_, started_ = false, has_output_ = false;
     bool across_kink_ = false;  // the present attempt leads there
     stagecraft::status status_ = status::success;
 };
