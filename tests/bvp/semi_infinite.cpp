@@ -209,6 +209,35 @@ BOOST_AUTO_TEST_CASE(waves_that_die_away_more_slowly_than_the_modes_beside_a_con
         }
 }
 
+BOOST_AUTO_TEST_CASE(
+    what_is_seen_of_a_limit_near_a_zero_of_a_wave_and_shorter_intervals_hold_what_is_inside) {
+    // y' = -2 (y - s) + s', s = exp(-t/10) cos w t: near a zero of y' at the limit its next values fall like a power of t.
+    double w = 0;
+    const auto f = [&](const auto& t, const auto& y, auto& d) {
+        using std::cos;
+        using std::exp;
+        using std::sin;
+        d[0] = -2. * y[0] + exp(-0.1 * t) * (1.9 * cos(w * t) - w * sin(w * t));
+    };
+    const auto wave = [&](double t) { return std::exp(-0.1 * t) * std::cos(w * t); };
+    const auto none = [](const auto&, const auto&, auto&) {};
+    const VectorXd zero = VectorXd::Zero(1);
+    const auto solve = [&](double t, auto condition) {
+        return sc::solve_bvp(sc::gauss<5>(),
+                             sc::two_point(f, none, sc::interior(t, condition), sc::to_infinity(zero)), 0.0,
+                             infinity, zero, {.rtol = 1e-4});
+    };
+    for (const double turns : {0.23, 0.44, 0.9, 1.11}) {
+        w = turns;
+        const auto r = solve(0.1, [&](const auto& y) { return y[0] - wave(0.1); });
+        BOOST_TEST_REQUIRE(r.ok(), r.message);
+        for (const double t : {0.0, 1.0, 4.0}) BOOST_TEST(std::abs(r.y(t)[0] - wave(t)) < 4e-4);
+    }
+    // Nothing satisfies this condition. Shorter intervals are tried as long as they hold its time.
+    BOOST_TEST(sc::name(solve(2, [](const auto& y) { return 1. + y[0] * y[0]; }).status) ==
+               std::string("newton_failed"));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_limit_is_refused) {
     const auto solve = [](const auto& f, const VectorXd& limit, int conditions = 1, double b = infinity) {
         const auto some = [conditions](const auto& left, const auto&, auto& r) {

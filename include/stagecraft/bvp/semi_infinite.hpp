@@ -99,20 +99,21 @@ class search_to_infinity {
                        int pieces, bool integrals, const Solve& solve)
         : state_(state), guess_(guess), a_(a), o_(o), pieces_(pieces), integrals_(integrals), solve_(solve) {}
 
-    /// From the first end on; where that leads to no solution which approaches the limit, from half the length, and again.
-    /// `coarse` is the tolerance up to the first end.
-    Result run(const parameters& p, scalar end, const scalar& coarse) {
+    /// From the first end on; where that leads to no solution which approaches the limit, from half the length, and again, as
+    /// long as that is not below `least`. `coarse` is the tolerance up to the first end.
+    Result run(const parameters& p, scalar end, const scalar& least, const scalar& coarse) {
         constexpr int starts = 3;
         for (int k = 1;; ++k) {
             Result r = lengthen(p, end, coarse);
             const bool elsewhere = r.status == bvp_status::newton_failed ||
                                    r.status == bvp_status::singular ||
                                    r.status == bvp_status::tolerance_not_met;
-            if (r.ok() || !elsewhere || k == starts) {
+            const scalar shorter = std::max(least, scalar(a_ + (end - a_) / 2));
+            if (r.ok() || !elsewhere || k == starts || !(shorter < end)) {
                 r.report = work_;
                 return r;
             }
-            end = a_ + (end - a_) / 2;
+            end = shorter;
         }
     }
 
@@ -297,16 +298,16 @@ requires((detail::reaches_infinity<More> || ...) &&
                            "to_infinity(limit): near limit more directions do not decay than "
                            "there are conditions to give");
     };
-    Scalar end = b, coarse(0);
+    Scalar end = b, coarse(0), least = a;  // conditions inside want to be inside
+    const auto beyond = [&](const auto& part) {
+        if constexpr (detail::multipoint_part<std::decay_t<decltype(part)>>::cuts)
+            least = std::max(least, Scalar(a + (Scalar(part.t) - a) * 5 / 4));
+    };
+    std::apply([&](const auto&... part) { (beyond(part), ...); }, problem.more);
+    for (const Scalar& t : o.fixed_points) least = std::max(least, Scalar(a + (t - a) * 5 / 4));
     if (!(b - b == Scalar(0))) {
         coarse = Scalar(1) / 10000;
-        end = a + state.first_length(p);
-        const auto beyond = [&](const auto& part) {
-            if constexpr (detail::multipoint_part<std::decay_t<decltype(part)>>::cuts)
-                end = std::max(end, Scalar(a + (Scalar(part.t) - a) * 5 / 4));
-        };
-        std::apply([&](const auto&... part) { (beyond(part), ...); }, problem.more);
-        for (const Scalar& t : o.fixed_points) end = std::max(end, Scalar(a + (t - a) * 5 / 4));
+        end = std::max(least, Scalar(a + state.first_length(p)));
     }
     state.look(end, p), at_end(end);
     detail::demand_all_written<vector>(ends, vector(detail::guess_value(guess, a)), p);
@@ -321,7 +322,7 @@ requires((detail::reaches_infinity<More> || ...) &&
     constexpr bool integrals = (detail::multipoint_part<More>::integrates || ...);
     detail::search_to_infinity<result, Guess, decltype(state), decltype(solve)> search(
         state, guess, a, o, pieces, integrals, solve);
-    return search.run(p, end, coarse);
+    return search.run(p, end, least, coarse);
 }
 
 }  // namespace stagecraft

@@ -117,13 +117,14 @@ class limit_state : public directions_of_approach<typename Vector::Scalar> {
                  << " (give limit to the digits that rtol asks for)";
         demand(least <= most_, text.str());
     }
-    /// Does the defect, which is `last` at t, fall to what it may be by far more than powers of t do over twice the time?
+    /// Does the defect, which is `last` at t, fall to what it may be, and then by far more than powers of t do over twice the
+    /// time, before it is rounding? A wave may pass zero at one of the times.
     bool falls_exponentially(scalar t, scalar last, const Parameters& p) {
-        scalar earlier = last;  // a wave may pass zero at one of the times
-        for (int k = 0; k < 16; ++k) {
+        scalar earlier = last, now = last;
+        for (int k = 0; k < 16 && now > 1000 * std::numeric_limits<scalar>::epsilon(); ++k) {
             t = a_ + 2 * (t - a_);
-            const scalar now = defect(t, p);
-            if (now <= most_) return now < std::max(scalar(last / 100), scalar(earlier / 10000));
+            now = defect(t, p);
+            if (now <= most_ && now < std::max(scalar(last / 100), scalar(earlier / 10000))) return true;
             earlier = last, last = now;
         }
         return false;
