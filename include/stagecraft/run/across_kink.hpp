@@ -80,11 +80,14 @@ newton_outcome<Scalar> solve_stage_by_stage(Step& method, System& system, const 
         Scalar square(0);
         for (int i = 0; i < s; ++i) {
             for (int r = 0; r < n; ++r) point[r] = x[static_cast<std::size_t>(i * n + r)];
-            Z.col(i) += point;
             square += norm(point) * norm(point) / Scalar(s);
         }
         const Scalar size = sqrt(square);
         if (!(size - size == Scalar(0))) break;
+        // Two iterates, one on either side of the kink, may lead to each other: half of the way leads to neither.
+        const Scalar part = last > Scalar(0) && size >= last ? Scalar(1) / 2 : Scalar(1);
+        for (int i = 0; i < s; ++i)
+            for (int r = 0; r < n; ++r) Z(r, i) += part * x[static_cast<std::size_t>(i * n + r)];
         if (size <= limits.factor || (size <= limits.noise && 4 * size > last)) {
             newton.end = newton_end::converged;
             break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <stagecraft/judge/evidence.hpp>
@@ -44,7 +45,7 @@ class attempts {
         ++counts.rejected_newton;
         ++refused_.all;
         ++refused_.by_newton;
-        ++in_a_row_;
+        if (in_a_row_ < std::numeric_limits<short>::max()) ++in_a_row_;
     }
     /// Attempts that have not been solved, in this step and in those just before that had such as well.
     int in_a_row() const { return in_a_row_; }
@@ -88,8 +89,8 @@ class attempts {
 
   private:
     refusals<Scalar> refused_;
-    int in_a_row_ = 0;
     Scalar h_{0}, theta_{0};  // of the attempt behind which a shorter one was tried last
+    short in_a_row_ = 0;
     bool stays_ = false, asked_ = false;
     status obstacle_ = status::step_underflow;
 };

@@ -233,7 +233,7 @@ class step_loop {
 
     /// Solves the stage equations by Newton's iteration from the extrapolated solution; those of a fixed
     /// step, which cannot be repeated with a smaller one, by homotopy where that fails; stage by stage where the rate
-    /// is that of a kink.
+    /// is that of a kink. (In fixed steps by methods that forget: others would go on with what a step leaves.)
     template <class Step>
     [[gnu::always_inline]] newton_outcome<scalar> solve(Step& method, const scalar& h, linear_state linear,
                                                         output_type& now) {
@@ -255,8 +255,9 @@ class step_loop {
                 linear_.factored_for(h, judge_.method());
         if constexpr (meets_kinks<Step, system_type>)
             if (newton.end == newton_end::diverged && linear == linear_state::factored && linear_.fresh())
-                if (plan_.fixed() || meets_a_kink(newton.theta, attempts_.theta_of_longer(h),
-                                                  refused().by_newton, attempts_.in_a_row())) [[unlikely]] {
+                if (plan_.fixed() ? method.forgets()
+                                  : meets_a_kink(newton.theta, attempts_.theta_of_longer(h),
+                                                 refused().by_newton, attempts_.in_a_row())) [[unlikely]] {
                     const newton_outcome<scalar> led =
                         solve_across_kink(method, system_, extrapolates() ? output_ : nullptr, t_, y_, h,
                                           norm_, limits, now, report_);
