@@ -252,12 +252,12 @@ inline std::optional<int> claimed_level(const tableaux::claims& claims, std::str
 
 template <class K>
 void judge_levels(const subject<K>& s, const tableaux::claims& claims, file_certificate& certificate) {
-    const auto* order = certificate.find("order");
+    const int order = certificate.find("order")->value.value_or(0);  // (findings move as more are added)
     for (const auto name : level_names) {
         const auto claimed = claimed_level(claims, name);
         if (!claimed && s.stages() > 16) continue;
         certificate.findings.push_back(found_in_its_time(std::string(name), claimed, 0.2, [&, key = name] {
-            return judge_level(s, key, claimed, order->value.value_or(0));
+            return judge_level(s, key, claimed, order);
         }));
     }
 }
