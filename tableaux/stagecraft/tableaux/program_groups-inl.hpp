@@ -18,6 +18,8 @@
 
 namespace stagecraft::tableaux::program_text {
 
+void take_dense(groups& out, variables& v);  // of program_dense.hpp, which includes this
+
 /// Puts variables together.
 class grouping {
   public:

@@ -95,12 +95,12 @@ verdict symmetric_together(const coupled_subject<K>& s, std::optional<int> order
     } else {
         const auto &t = s.partners[0].t, &u = s.partners[1].t;
         const bool separable = s.file->coupling == tableaux::coupling::separable;
-        std::vector<int> every;
-        for (int i = 0; i < s.stages(); ++i) every.push_back(i);
-        const auto first = separable ? detail::used_columns(t) : every,
-                   second = separable ? detail::used_columns(u) : every;
-        detail::add_mirror(t, separable ? second : every, first, "A", all);
-        detail::add_mirror(u, separable ? first : every, second, "A_hat", all);
+        std::vector<int> stages;
+        for (int i = 0; i < s.stages(); ++i) stages.push_back(i);
+        const auto first = separable ? detail::used_columns(t) : stages,
+                   second = separable ? detail::used_columns(u) : stages;
+        detail::add_mirror(t, separable ? second : stages, first, "A", all);
+        detail::add_mirror(u, separable ? first : stages, second, "A_hat", all);
     }
     if (all.verdict().is_refuted())
         return verdict::undecided("in reverse order the stages are no mirror images (" +
