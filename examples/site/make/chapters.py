@@ -1,6 +1,7 @@
 """A page for each program of the examples that draws, as far as it is built: what it prints and its pictures. Whoever built it
 waits for it to run, once: what it made is kept as long as the program is the same. Nobody has to build it for the site.
 """
+import concurrent.futures
 import hashlib
 import re
 import shutil
@@ -52,9 +53,12 @@ def page(site, target, heading, arguments):
 
 
 def table(site):
+    built = [target for target in PROGRAMS if (site.command.parent / target).exists()]
+    with concurrent.futures.ThreadPoolExecutor() as pool:  # one runs for minutes
+        list(pool.map(lambda target: made(site, target, PROGRAMS[target][0]), built))
     rows = ["| chapter | |", "|---|---|"]
     for target, (arguments, heading) in PROGRAMS.items():
-        if (site.command.parent / target).exists():
+        if target in built:
             page(site, target, heading, arguments)
             rows.append(f"| [{heading}](chapters/{target}.md) | pictures and numbers |")
         else:
