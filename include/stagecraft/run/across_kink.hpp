@@ -100,8 +100,8 @@ newton_outcome<Scalar> solve_stage_by_stage(Step& method, System& system, const 
 /// Solves the stage equations of a step h from (t, y) that Newton's iteration could not solve with a Jacobian of the left end,
 /// at a rate that no shorter step makes better: beyond a kink of an algebraic equation the slope is another one. Up to 300
 /// numbers in all stages each has its own Jacobian; of more, and where entries are not here, all have that of the end which
-/// the step `before` predicts (null: at y). Jacobian and factors are those of the left end again afterwards, for the estimate,
-/// or for a shorter step. Takes storage where it is called.
+/// the step `before` predicts (null: at y). Jacobian and factors are those of the right end afterwards, for the estimate, or
+/// those of the left end again, for a shorter step. Takes storage where it is called.
 template <class Step, class System, class Scalar, class Vector, class Norm>
 [[gnu::noinline, gnu::cold]] newton_outcome<Scalar> solve_across_kink(
     Step& method, System& system, const typename Step::output* before, const Scalar& t, const Vector& y,
